@@ -1,0 +1,2 @@
+//! The command `msape`.
+fn main() {}
