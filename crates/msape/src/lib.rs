@@ -14,3 +14,5 @@ pub mod soak;
 pub mod tps;
 pub mod units;
 pub mod vehicle;
+
+pub use case::Case;
