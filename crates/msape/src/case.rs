@@ -57,7 +57,10 @@ impl Case {
         for input in input::inputs().filter(|input| !input.key.starts_with("vehicle.")) {
             case.reset(input);
         }
-        case.values.insert("design.payload_diameter_ratio".to_string(), Value::Number(0.6));
+        case.values.insert(
+            "design.payload_diameter_ratio".to_string(),
+            Value::Number(0.6),
+        );
         case
     }
 

@@ -12,4 +12,4 @@ pub mod schema;
 pub mod trajectory;
 
 pub use input::{Input, inputs};
-
+pub use output::{Job, Output, outputs};

@@ -135,9 +135,17 @@ pub static UNITS: &[Unit] = &[
     unit("deg/s", Dimension::AngularRate, 1.0 / DEGREES_PER_RADIAN),
     unit("kg/m^3", Dimension::Density, 1.0),
     unit("g/cm^3", Dimension::Density, 1e3),
-    unit("lb/ft^3", Dimension::Density, POUND_KG / (FOOT_M * FOOT_M * FOOT_M)),
+    unit(
+        "lb/ft^3",
+        Dimension::Density,
+        POUND_KG / (FOOT_M * FOOT_M * FOOT_M),
+    ),
     unit("kg/m^2", Dimension::ArealDensity, 1.0),
-    unit("lb/ft^2", Dimension::ArealDensity, POUND_KG / (FOOT_M * FOOT_M)),
+    unit(
+        "lb/ft^2",
+        Dimension::ArealDensity,
+        POUND_KG / (FOOT_M * FOOT_M),
+    ),
     unit("Pa", Dimension::Pressure, 1.0),
     unit("kPa", Dimension::Pressure, 1e3),
     unit("MPa", Dimension::Pressure, 1e6),
@@ -203,7 +211,11 @@ mod tests {
     fn every_symbol_is_ascii_and_stands_once() {
         for (i, unit) in UNITS.iter().enumerate() {
             assert!(unit.symbol.is_ascii(), "{}", unit.symbol);
-            assert!(UNITS[..i].iter().all(|u| u.symbol != unit.symbol), "{}", unit.symbol);
+            assert!(
+                UNITS[..i].iter().all(|u| u.symbol != unit.symbol),
+                "{}",
+                unit.symbol
+            );
         }
     }
 

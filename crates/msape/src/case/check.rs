@@ -68,7 +68,13 @@ impl<'a> Reader<'a> {
     /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.
     pub fn number(&mut self, key: &str) -> Option<f64> {
         let input = self.known(key)?;
-        let Kind::Number { dimension, allowed, usual, whole } = input.kind else {
+        let Kind::Number {
+            dimension,
+            allowed,
+            usual,
+            whole,
+        } = input.kind
+        else {
             self.fault(key, "is not a number in the list of inputs");
             return None;
         };
@@ -87,12 +93,22 @@ impl<'a> Reader<'a> {
                 }
             },
             Some(other) => {
-                self.fault(key, format!("got {}, {}", shown(other), must_be(&allowed, unit.symbol)));
+                self.fault(
+                    key,
+                    format!("got {}, {}", shown(other), must_be(&allowed, unit.symbol)),
+                );
                 return None;
             }
         };
         if !allowed.contains(value) {
-            self.fault(key, format!("got {}, {}", with_unit(value, unit.symbol), must_be(&allowed, unit.symbol)));
+            self.fault(
+                key,
+                format!(
+                    "got {}, {}",
+                    with_unit(value, unit.symbol),
+                    must_be(&allowed, unit.symbol)
+                ),
+            );
             return None;
         }
         if whole && value % 1.0 != 0.0 {
@@ -134,8 +150,17 @@ impl<'a> Reader<'a> {
     /// Notes that a key is missing, with what it must be.
     pub fn missing(&mut self, key: &str) {
         let message = match input::find(key).map(|input| (input.kind, input)) {
-            Some((Kind::Number { dimension, allowed, .. }, input)) => {
-                format!("missing; {} {}", input.label, must_be(&allowed, canonical(dimension).symbol))
+            Some((
+                Kind::Number {
+                    dimension, allowed, ..
+                },
+                input,
+            )) => {
+                format!(
+                    "missing; {} {}",
+                    input.label,
+                    must_be(&allowed, canonical(dimension).symbol)
+                )
             }
             Some((_, input)) => format!("missing; {}", input.help),
             None => "missing".to_string(),
@@ -176,15 +201,28 @@ impl<'a> Reader<'a> {
             (None, Preset::Name(name)) => name.to_string(),
             (None, _) => return None,
             (Some(other), _) => {
-                self.fault(key, format!("got {}, must be one of {}", shown(other), names.join(", ")));
+                self.fault(
+                    key,
+                    format!("got {}, must be one of {}", shown(other), names.join(", ")),
+                );
                 return None;
             }
         };
-        let found = names.iter().find(|name| squeezed(name) == squeezed(&wanted));
+        let found = names
+            .iter()
+            .find(|name| squeezed(name) == squeezed(&wanted));
         if found.is_none() {
             let near = nearest(&wanted, names.iter().copied());
-            let hint = near.map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
-            self.fault(key, format!("got \"{wanted}\", must be one of {}{hint}", names.join(", ")));
+            let hint = near
+                .map(|n| format!("; did you mean \"{n}\"?"))
+                .unwrap_or_default();
+            self.fault(
+                key,
+                format!(
+                    "got \"{wanted}\", must be one of {}{hint}",
+                    names.join(", ")
+                ),
+            );
         }
         found.copied()
     }
@@ -192,27 +230,51 @@ impl<'a> Reader<'a> {
     /// Rows of numbers with the columns of the input; ragged or empty tables are faults.
     pub fn rows(&mut self, key: &str) -> Option<Vec<Vec<f64>>> {
         let input = self.known(key)?;
-        let Kind::Rows(columns) = input.kind else { return None };
+        let Kind::Rows(columns) = input.kind else {
+            return None;
+        };
         let rows = match self.case.values.get(key)? {
             Value::Rows(rows) => rows.clone(),
             other => {
-                self.fault(key, format!("got {}, must be rows of {}", shown(other), column_names(input)));
+                self.fault(
+                    key,
+                    format!(
+                        "got {}, must be rows of {}",
+                        shown(other),
+                        column_names(input)
+                    ),
+                );
                 return None;
             }
         };
         let fewest = columns.iter().filter(|column| column.required).count();
         let before = self.faults.len();
         if rows.is_empty() {
-            self.fault(key, format!("got no rows, must be rows of {}", column_names(input)));
+            self.fault(
+                key,
+                format!("got no rows, must be rows of {}", column_names(input)),
+            );
         }
         for (i, row) in rows.iter().enumerate() {
             if row.len() < fewest || row.len() > columns.len() || row.len() != rows[0].len() {
-                let message = format!("row {} has {} numbers, must be {}", i + 1, row.len(), column_names(input));
+                let message = format!(
+                    "row {} has {} numbers, must be {}",
+                    i + 1,
+                    row.len(),
+                    column_names(input)
+                );
                 self.fault(key, message);
             }
             for (cell, column) in row.iter().zip(columns) {
                 if !cell.is_finite() {
-                    self.fault(key, format!("row {}, {}: got {cell}, must be a finite number", i + 1, column.name));
+                    self.fault(
+                        key,
+                        format!(
+                            "row {}, {}: got {cell}, must be a finite number",
+                            i + 1,
+                            column.name
+                        ),
+                    );
                 }
             }
         }
@@ -232,7 +294,13 @@ fn column_names(input: &Input) -> String {
     match input.kind {
         Kind::Rows(columns) => columns
             .iter()
-            .map(|column| if column.required { column.name.to_string() } else { format!("[{}]", column.name) })
+            .map(|column| {
+                if column.required {
+                    column.name.to_string()
+                } else {
+                    format!("[{}]", column.name)
+                }
+            })
             .collect::<Vec<_>>()
             .join(", "),
         _ => String::new(),
@@ -248,7 +316,11 @@ fn must_be(range: &Range, unit: &str) -> String {
     match (range.min_included, max_matters) {
         (true, _) => format!("must be {} to {}", range.min, with_unit(range.max, unit)),
         (false, true) => {
-            format!("must be above {} and at most {}", with_unit(range.min, unit), with_unit(range.max, unit))
+            format!(
+                "must be above {} and at most {}",
+                with_unit(range.min, unit),
+                with_unit(range.max, unit)
+            )
         }
         (false, false) => format!("must be above {}", with_unit(range.min, unit)),
     }
@@ -265,18 +337,31 @@ fn shown(value: &Value) -> String {
 }
 
 fn squeezed(name: &str) -> String {
-    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+    name.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
 }
 
 fn unknown_key(key: &str) -> String {
     let section = key.rsplit_once('.').map_or("", |(section, _)| section);
-    let of_section = |input: &&Input| input.key.rsplit_once('.').map_or("", |(section, _)| section) == section;
+    let of_section = |input: &&Input| {
+        input
+            .key
+            .rsplit_once('.')
+            .map_or("", |(section, _)| section)
+            == section
+    };
     let near = nearest(key, inputs().filter(of_section).map(|input| input.key))
         .or_else(|| nearest(key, inputs().map(|input| input.key)));
     match near.and_then(input::find) {
         Some(input) => {
             let unit = canonical(input.dimension()).symbol;
-            let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
+            let unit = if unit.is_empty() {
+                String::new()
+            } else {
+                format!(", in {unit}")
+            };
             format!("unknown key; the nearest known key is {}{unit}", input.key)
         }
         None => "unknown key".to_string(),
@@ -286,7 +371,12 @@ fn unknown_key(key: &str) -> String {
 /// The name with the smallest edit distance, if that is below half of its length.
 fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     names
-        .map(|name| (strsim::damerau_levenshtein(&wanted.to_lowercase(), &name.to_lowercase()), name))
+        .map(|name| {
+            (
+                strsim::damerau_levenshtein(&wanted.to_lowercase(), &name.to_lowercase()),
+                name,
+            )
+        })
         .filter(|(distance, name)| *distance * 2 <= name.len().max(wanted.len()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, name)| name)
@@ -302,9 +392,16 @@ mod tests {
 
     #[test]
     fn every_fault_names_key_value_range_and_unit() {
-        let case = read("[vehicle]\nmass_kg=-46.0\nnose_radius_m=nan\ndiameter_m='90 kg'\n[entry]\nspeed_km_s=12.0\nlatitude_deg=91");
+        let case = read(
+            "[vehicle]\nmass_kg=-46.0\nnose_radius_m=nan\ndiameter_m='90 kg'\n[entry]\nspeed_km_s=12.0\nlatitude_deg=91",
+        );
         let mut reader = Reader::new(&case);
-        for key in ["vehicle.mass_kg", "vehicle.nose_radius_m", "vehicle.diameter_m", "entry.latitude_deg"] {
+        for key in [
+            "vehicle.mass_kg",
+            "vehicle.nose_radius_m",
+            "vehicle.diameter_m",
+            "entry.latitude_deg",
+        ] {
             assert_eq!(reader.number(key), None, "{key}");
         }
         assert_eq!(reader.required_number("entry.azimuth_deg"), None);
@@ -327,9 +424,19 @@ mod tests {
         let case = read("[heating]\nconvective='SuttonGraves'\nradiative='TauberSuton'");
         let mut reader = Reader::new(&case);
         let names = ["sutton-graves", "brandis-johnston"];
-        assert_eq!(reader.choice("heating.convective", &names), Some("sutton-graves"));
-        assert_eq!(reader.choice("heating.radiative", &["tauber-sutton", "none"]), None);
-        assert!(reader.faults[0].message.contains("did you mean \"tauber-sutton\""));
+        assert_eq!(
+            reader.choice("heating.convective", &names),
+            Some("sutton-graves")
+        );
+        assert_eq!(
+            reader.choice("heating.radiative", &["tauber-sutton", "none"]),
+            None
+        );
+        assert!(
+            reader.faults[0]
+                .message
+                .contains("did you mean \"tauber-sutton\"")
+        );
     }
 
     #[test]

@@ -21,7 +21,9 @@ impl From<toml::Value> for Node {
             toml::Value::String(text) => Node::Text(text),
             toml::Value::Boolean(flag) => Node::Flag(flag),
             toml::Value::Array(list) => Node::List(list.into_iter().map(Node::from).collect()),
-            toml::Value::Table(map) => Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect()),
+            toml::Value::Table(map) => {
+                Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
+            }
             toml::Value::Datetime(_) => Node::Other("a date"),
         }
     }
@@ -30,11 +32,17 @@ impl From<toml::Value> for Node {
 impl From<serde_json::Value> for Node {
     fn from(value: serde_json::Value) -> Node {
         match value {
-            serde_json::Value::Number(number) => number.as_f64().map_or(Node::Other("a number too large"), Node::Number),
+            serde_json::Value::Number(number) => number
+                .as_f64()
+                .map_or(Node::Other("a number too large"), Node::Number),
             serde_json::Value::String(text) => Node::Text(text),
             serde_json::Value::Bool(flag) => Node::Flag(flag),
-            serde_json::Value::Array(list) => Node::List(list.into_iter().map(Node::from).collect()),
-            serde_json::Value::Object(map) => Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect()),
+            serde_json::Value::Array(list) => {
+                Node::List(list.into_iter().map(Node::from).collect())
+            }
+            serde_json::Value::Object(map) => {
+                Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
+            }
             serde_json::Value::Null => Node::Other("null"),
         }
     }
@@ -57,7 +65,10 @@ impl Case {
     /// # Errors
     /// What makes the file unreadable: syntax, a missing or newer schema. Faults of single keys are found by checking.
     pub fn from_text(text: &str) -> Result<Case, Vec<InputError>> {
-        if text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with('{') {
+        if text
+            .trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n'])
+            .starts_with('{')
+        {
             Case::from_json(text)
         } else {
             Case::from_toml(text)
@@ -71,7 +82,10 @@ impl Case {
     pub fn from_toml(text: &str) -> Result<Case, Vec<InputError>> {
         let text = text.trim_start_matches('\u{feff}');
         let value: toml::Table = toml::from_str(text).map_err(|e| {
-            let place = e.span().map(|span| place_of(text, span.start)).unwrap_or_default();
+            let place = e
+                .span()
+                .map(|span| place_of(text, span.start))
+                .unwrap_or_default();
             syntax_error("TOML", &format!("{}{place}", e.message()))
         })?;
         Case::from_node(toml::Value::Table(value).into())
@@ -128,11 +142,14 @@ impl Case {
         };
         // A table given where a database is named is a drag table.
         let key = match (&node, known) {
-            (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => "vehicle.drag_table".to_string(),
+            (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
+                "vehicle.drag_table".to_string()
+            }
             (_, Some(input)) => input.key.to_string(),
             _ => key,
         };
-        let rows_expected = input::find(&key).is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
+        let rows_expected =
+            input::find(&key).is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
         let value = match node {
             Node::Number(number) => Value::Number(number),
             Node::Text(text) => Value::Text(text),
@@ -179,7 +196,11 @@ fn schema_error(got: &str) -> Vec<InputError> {
         .strip_prefix("msape/")
         .and_then(|version| version.parse::<u32>().ok())
         .is_some_and(|version| version > 1);
-    let hint = if newer { "; the case was written for a newer program" } else { "" };
+    let hint = if newer {
+        "; the case was written for a newer program"
+    } else {
+        ""
+    };
     vec![InputError {
         key: "schema".to_string(),
         message: format!("got {got}, must be \"{SCHEMA}\"{hint}"),
@@ -189,7 +210,13 @@ fn schema_error(got: &str) -> Vec<InputError> {
 fn place_of(text: &str, offset: usize) -> String {
     let before = text.get(..offset).unwrap_or_default();
     let line = before.matches('\n').count() + 1;
-    let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+    let column = before
+        .rsplit('\n')
+        .next()
+        .unwrap_or_default()
+        .chars()
+        .count()
+        + 1;
     format!(" (line {line}, column {column})")
 }
 
@@ -218,7 +245,10 @@ mod tests {
     #[test]
     fn inline_models_flatten_to_dotted_keys() {
         let case = Case::from_toml("schema='msape/1'\n[atmosphere]\nexponential = { density_kg_m3 = 1.215, scale_height_m = 8500.0 }\n[vehicle]\naerodynamics = [[0.0, 1.0], [2.0, 1.5]]").unwrap();
-        assert_eq!(case.values["atmosphere.exponential.density_kg_m3"], Value::Number(1.215));
+        assert_eq!(
+            case.values["atmosphere.exponential.density_kg_m3"],
+            Value::Number(1.215)
+        );
         assert!(matches!(case.values["vehicle.drag_table"], Value::Rows(_)));
     }
 }

@@ -12,12 +12,19 @@ impl Case {
             .values
             .iter()
             .filter(|(key, _)| inputs().all(|input| input.key != key.as_str()));
-        known.chain(unknown).map(|(key, value)| (key.as_str(), value)).collect()
+        known
+            .chain(unknown)
+            .map(|(key, value)| (key.as_str(), value))
+            .collect()
     }
 
     /// The case as a TOML file.
     pub fn to_toml(&self) -> String {
-        let mut text = format!("schema = {}\nname = {}\n", quoted(SCHEMA), quoted(&self.name));
+        let mut text = format!(
+            "schema = {}\nname = {}\n",
+            quoted(SCHEMA),
+            quoted(&self.name)
+        );
         let mut sections: Vec<&str> = Vec::new();
         for (key, _) in self.ordered() {
             let section = key.rsplit_once('.').map_or("", |(section, _)| section);
@@ -58,7 +65,11 @@ impl Case {
 }
 
 /// Puts a value under a dotted key.
-fn insert(map: &mut serde_json::Map<String, serde_json::Value>, key: &str, value: serde_json::Value) {
+fn insert(
+    map: &mut serde_json::Map<String, serde_json::Value>,
+    key: &str,
+    value: serde_json::Value,
+) {
     match key.split_once('.') {
         None => {
             map.insert(key.to_string(), value);
@@ -82,7 +93,15 @@ fn spelled(value: &Value) -> String {
         Value::Rows(rows) => {
             let rows: Vec<String> = rows
                 .iter()
-                .map(|row| format!("    [{}],\n", row.iter().map(|x| spelled_number(*x)).collect::<Vec<_>>().join(", ")))
+                .map(|row| {
+                    format!(
+                        "    [{}],\n",
+                        row.iter()
+                            .map(|x| spelled_number(*x))
+                            .collect::<Vec<_>>()
+                            .join(", ")
+                    )
+                })
                 .collect();
             format!("[\n{}]", rows.concat())
         }
@@ -101,7 +120,9 @@ fn spelled_number(number: f64) -> String {
     if number != 0.0 && !(1e-5..1e16).contains(&number.abs()) {
         let text = format!("{number:e}");
         return match text.split_once('e') {
-            Some((mantissa, exponent)) if !mantissa.contains('.') => format!("{mantissa}.0e{exponent}"),
+            Some((mantissa, exponent)) if !mantissa.contains('.') => {
+                format!("{mantissa}.0e{exponent}")
+            }
             _ => text,
         };
     }
@@ -123,7 +144,10 @@ mod tests {
         case.set("entry.speed_m_s", "11.56 km/s");
         case.set("entry.azimuth_deg", "1e-7");
         case.set("planet.mu_m3_s2", "3.986e14");
-        case.values.insert("atmosphere.table".to_string(), Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]));
+        case.values.insert(
+            "atmosphere.table".to_string(),
+            Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]),
+        );
         assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
         assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
     }

@@ -301,7 +301,10 @@ impl Input {
 
 /// All inputs, in the order of files and forms.
 pub fn inputs() -> impl Iterator<Item = &'static Input> {
-    mission::INPUTS.iter().chain(design::INPUTS).chain(vehicle::INPUTS)
+    mission::INPUTS
+        .iter()
+        .chain(design::INPUTS)
+        .chain(vehicle::INPUTS)
 }
 
 /// The input with this key or alias.
@@ -317,8 +320,16 @@ mod tests {
     fn keys_stand_once_and_every_input_explains_itself() {
         let all: Vec<_> = inputs().collect();
         for (i, input) in all.iter().enumerate() {
-            assert!(all[..i].iter().all(|other| other.key != input.key), "{}", input.key);
-            assert!(!input.label.is_empty() && input.help.ends_with('.'), "{}", input.key);
+            assert!(
+                all[..i].iter().all(|other| other.key != input.key),
+                "{}",
+                input.key
+            );
+            assert!(
+                !input.label.is_empty() && input.help.ends_with('.'),
+                "{}",
+                input.key
+            );
             assert!(!input.source.is_empty(), "{}", input.key);
         }
     }
@@ -326,14 +337,30 @@ mod tests {
     #[test]
     fn presets_and_usual_ranges_are_allowed() {
         for input in inputs() {
-            let Kind::Number { allowed, usual, dimension, .. } = input.kind else { continue };
+            let Kind::Number {
+                allowed,
+                usual,
+                dimension,
+                ..
+            } = input.kind
+            else {
+                continue;
+            };
             if let Preset::Number(value) = input.preset {
                 assert!(allowed.contains(value), "{}", input.key);
             }
             if let Some((min, max)) = usual {
-                assert!(allowed.contains(min) && allowed.contains(max) && min < max, "{}", input.key);
+                assert!(
+                    allowed.contains(min) && allowed.contains(max) && min < max,
+                    "{}",
+                    input.key
+                );
             }
-            assert!(Unit::find(input.unit).is_some_and(|u| u.dimension == dimension), "{}", input.key);
+            assert!(
+                Unit::find(input.unit).is_some_and(|u| u.dimension == dimension),
+                "{}",
+                input.key
+            );
         }
     }
 
@@ -353,7 +380,11 @@ mod tests {
         for input in inputs() {
             if let Kind::Number { dimension, .. } = input.kind {
                 let of_components = input.key.starts_with("design.density_kg_m3.");
-                assert!(of_components || input.key.ends_with(suffix(dimension)), "{}", input.key);
+                assert!(
+                    of_components || input.key.ends_with(suffix(dimension)),
+                    "{}",
+                    input.key
+                );
             }
         }
     }

@@ -86,17 +86,28 @@ fn find_unit(symbol: &str, dimension: Dimension) -> Result<&'static Unit, TextEr
         .ok_or_else(|| TextError::UnknownUnit {
             unit: symbol.to_string(),
             known: units_of(dimension)
-                .map(|unit| if unit.symbol.is_empty() { "(none)" } else { unit.symbol })
+                .map(|unit| {
+                    if unit.symbol.is_empty() {
+                        "(none)"
+                    } else {
+                        unit.symbol
+                    }
+                })
                 .collect::<Vec<_>>()
                 .join(", "),
         })
 }
 
 fn plain_number(text: &str) -> Result<f64, TextError> {
-    let compact: String = text.chars().filter(|c| !c.is_whitespace() && *c != '_').collect();
+    let compact: String = text
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != '_')
+        .collect();
     let fault = || TextError::NotANumber(text.to_string());
     let numeric = |s: &str| {
-        let ok = s.bytes().all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
+        let ok = s
+            .bytes()
+            .all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
         if ok { s.parse::<f64>().ok() } else { None }
     };
     match compact.matches(',').count() {
@@ -111,7 +122,11 @@ fn plain_number(text: &str) -> Result<f64, TextError> {
                 && (1..=3).contains(&whole.len())
                 && !whole.starts_with('0');
             if looks_like_thousands {
-                return Err(TextError::AmbiguousComma(text.to_string(), compact.replace(',', ""), decimal));
+                return Err(TextError::AmbiguousComma(
+                    text.to_string(),
+                    compact.replace(',', ""),
+                    decimal,
+                ));
             }
             Ok(value)
         }
@@ -223,19 +238,35 @@ mod tests {
         let angle = canonical(Dimension::Angle);
         assert_eq!(parse_number("-25°", Dimension::Angle, angle), Ok(-25.0));
         assert_eq!(
-            parse_number("20 °C", Dimension::Temperature, canonical(Dimension::Temperature)),
+            parse_number(
+                "20 °C",
+                Dimension::Temperature,
+                canonical(Dimension::Temperature)
+            ),
             Ok(293.15)
         );
-        assert_eq!(parse_number("1500 g", Dimension::Load, canonical(Dimension::Load)), Ok(1500.0));
+        assert_eq!(
+            parse_number("1500 g", Dimension::Load, canonical(Dimension::Load)),
+            Ok(1500.0)
+        );
         let flux = canonical(Dimension::HeatFlux);
-        assert_eq!(parse_number("1200 W/cm²", Dimension::HeatFlux, flux), Ok(1.2e7));
-        assert_eq!(parse_number("1200 W/cm2", Dimension::HeatFlux, flux), Ok(1.2e7));
+        assert_eq!(
+            parse_number("1200 W/cm²", Dimension::HeatFlux, flux),
+            Ok(1.2e7)
+        );
+        assert_eq!(
+            parse_number("1200 W/cm2", Dimension::HeatFlux, flux),
+            Ok(1.2e7)
+        );
     }
 
     #[test]
     fn what_is_not_a_number_says_so() {
         assert_eq!(speed(""), Err(TextError::Empty));
-        assert!(matches!(speed("12,000"), Err(TextError::AmbiguousComma(..))));
+        assert!(matches!(
+            speed("12,000"),
+            Err(TextError::AmbiguousComma(..))
+        ));
         assert!(matches!(speed("abc"), Err(TextError::UnknownUnit { .. })));
         assert!(matches!(speed("12 kg"), Err(TextError::UnknownUnit { .. })));
         assert!(matches!(speed("nan"), Err(_)));
