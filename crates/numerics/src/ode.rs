@@ -7,7 +7,7 @@
 //! ```
 //! use numerics::ode::{Integrator, Method, Tolerance};
 //!
-//! let tolerance = Tolerance { relative: 1e-9, absolute: [1e-9] };
+//! let tolerance = Tolerance { relative: [1e-9], absolute: [1e-9] };
 //! let mut integrator = Integrator::new(Method::DormandPrince54, tolerance, 0.0, [1.0]);
 //! let mut decay = |_t: f64, y: &[f64; 1]| [-y[0]];
 //! while integrator.t() < 1.0 {

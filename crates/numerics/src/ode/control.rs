@@ -19,8 +19,8 @@ const LEAST_ERROR_BEFORE: f64 = 1e-4;
 /// The error allowed in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<const N: usize> {
-    /// Error as a part of the component.
-    pub relative: f64,
+    /// Error of each component as a part of it.
+    pub relative: [f64; N],
     /// Error of each component, in its own unit; above zero where the component may be zero, infinite to leave the
     /// component out of the control.
     pub absolute: [f64; N],
@@ -31,7 +31,7 @@ impl<const N: usize> Tolerance<N> {
     #[inline]
     pub(super) fn scale(&self, y0: &[f64; N], y1: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|i| {
-            let allowed = self.absolute[i] + self.relative * y0[i].abs().max(y1[i].abs());
+            let allowed = self.absolute[i] + self.relative[i] * y0[i].abs().max(y1[i].abs());
             allowed.max(f64::MIN_POSITIVE)
         })
     }
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn scale_is_absolute_plus_relative_of_the_larger() {
         let tolerance = Tolerance {
-            relative: 0.5,
+            relative: [0.5],
             absolute: [1.0],
         };
         assert_eq!(tolerance.scale(&[-4.0], &[2.0]), [3.0]);
@@ -170,7 +170,7 @@ mod tests {
             slope: [1.0],
         };
         let tolerance = Tolerance {
-            relative: 0.01,
+            relative: [0.01; 1],
             absolute: [0.01],
         };
         let h = first_step(&mut |_, y: &[f64; 1]| *y, &origin, &tolerance, 4.0, 1e9);

@@ -75,6 +75,15 @@ impl<const N: usize> Integrator<N> {
         }
     }
 
+    /// Puts the integration at (`t`, `y`); the length of the next step and the counts are kept.
+    pub fn at(mut self, t: f64, y: [f64; N]) -> Self {
+        self.t = t;
+        self.y = y;
+        self.slope = None;
+        self.last = None;
+        self
+    }
+
     /// Sets what is spent on interpolation within the steps.
     pub fn with_dense(mut self, dense: Dense) -> Self {
         self.dense = dense;

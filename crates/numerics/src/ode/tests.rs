@@ -13,14 +13,14 @@ const METHODS: [Method; 3] = [
 /// No error is too large: the step is what the limit makes it.
 fn loose<const N: usize>() -> Tolerance<N> {
     Tolerance {
-        relative: 1e6,
+        relative: [1e6; N],
         absolute: [1e6; N],
     }
 }
 
 fn tight<const N: usize>(tolerance: f64) -> Tolerance<N> {
     Tolerance {
-        relative: tolerance,
+        relative: [tolerance; N],
         absolute: [tolerance; N],
     }
 }
@@ -487,7 +487,7 @@ fn start_at_rest_and_a_constant_need_no_special_care() {
 fn infinite_tolerance_leaves_a_component_out_of_the_control() {
     let steps = |absolute: f64| {
         let tolerance = Tolerance {
-            relative: 0.0,
+            relative: [0.0; 2],
             absolute: [1e-6, absolute],
         };
         let mut integrator = Integrator::new(Method::DormandPrince54, tolerance, 0.0, [1.0, 0.0]);
