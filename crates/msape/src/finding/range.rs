@@ -113,7 +113,7 @@ impl Check<'_> {
 /// `value` in four significant digits.
 pub fn short(value: f64) -> String {
     let size = value.abs();
-    if size != 0.0 && (size < 1e-3 || size >= 1e7) || !value.is_finite() {
+    if size != 0.0 && !(1e-3..1e7).contains(&size) {
         return format!("{value:.3e}");
     }
     let (mut digits, mut power) = (3, 10.0);
