@@ -1,1 +1,109 @@
-//! (being written)
+//! What a person asks for: keys and values, as typed, not yet checked.
+//!
+//! A [`Case`] keeps everything it was given, faults included, so that nothing is lost; [`crate::problem`] checks it and
+//! reports all faults at once.
+
+mod check;
+mod read;
+mod write;
+
+pub use check::{InputError, Reader};
+
+use crate::quantity::input::{self, Input, Preset};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Version of the case file that this program writes; it reads this and older ones.
+pub const SCHEMA: &str = "msape/1";
+
+/// A value as given.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Value {
+    /// A number in the unit of its key.
+    Number(f64),
+    /// A name, or a number with its unit as typed.
+    Text(String),
+    /// Yes or no.
+    Flag(bool),
+    /// Rows of numbers.
+    Rows(Vec<Vec<f64>>),
+    /// Something no input takes, described.
+    Other(String),
+}
+
+/// A case: a name and what was given for each key.
+///
+/// ```
+/// use msape::Case;
+/// let mut case = Case::from_toml("schema = \"msape/1\"\nname = \"first\"\n[entry]\nspeed_m_s = 12000.0\n").unwrap();
+/// case.set("entry.speed_m_s", "13 km/s");
+/// assert_eq!(case.text("entry.speed_m_s"), Some("13 km/s".to_string()));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Case {
+    /// Free text.
+    pub name: String,
+    /// What was given, by dotted key.
+    pub values: BTreeMap<String, Value>,
+}
+
+impl Case {
+    /// The case of the report's run page: every input at its default.
+    pub fn run_page() -> Case {
+        let mut case = Case {
+            name: "Run page".to_string(),
+            values: BTreeMap::new(),
+        };
+        for input in input::inputs().filter(|input| !input.key.starts_with("vehicle.")) {
+            case.reset(input);
+        }
+        case.values.insert(
+            "design.payload_diameter_ratio".to_string(),
+            Value::Number(0.6),
+        );
+        case
+    }
+
+    /// Puts an input back to its default, or takes it away where it has none.
+    pub fn reset(&mut self, input: &Input) {
+        let value = match input.preset {
+            Preset::Absent => {
+                self.values.remove(input.key);
+                return;
+            }
+            Preset::Number(value) => Value::Number(value),
+            Preset::Name(name) => Value::Text(name.to_string()),
+            Preset::Flag(flag) => Value::Flag(flag),
+        };
+        self.values.insert(input.key.to_string(), value);
+    }
+
+    /// Sets a key from text as typed: `true`, `12 km/s`, `pica-al-5056`. Empty text takes the key away.
+    ///
+    /// A text that is a plain number is kept as a number, anything else as text until it is checked.
+    pub fn set(&mut self, key: &str, text: &str) {
+        let key = input::find(key).map_or(key, |input| input.key).to_string();
+        let text = text.trim();
+        let value = match (text, text.parse::<f64>()) {
+            ("", _) => {
+                self.values.remove(&key);
+                return;
+            }
+            ("true", _) => Value::Flag(true),
+            ("false", _) => Value::Flag(false),
+            (_, Ok(number)) => Value::Number(number),
+            _ => Value::Text(text.to_string()),
+        };
+        self.values.insert(key, value);
+    }
+
+    /// What was given for a key, as text; rows have none.
+    pub fn text(&self, key: &str) -> Option<String> {
+        match self.values.get(key)? {
+            Value::Number(number) => Some(number.to_string()),
+            Value::Text(text) => Some(text.clone()),
+            Value::Flag(flag) => Some(flag.to_string()),
+            Value::Rows(_) | Value::Other(_) => None,
+        }
+    }
+}

@@ -1,1 +1,103 @@
-//! (being written)
+//! Flight of a vehicle from the entry state to the ground.
+//!
+//! - [`three_dof`]: three degrees of freedom over the rotating oblate planet, the high-fidelity model.
+//! - [`allen_eggers`]: the closed form for steep ballistic entry, the low-fidelity twin.
+//! - [`entry`]: entry states, inertial and relative.
+//! - [`trajectory`]: the time history.
+
+use serde::{Deserialize, Serialize};
+
+pub use trajectory::{Request, Trajectory};
+
+pub mod trajectory;
+
+/// A largest value and where it occurs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Peak {
+    /// The largest value, in the SI unit of the quantity.
+    pub value: f64,
+    /// Time after the start, s.
+    pub time_s: f64,
+    /// Geodetic altitude, m.
+    pub altitude_m: f64,
+    /// Speed relative to the planet, m/s.
+    pub speed_m_s: f64,
+    /// Density of the air, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// Speed, angle and azimuth of one velocity in the local geodetic horizon.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LocalVelocity {
+    /// Speed, m/s.
+    pub speed_m_s: f64,
+    /// Angle against the horizon, negative down, rad.
+    pub flight_path_angle_rad: f64,
+    /// Direction of the horizontal part from north, clockwise, rad.
+    pub azimuth_rad: f64,
+}
+
+/// A flight: its peaks, loads and end.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Flight {
+    /// Model that flew it: `three-dof` or `allen-eggers`.
+    pub model: String,
+    /// Entry state relative to the planet.
+    pub entry_relative: LocalVelocity,
+    /// Inertial entry state.
+    pub entry_inertial: LocalVelocity,
+    /// Aerodynamic force over mass over 9.80665 m/s².
+    pub peak_deceleration_earth_g: Peak,
+    /// Dynamic pressure, Pa.
+    pub peak_dynamic_pressure_pa: Peak,
+    /// Stagnation pressure, Pa.
+    pub peak_stagnation_pressure_pa: Peak,
+    /// Convective heat flux at the stagnation point without margin, W/m².
+    pub peak_convective_heat_flux_w_m2: Peak,
+    /// Radiative heat flux at the stagnation point without margin, W/m²; absent where there is none.
+    pub peak_radiative_heat_flux_w_m2: Option<Peak>,
+    /// Sum of both without margin, W/m².
+    pub peak_total_heat_flux_w_m2: Peak,
+    /// Sum of both with their margins, W/m².
+    pub peak_total_margined_heat_flux_w_m2: Peak,
+    /// Convective heat load without margin, J/m².
+    pub convective_heat_load_j_m2: f64,
+    /// Radiative heat load without margin, J/m².
+    pub radiative_heat_load_j_m2: f64,
+    /// Margin on convective heating.
+    pub convective_margin: f64,
+    /// Margin on radiative heating.
+    pub radiative_margin: f64,
+    /// Largest radiative-equilibrium temperature of the stagnation point under the heating with margins, K.
+    pub peak_wall_temperature_k: f64,
+    /// Ballistic coefficient at peak deceleration, kg/m².
+    pub ballistic_coefficient_kg_m2: f64,
+    /// Time from the start to the end, s.
+    pub time_of_flight_s: f64,
+    /// Altitude at the end, m.
+    pub final_altitude_m: f64,
+    /// Speed relative to the planet at the end, m/s.
+    pub final_speed_m_s: f64,
+    /// Geodetic latitude at the end, rad.
+    pub final_latitude_rad: f64,
+    /// Longitude at the end, rad.
+    pub final_longitude_rad: f64,
+    /// Density of the air at the end, kg/m³.
+    pub final_density_kg_m3: f64,
+    /// Great circle from start to end on a sphere of 6371 km, m.
+    pub downrange_m: f64,
+    /// Downward crossings of Mach 5, 2, 1.4 and 0.8 after peak deceleration, s.
+    pub mach_times_s: [Option<f64>; 4],
+    /// Time history, where one was asked for.
+    pub trajectory: Option<Trajectory>,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+}
+
+impl Flight {
+    /// Sum of both heat loads, each with its margin, J/m².
+    pub fn total_margined_heat_load_j_m2(&self) -> f64 {
+        self.convective_heat_load_j_m2 * self.convective_margin
+            + self.radiative_heat_load_j_m2 * self.radiative_margin
+    }
+}

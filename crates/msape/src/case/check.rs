@@ -1,0 +1,457 @@
+//! Checks keys and values against the list of inputs and reports every fault at once.
+
+use super::{Case, Value};
+use crate::finding::{Finding, Severity};
+use crate::quantity::input::{self, Input, Kind, Preset, Range, inputs};
+use crate::units::{canonical, parse_number};
+use std::fmt;
+
+/// A fault of the input: which key, what was given, what is allowed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InputError {
+    /// Dotted key; empty when the whole file is at fault.
+    pub key: String,
+    /// What was got and what must be, with range and unit.
+    pub message: String,
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.key.is_empty() {
+            f.write_str(&self.message)
+        } else {
+            write!(f, "{}: {}", self.key, self.message)
+        }
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// Reads checked values out of a case and collects the faults on the way.
+pub struct Reader<'a> {
+    case: &'a Case,
+    /// Faults so far.
+    pub faults: Vec<InputError>,
+    /// Numbers outside their usual range.
+    pub findings: Vec<Finding>,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader that has noted every unknown key.
+    pub fn new(case: &'a Case) -> Reader<'a> {
+        let mut reader = Reader {
+            case,
+            faults: Vec::new(),
+            findings: Vec::new(),
+        };
+        for key in case.values.keys() {
+            if input::find(key).is_none() {
+                reader.fault(key, unknown_key(key));
+            }
+        }
+        reader
+    }
+
+    /// Notes a fault.
+    pub fn fault(&mut self, key: &str, message: impl Into<String>) {
+        self.faults.push(InputError {
+            key: key.to_string(),
+            message: message.into(),
+        });
+    }
+
+    /// Whether the case gives this key.
+    pub fn given(&self, key: &str) -> bool {
+        self.case.values.contains_key(key)
+    }
+
+    /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.
+    pub fn number(&mut self, key: &str) -> Option<f64> {
+        let input = self.known(key)?;
+        let Kind::Number {
+            dimension,
+            allowed,
+            usual,
+            whole,
+        } = input.kind
+        else {
+            self.fault(key, "is not a number in the list of inputs");
+            return None;
+        };
+        let unit = canonical(dimension);
+        let value = match self.case.values.get(key) {
+            None => match input.preset {
+                Preset::Number(value) => return Some(value),
+                _ => return None,
+            },
+            Some(Value::Number(value)) => *value,
+            Some(Value::Text(text)) => match parse_number(text, dimension, unit) {
+                Ok(value) => value,
+                Err(error) => {
+                    self.fault(key, format!("{error}; {}", must_be(&allowed, unit.symbol)));
+                    return None;
+                }
+            },
+            Some(other) => {
+                self.fault(
+                    key,
+                    format!("got {}, {}", shown(other), must_be(&allowed, unit.symbol)),
+                );
+                return None;
+            }
+        };
+        if !allowed.contains(value) {
+            self.fault(
+                key,
+                format!(
+                    "got {}, {}",
+                    with_unit(value, unit.symbol),
+                    must_be(&allowed, unit.symbol)
+                ),
+            );
+            return None;
+        }
+        if whole && value % 1.0 != 0.0 {
+            self.fault(key, format!("got {value}, must be a whole number"));
+            return None;
+        }
+        if let Some((min, max)) = usual
+            && !(min..=max).contains(&value)
+        {
+            self.findings.push(Finding {
+                severity: Severity::Note,
+                model: "input".to_string(),
+                key: key.to_string(),
+                value: Some(value),
+                valid: (Some(min), Some(max)),
+                message: format!(
+                    "{} is {}, outside the usual range {} to {}.",
+                    input.label,
+                    with_unit(value, unit.symbol),
+                    min,
+                    with_unit(max, unit.symbol)
+                ),
+                source: input.source.to_string(),
+                field: Some(key.to_string()),
+            });
+        }
+        Some(value)
+    }
+
+    /// A number that cannot be absent; its absence is a fault.
+    pub fn required_number(&mut self, key: &str) -> Option<f64> {
+        if self.given(key) {
+            return self.number(key);
+        }
+        self.missing(key);
+        None
+    }
+
+    /// Notes that a key is missing, with what it must be.
+    pub fn missing(&mut self, key: &str) {
+        let message = match input::find(key).map(|input| (input.kind, input)) {
+            Some((
+                Kind::Number {
+                    dimension, allowed, ..
+                },
+                input,
+            )) => {
+                format!(
+                    "missing; {} {}",
+                    input.label,
+                    must_be(&allowed, canonical(dimension).symbol)
+                )
+            }
+            Some((_, input)) => format!("missing; {}", input.help),
+            None => "missing".to_string(),
+        };
+        self.fault(key, message);
+    }
+
+    /// A yes or no, or its default.
+    pub fn flag(&mut self, key: &str) -> Option<bool> {
+        let input = self.known(key)?;
+        match (self.case.values.get(key), input.preset) {
+            (Some(Value::Flag(flag)), _) => Some(*flag),
+            (None, Preset::Flag(flag)) => Some(flag),
+            (None, _) => None,
+            (Some(other), _) => {
+                self.fault(key, format!("got {}, must be true or false", shown(other)));
+                None
+            }
+        }
+    }
+
+    /// Free text.
+    pub fn words(&mut self, key: &str) -> Option<String> {
+        match self.case.values.get(key)? {
+            Value::Text(text) => Some(text.clone()),
+            other => {
+                self.fault(key, format!("got {}, must be text", shown(other)));
+                None
+            }
+        }
+    }
+
+    /// One of `names`, or the default; `SuttonGraves` is taken for `sutton-graves`.
+    pub fn choice<'n>(&mut self, key: &str, names: &[&'n str]) -> Option<&'n str> {
+        let input = self.known(key)?;
+        let wanted = match (self.case.values.get(key), input.preset) {
+            (Some(Value::Text(text)), _) => text.clone(),
+            (None, Preset::Name(name)) => name.to_string(),
+            (None, _) => return None,
+            (Some(other), _) => {
+                self.fault(
+                    key,
+                    format!("got {}, must be one of {}", shown(other), names.join(", ")),
+                );
+                return None;
+            }
+        };
+        let found = names
+            .iter()
+            .find(|name| squeezed(name) == squeezed(&wanted));
+        if found.is_none() {
+            let near = nearest(&wanted, names.iter().copied());
+            let hint = near
+                .map(|n| format!("; did you mean \"{n}\"?"))
+                .unwrap_or_default();
+            self.fault(
+                key,
+                format!(
+                    "got \"{wanted}\", must be one of {}{hint}",
+                    names.join(", ")
+                ),
+            );
+        }
+        found.copied()
+    }
+
+    /// Rows of numbers with the columns of the input; ragged or empty tables are faults.
+    pub fn rows(&mut self, key: &str) -> Option<Vec<Vec<f64>>> {
+        let input = self.known(key)?;
+        let Kind::Rows(columns) = input.kind else {
+            return None;
+        };
+        let rows = match self.case.values.get(key)? {
+            Value::Rows(rows) => rows.clone(),
+            other => {
+                self.fault(
+                    key,
+                    format!(
+                        "got {}, must be rows of {}",
+                        shown(other),
+                        column_names(input)
+                    ),
+                );
+                return None;
+            }
+        };
+        let fewest = columns.iter().filter(|column| column.required).count();
+        let before = self.faults.len();
+        if rows.is_empty() {
+            self.fault(
+                key,
+                format!("got no rows, must be rows of {}", column_names(input)),
+            );
+        }
+        for (i, row) in rows.iter().enumerate() {
+            if row.len() < fewest || row.len() > columns.len() || row.len() != rows[0].len() {
+                let message = format!(
+                    "row {} has {} numbers, must be {}",
+                    i + 1,
+                    row.len(),
+                    column_names(input)
+                );
+                self.fault(key, message);
+            }
+            for (cell, column) in row.iter().zip(columns) {
+                if !cell.is_finite() {
+                    self.fault(
+                        key,
+                        format!(
+                            "row {}, {}: got {cell}, must be a finite number",
+                            i + 1,
+                            column.name
+                        ),
+                    );
+                }
+            }
+        }
+        (self.faults.len() == before).then_some(rows)
+    }
+
+    fn known(&mut self, key: &str) -> Option<&'static Input> {
+        let found = input::find(key);
+        if found.is_none() {
+            self.fault(key, "is not in the list of inputs");
+        }
+        found
+    }
+}
+
+fn column_names(input: &Input) -> String {
+    match input.kind {
+        Kind::Rows(columns) => columns
+            .iter()
+            .map(|column| {
+                if column.required {
+                    column.name.to_string()
+                } else {
+                    format!("[{}]", column.name)
+                }
+            })
+            .collect::<Vec<_>>()
+            .join(", "),
+        _ => String::new(),
+    }
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_string()
+}
+
+fn must_be(range: &Range, unit: &str) -> String {
+    let max_matters = range.max < 1e9;
+    match (range.min_included, max_matters) {
+        (true, _) => format!("must be {} to {}", range.min, with_unit(range.max, unit)),
+        (false, true) => {
+            format!(
+                "must be above {} and at most {}",
+                with_unit(range.min, unit),
+                with_unit(range.max, unit)
+            )
+        }
+        (false, false) => format!("must be above {}", with_unit(range.min, unit)),
+    }
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => format!("\"{text}\""),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Rows(_) => "rows of numbers".to_string(),
+        Value::Other(what) => what.clone(),
+    }
+}
+
+fn squeezed(name: &str) -> String {
+    name.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+fn unknown_key(key: &str) -> String {
+    let section = key.rsplit_once('.').map_or("", |(section, _)| section);
+    let of_section = |input: &&Input| {
+        input
+            .key
+            .rsplit_once('.')
+            .map_or("", |(section, _)| section)
+            == section
+    };
+    let near = nearest(key, inputs().filter(of_section).map(|input| input.key))
+        .or_else(|| nearest(key, inputs().map(|input| input.key)));
+    match near.and_then(input::find) {
+        Some(input) => {
+            let unit = canonical(input.dimension()).symbol;
+            let unit = if unit.is_empty() {
+                String::new()
+            } else {
+                format!(", in {unit}")
+            };
+            format!("unknown key; the nearest known key is {}{unit}", input.key)
+        }
+        None => "unknown key".to_string(),
+    }
+}
+
+/// The name with the smallest edit distance, if that is below half of its length.
+fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    names
+        .map(|name| {
+            (
+                strsim::damerau_levenshtein(&wanted.to_lowercase(), &name.to_lowercase()),
+                name,
+            )
+        })
+        .filter(|(distance, name)| *distance * 2 <= name.len().max(wanted.len()))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Case {
+        Case::from_toml(&format!("schema='msape/1'\n{text}")).unwrap()
+    }
+
+    #[test]
+    fn every_fault_names_key_value_range_and_unit() {
+        let case = read(
+            "[vehicle]\nmass_kg=-46.0\nnose_radius_m=nan\ndiameter_m='90 kg'\n[entry]\nspeed_km_s=12.0\nlatitude_deg=91",
+        );
+        let mut reader = Reader::new(&case);
+        for key in [
+            "vehicle.mass_kg",
+            "vehicle.nose_radius_m",
+            "vehicle.diameter_m",
+            "entry.latitude_deg",
+        ] {
+            assert_eq!(reader.number(key), None, "{key}");
+        }
+        assert_eq!(reader.required_number("entry.azimuth_deg"), None);
+        let said: Vec<String> = reader.faults.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            said,
+            [
+                "entry.speed_km_s: unknown key; the nearest known key is entry.speed_m_s, in m/s",
+                "vehicle.mass_kg: got -46 kg, must be above 0 kg and at most 1000000 kg",
+                "vehicle.nose_radius_m: got NaN m, must be above 0 m and at most 1000 m",
+                "vehicle.diameter_m: unit \"kg\" does not fit here: use one of m, mm, cm, km, in, ft, mi, nmi; must be above 0 m and at most 300 m",
+                "entry.latitude_deg: got 91 deg, must be -90 to 90 deg",
+                "entry.azimuth_deg: missing; Entry Azimuth must be -360 to 360 deg",
+            ]
+        );
+    }
+
+    #[test]
+    fn names_are_read_as_the_report_spells_them() {
+        let case = read("[heating]\nconvective='SuttonGraves'\nradiative='TauberSuton'");
+        let mut reader = Reader::new(&case);
+        let names = ["sutton-graves", "brandis-johnston"];
+        assert_eq!(
+            reader.choice("heating.convective", &names),
+            Some("sutton-graves")
+        );
+        assert_eq!(
+            reader.choice("heating.radiative", &["tauber-sutton", "none"]),
+            None
+        );
+        assert!(
+            reader.faults[0]
+                .message
+                .contains("did you mean \"tauber-sutton\"")
+        );
+    }
+
+    #[test]
+    fn outside_the_usual_range_is_a_finding() {
+        let case = read("[entry]\nspeed_m_s=9000.0");
+        let mut reader = Reader::new(&case);
+        assert_eq!(reader.number("entry.speed_m_s"), Some(9000.0));
+        assert_eq!(reader.findings[0].valid, (Some(10_000.0), Some(16_000.0)));
+    }
+
+    #[test]
+    fn ragged_rows_are_faults() {
+        let case = read("[atmosphere]\ntable=[[0.0,1.2],[1.0],[2.0,nan]]");
+        let mut reader = Reader::new(&case);
+        assert_eq!(reader.rows("atmosphere.table"), None);
+        assert_eq!(reader.faults.len(), 2);
+    }
+}

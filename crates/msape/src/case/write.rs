@@ -1,0 +1,154 @@
+//! Writes a case as TOML or JSON, keys in the order of the quantity list.
+
+use super::{Case, SCHEMA, Value};
+use crate::quantity::input::inputs;
+use std::fmt::Write;
+
+impl Case {
+    /// Keys that are given, known ones first in the order of the list, then the others.
+    fn ordered(&self) -> Vec<(&str, &Value)> {
+        let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
+        let unknown = self
+            .values
+            .iter()
+            .filter(|(key, _)| inputs().all(|input| input.key != key.as_str()));
+        known
+            .chain(unknown)
+            .map(|(key, value)| (key.as_str(), value))
+            .collect()
+    }
+
+    /// The case as a TOML file.
+    pub fn to_toml(&self) -> String {
+        let mut text = format!(
+            "schema = {}\nname = {}\n",
+            quoted(SCHEMA),
+            quoted(&self.name)
+        );
+        let mut sections: Vec<&str> = Vec::new();
+        for (key, _) in self.ordered() {
+            let section = key.rsplit_once('.').map_or("", |(section, _)| section);
+            if !sections.contains(&section) {
+                sections.push(section);
+            }
+        }
+        // Writing into a String cannot fail.
+        for section in sections {
+            let _ = write!(text, "\n[{section}]\n");
+            for (key, value) in self.ordered() {
+                if key.rsplit_once('.').map_or("", |(section, _)| section) == section {
+                    let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
+                    let _ = writeln!(text, "{name} = {}", spelled(value));
+                }
+            }
+        }
+        text
+    }
+
+    /// The case as JSON.
+    pub fn to_json(&self) -> String {
+        let mut root = serde_json::Map::new();
+        root.insert("schema".to_string(), SCHEMA.into());
+        root.insert("name".to_string(), self.name.as_str().into());
+        for (key, value) in self.ordered() {
+            let value = match value {
+                Value::Number(number) => (*number).into(),
+                Value::Text(text) => text.as_str().into(),
+                Value::Flag(flag) => (*flag).into(),
+                Value::Rows(rows) => serde_json::json!(rows),
+                Value::Other(_) => serde_json::Value::Null,
+            };
+            insert(&mut root, key, value);
+        }
+        format!("{:#}\n", serde_json::Value::Object(root))
+    }
+}
+
+/// Puts a value under a dotted key.
+fn insert(
+    map: &mut serde_json::Map<String, serde_json::Value>,
+    key: &str,
+    value: serde_json::Value,
+) {
+    match key.split_once('.') {
+        None => {
+            map.insert(key.to_string(), value);
+        }
+        Some((section, rest)) => {
+            let child = map
+                .entry(section.to_string())
+                .or_insert_with(|| serde_json::Value::Object(serde_json::Map::new()));
+            if let serde_json::Value::Object(child) = child {
+                insert(child, rest, value);
+            }
+        }
+    }
+}
+
+fn spelled(value: &Value) -> String {
+    match value {
+        Value::Number(number) => spelled_number(*number),
+        Value::Text(text) => quoted(text),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Rows(rows) => {
+            let rows: Vec<String> = rows
+                .iter()
+                .map(|row| {
+                    format!(
+                        "    [{}],\n",
+                        row.iter()
+                            .map(|x| spelled_number(*x))
+                            .collect::<Vec<_>>()
+                            .join(", ")
+                    )
+                })
+                .collect();
+            format!("[\n{}]", rows.concat())
+        }
+        Value::Other(what) => quoted(what),
+    }
+}
+
+/// The shortest spelling that reads back to the same bits, always with a point so that it stays a TOML float.
+fn spelled_number(number: f64) -> String {
+    if number.is_nan() {
+        return "nan".to_string();
+    }
+    if number.is_infinite() {
+        return if number > 0.0 { "inf" } else { "-inf" }.to_string();
+    }
+    if number != 0.0 && !(1e-5..1e16).contains(&number.abs()) {
+        let text = format!("{number:e}");
+        return match text.split_once('e') {
+            Some((mantissa, exponent)) if !mantissa.contains('.') => {
+                format!("{mantissa}.0e{exponent}")
+            }
+            _ => text,
+        };
+    }
+    format!("{number:?}")
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_string()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_reads_back_the_same() {
+        let mut case = Case::run_page();
+        case.name = "quoted \"name\"\nsecond line".to_string();
+        case.set("entry.speed_m_s", "11.56 km/s");
+        case.set("entry.azimuth_deg", "1e-7");
+        case.set("planet.mu_m3_s2", "3.986e14");
+        case.values.insert(
+            "atmosphere.table".to_string(),
+            Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]),
+        );
+        assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+        assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
+    }
+}

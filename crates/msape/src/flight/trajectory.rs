@@ -1,0 +1,45 @@
+//! The time history of a flight: one column a quantity, columns as in [`crate::quantity::trajectory`].
+
+use crate::quantity::trajectory::{Column, columns};
+use serde::{Deserialize, Serialize};
+
+/// Which time history is wanted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Request {
+    /// None.
+    #[default]
+    Nothing,
+    /// At the steps of the integrator.
+    Steps,
+    /// At a uniform step, s, both ends included.
+    Uniform(f64),
+}
+
+/// A time history: for each column of [`columns`] its values, all of one length.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Trajectory {
+    /// Values by column.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Trajectory {
+    /// A history without rows.
+    pub fn new() -> Trajectory {
+        Trajectory {
+            values: vec![Vec::new(); columns().len()],
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.values.first().map_or(0, Vec::len)
+    }
+
+    /// Values of the column with this key.
+    pub fn column(&self, key: &str) -> Option<&[f64]> {
+        let index = columns()
+            .iter()
+            .position(|column: &Column| column.key == key)?;
+        self.values.get(index).map(Vec::as_slice)
+    }
+}

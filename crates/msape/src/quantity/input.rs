@@ -1,0 +1,391 @@
+//! The inputs: one entry for each key that a case file may hold.
+
+mod design;
+mod mission;
+mod vehicle;
+
+use crate::units::{Dimension, Unit, canonical};
+
+/// Part of the form in which an input stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// Entry state and where the flight ends.
+    Mission,
+    /// Size and shape.
+    Vehicle,
+    /// What is carried.
+    Payload,
+    /// Heat shield and its models.
+    HeatShield,
+    /// Landing without a parachute.
+    Impact,
+    /// Margins on mass and heating.
+    Margins,
+    /// Planet, atmosphere, wind, heating models.
+    Models,
+    /// Densities of the components.
+    Densities,
+    /// Convergence and integration.
+    Solver,
+}
+
+impl Group {
+    /// Heading of the group.
+    pub fn label(self) -> &'static str {
+        match self {
+            Group::Mission => "Mission",
+            Group::Vehicle => "Vehicle",
+            Group::Payload => "Payload",
+            Group::HeatShield => "Heat shield",
+            Group::Impact => "Impact",
+            Group::Margins => "Margins",
+            Group::Models => "Planet and models",
+            Group::Densities => "Component densities",
+            Group::Solver => "Solver",
+        }
+    }
+}
+
+/// Who needs to see an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Everybody: the report's run page.
+    Basic,
+    /// Those who change models, assumptions and tolerances.
+    Expert,
+}
+
+/// Which command asks for an input, and which cannot do without it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// Has a default, or is one of several alternatives.
+    Optional,
+    /// Neither `fly` nor `design` can do without it.
+    Always,
+    /// `fly` cannot do without it.
+    Fly,
+    /// `design` cannot do without it.
+    Design,
+}
+
+/// Range of a number in the canonical unit; an end that is not `included` is excluded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end.
+    pub min: f64,
+    /// Upper end.
+    pub max: f64,
+    /// Whether the lower end itself is allowed.
+    pub min_included: bool,
+}
+
+impl Range {
+    /// Both ends allowed.
+    pub const fn closed(min: f64, max: f64) -> Range {
+        Range {
+            min,
+            max,
+            min_included: true,
+        }
+    }
+
+    /// Above `min`, up to `max`.
+    pub const fn above(min: f64, max: f64) -> Range {
+        Range {
+            min,
+            max,
+            min_included: false,
+        }
+    }
+
+    /// Whether a value is inside; NaN never is.
+    pub fn contains(&self, value: f64) -> bool {
+        value <= self.max && (value > self.min || (self.min_included && value == self.min))
+    }
+}
+
+/// Where the choices of a nominal input come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Choices {
+    /// Always the same: value and label.
+    Fixed(&'static [(&'static str, &'static str)]),
+    /// Planets of the library.
+    Planets,
+    /// Atmospheres of the library.
+    Atmospheres,
+    /// Forebody concepts of the library.
+    ForebodyConcepts,
+    /// Aftbody heat-shield materials of the library.
+    AftbodyMaterials,
+    /// Grounds of the library.
+    Grounds,
+    /// Aerodynamic databases of the library.
+    Aerodynamics,
+}
+
+/// A column of an input table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// Name with unit, such as `altitude_m`.
+    pub name: &'static str,
+    /// Whether every row must have it.
+    pub required: bool,
+}
+
+/// What kind of value an input takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A number.
+    Number {
+        /// What it measures.
+        dimension: Dimension,
+        /// Outside of it the input is refused.
+        allowed: Range,
+        /// Outside of it the answer carries a finding; the range of the report's run page, and of the slider.
+        usual: Option<(f64, f64)>,
+        /// Whether it counts something.
+        whole: bool,
+    },
+    /// One of several names.
+    Choice(Choices),
+    /// Yes or no.
+    Flag,
+    /// Free text.
+    Text,
+    /// Rows of numbers.
+    Rows(&'static [Column]),
+}
+
+/// What holds when the case says nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Preset {
+    /// Nothing holds.
+    Absent,
+    /// A number in the canonical unit.
+    Number(f64),
+    /// A name.
+    Name(&'static str),
+    /// Yes or no.
+    Flag(bool),
+}
+
+/// One input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// Dotted key in the case file, such as `entry.speed_m_s`.
+    pub key: &'static str,
+    /// The report's own label where it has one, without the unit.
+    pub label: &'static str,
+    /// Symbol of the unit shown by default.
+    pub unit: &'static str,
+    /// One sentence: what it is.
+    pub help: &'static str,
+    /// Where its definition or default comes from.
+    pub source: &'static str,
+    /// Part of the form.
+    pub group: Group,
+    /// Who needs to see it.
+    pub level: Level,
+    /// Which command needs it.
+    pub need: Need,
+    /// What it takes.
+    pub kind: Kind,
+    /// What holds when it is absent.
+    pub preset: Preset,
+    /// Other names under which it is read.
+    pub aliases: &'static [&'static str],
+}
+
+impl Input {
+    const fn new(key: &'static str, label: &'static str, group: Group, kind: Kind) -> Input {
+        Input {
+            key,
+            label,
+            unit: "",
+            help: "",
+            source: "",
+            group,
+            level: Level::Expert,
+            need: Need::Optional,
+            kind,
+            preset: Preset::Absent,
+            aliases: &[],
+        }
+    }
+
+    const fn number(
+        key: &'static str,
+        label: &'static str,
+        group: Group,
+        dimension: Dimension,
+        allowed: Range,
+    ) -> Input {
+        let kind = Kind::Number {
+            dimension,
+            allowed,
+            usual: None,
+            whole: false,
+        };
+        Input::new(key, label, group, kind)
+    }
+
+    const fn unit(mut self, symbol: &'static str) -> Input {
+        self.unit = symbol;
+        self
+    }
+
+    const fn usual(mut self, min: f64, max: f64) -> Input {
+        if let Kind::Number { usual, .. } = &mut self.kind {
+            *usual = Some((min, max));
+        }
+        self
+    }
+
+    const fn whole(mut self) -> Input {
+        if let Kind::Number { whole, .. } = &mut self.kind {
+            *whole = true;
+        }
+        self
+    }
+
+    const fn help(mut self, help: &'static str, source: &'static str) -> Input {
+        self.help = help;
+        self.source = source;
+        self
+    }
+
+    const fn basic(mut self) -> Input {
+        self.level = Level::Basic;
+        self
+    }
+
+    const fn need(mut self, need: Need) -> Input {
+        self.need = need;
+        self
+    }
+
+    const fn preset(mut self, preset: Preset) -> Input {
+        self.preset = preset;
+        self
+    }
+
+    const fn aliases(mut self, aliases: &'static [&'static str]) -> Input {
+        self.aliases = aliases;
+        self
+    }
+
+    /// Dimension of a number; [`Dimension::One`] for what is not a number.
+    pub fn dimension(&self) -> Dimension {
+        match self.kind {
+            Kind::Number { dimension, .. } => dimension,
+            _ => Dimension::One,
+        }
+    }
+
+    /// Unit in which it is shown by default.
+    pub fn shown_unit(&self) -> &'static Unit {
+        Unit::find(self.unit)
+            .filter(|unit| unit.dimension == self.dimension())
+            .unwrap_or_else(|| canonical(self.dimension()))
+    }
+
+    /// The report's column header, such as `Entry Velocity (m/s)`.
+    pub fn header(&self) -> String {
+        if self.unit.is_empty() {
+            self.label.to_string()
+        } else {
+            format!("{} ({})", self.label, self.unit)
+        }
+    }
+}
+
+/// All inputs, in the order of files and forms.
+pub fn inputs() -> impl Iterator<Item = &'static Input> {
+    mission::INPUTS
+        .iter()
+        .chain(design::INPUTS)
+        .chain(vehicle::INPUTS)
+}
+
+/// The input with this key or alias.
+pub fn find(key: &str) -> Option<&'static Input> {
+    inputs().find(|input| input.key == key || input.aliases.contains(&key))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_stand_once_and_every_input_explains_itself() {
+        let all: Vec<_> = inputs().collect();
+        for (i, input) in all.iter().enumerate() {
+            assert!(
+                all[..i].iter().all(|other| other.key != input.key),
+                "{}",
+                input.key
+            );
+            assert!(
+                !input.label.is_empty() && input.help.ends_with('.'),
+                "{}",
+                input.key
+            );
+            assert!(!input.source.is_empty(), "{}", input.key);
+        }
+    }
+
+    #[test]
+    fn presets_and_usual_ranges_are_allowed() {
+        for input in inputs() {
+            let Kind::Number {
+                allowed,
+                usual,
+                dimension,
+                ..
+            } = input.kind
+            else {
+                continue;
+            };
+            if let Preset::Number(value) = input.preset {
+                assert!(allowed.contains(value), "{}", input.key);
+            }
+            if let Some((min, max)) = usual {
+                assert!(
+                    allowed.contains(min) && allowed.contains(max) && min < max,
+                    "{}",
+                    input.key
+                );
+            }
+            assert!(
+                Unit::find(input.unit).is_some_and(|u| u.dimension == dimension),
+                "{}",
+                input.key
+            );
+        }
+    }
+
+    #[test]
+    fn a_key_ends_in_its_canonical_unit() {
+        let suffix = |d: Dimension| match d {
+            Dimension::Length => "_m",
+            Dimension::Mass => "_kg",
+            Dimension::Speed => "_m_s",
+            Dimension::Angle => "_deg",
+            Dimension::Density => "_kg_m3",
+            Dimension::Time => "_s",
+            Dimension::Load => "_earth_g",
+            Dimension::Temperature => "_k",
+            _ => "",
+        };
+        for input in inputs() {
+            if let Kind::Number { dimension, .. } = input.kind {
+                let of_components = input.key.starts_with("design.density_kg_m3.");
+                assert!(
+                    of_components || input.key.ends_with(suffix(dimension)),
+                    "{}",
+                    input.key
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Inputs of a design: the report's run page and what it holds fixed.
+
+use super::{Choices, Group, Input, Kind, Need, Preset, Range};
+use crate::units::Dimension;
+
+const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
+const REPORT_VEHICLE: &str = "NASA/TM-2014-218507, section 3.1";
+const IMPACT: &str = "NASA/TM-2014-218507, section 3.1.5";
+const ASSUMED: &str = "assumed: not printed in NASA/TM-2014-218507";
+
+const RATIO: Range = Range::above(0.0, 1.0);
+
+const fn density(key: &'static str, label: &'static str) -> Input {
+    Input::number(key, label, Group::Densities, Dimension::Density, Range::above(0.0, 25_000.0))
+        .unit("kg/m^3")
+        .help("Density of the component; when absent, that of the vehicle's data file or of the chosen material.", ASSUMED)
+}
+
+pub(super) const INPUTS: &[Input] = &[
+    Input::new("design.msr_mode", "MSR Mode", Group::Vehicle, Kind::Flag)
+        .preset(Preset::Flag(true))
+        .basic()
+        .help("Whether the payload sits in a foam-filled impact sphere with a shell (MSR), or is nested in impact foam.", RUN_PAGE),
+    Input::number("design.diameter_m", "Input Vehicle Diameter", Group::Vehicle, Dimension::Length, Range::above(0.0, 20.0))
+        .unit("m")
+        .usual(0.5, 2.0)
+        .preset(Preset::Number(1.0))
+        .need(Need::Design)
+        .basic()
+        .help("Largest diameter of the vehicle; it grows when the payload does not fit.", RUN_PAGE),
+    Input::number("design.nose_radius_ratio", "Nose Radius / Vehicle Radius", Group::Vehicle, Dimension::One, Range::above(0.0, 1.5))
+        .usual(0.25, 0.9)
+        .preset(Preset::Number(0.75))
+        .need(Need::Design)
+        .basic()
+        .help("Radius of the nose as a fraction of the vehicle radius.", RUN_PAGE),
+    Input::number("design.shoulder_radius_ratio", "Input Shoulder Radius / Vehicle Radius", Group::Vehicle, Dimension::One, Range::above(0.0, 0.5))
+        .usual(0.02, 0.1)
+        .preset(Preset::Number(0.05))
+        .need(Need::Design)
+        .basic()
+        .help("Radius of the shoulder as a fraction of the vehicle radius; it changes when the wing or the heat shield asks for it.", RUN_PAGE),
+    Input::number("design.cone_half_angle_deg", "Forebody Cone Angle", Group::Vehicle, Dimension::Angle, Range::closed(45.0, 70.0))
+        .unit("deg")
+        .usual(45.0, 70.0)
+        .preset(Preset::Number(60.0))
+        .help("Half-angle of the forebody cone.", REPORT_VEHICLE),
+    Input::number("design.payload_mass_kg", "Payload Mass", Group::Payload, Dimension::Mass, Range::above(0.0, 1_000.0))
+        .unit("kg")
+        .usual(5.0, 20.0)
+        .preset(Preset::Number(15.0))
+        .need(Need::Design)
+        .basic()
+        .help("Mass of sample and canister; the mass margin does not touch it.", RUN_PAGE),
+    Input::number("design.payload_density_kg_m3", "Payload Density", Group::Payload, Dimension::Density, Range::above(0.0, 25_000.0))
+        .unit("kg/m^3")
+        .usual(500.0, 8_000.0)
+        .basic()
+        .help("Mean density of the payload, a sphere; gives its diameter.", REPORT_VEHICLE),
+    Input::number("design.payload_diameter_m", "Payload Diameter", Group::Payload, Dimension::Length, Range::above(0.0, 5.0))
+        .unit("m")
+        .usual(0.1, 0.6)
+        .basic()
+        .help("Diameter of the payload, a sphere, instead of its density.", REPORT_VEHICLE),
+    Input::number("design.payload_diameter_ratio", "Payload Diameter / Vehicle Diameter", Group::Payload, Dimension::One, RATIO)
+        .usual(0.2, 0.6)
+        .basic()
+        .help("Diameter of the payload as a fraction of the input vehicle diameter, instead of its density.", RUN_PAGE),
+    Input::new("design.forebody_tps", "Forebody TPS Concept", Group::HeatShield, Kind::Choice(Choices::ForebodyConcepts))
+        .preset(Preset::Name("pica-al-5056"))
+        .basic()
+        .help("Heat shield, bond and carrier structure of the forebody together.", RUN_PAGE),
+    Input::new("design.aftbody_tps", "Aftbody TPS Concept", Group::HeatShield, Kind::Choice(Choices::AftbodyMaterials))
+        .preset(Preset::Name("sirca"))
+        .basic()
+        .help("Heat-shield material of the aftbody.", RUN_PAGE),
+    Input::number("design.mass_margin", "Mass Margin", Group::Margins, Dimension::One, Range::closed(0.0, 5.0))
+        .usual(0.0, 1.0)
+        .preset(Preset::Number(0.3))
+        .basic()
+        .help("Fraction added to the mass of every component but the payload.", RUN_PAGE),
+    Input::number("design.crush_load_limit_earth_g", "Crush Load Limit", Group::Impact, Dimension::Load, Range::above(0.0, 1e6))
+        .unit("g's")
+        .usual(500.0, 5_000.0)
+        .preset(Preset::Number(1_500.0))
+        .basic()
+        .help("Design impact load of the payload on a rigid surface; a higher one needs less stroke.", IMPACT),
+    Input::number("design.stroke_efficiency", "Stroke Efficiency", Group::Impact, Dimension::One, RATIO)
+        .usual(0.3, 0.9)
+        .preset(Preset::Number(0.55))
+        .help("Fraction of the foam thickness that can be crushed; 0.5 to 0.6 agrees with the geometry of Table 9.", ASSUMED),
+    Input::new("design.ground", "Ground", Group::Impact, Kind::Choice(Choices::Grounds))
+        .preset(Preset::Name("uttr-clay"))
+        .help("Ground on which the vehicle lands, for the penetration load.", IMPACT),
+    Input::number("design.terminal_drag_coefficient", "Terminal Drag Coefficient", Group::Models, Dimension::One, Range::above(0.0, 5.0))
+        .usual(0.5, 1.1)
+        .preset(Preset::Number(0.73))
+        .help("Axial-force coefficient below Mach 0.5. Equation 7 prints 0.654; 0.73 gives the terminal velocity of Table 15 and is calibrated on it.", "NASA/TM-2014-218507, equation 7 and Table 15"),
+    Input::new("design.aerodynamics", "Aerodynamics", Group::Models, Kind::Choice(Choices::Aerodynamics))
+        .preset(Preset::Name("mmeev-60"))
+        .help("Aerodynamic database above Mach 0.5.", "NASA/TM-2014-218507, section 3.3"),
+    density("design.density_kg_m3.forebody_tps", "Forebody TPS Density"),
+    density("design.density_kg_m3.forebody_carrier_structure", "Forebody Carrier Structure Density"),
+    density("design.density_kg_m3.aftbody_tps", "Aftbody TPS Density"),
+    density("design.density_kg_m3.aftbody_carrier_structure", "Aftbody Carrier Structure Density"),
+    density("design.density_kg_m3.primary_structure", "Primary Structure Density"),
+    density("design.density_kg_m3.impact_foam", "Foam Density"),
+    density("design.density_kg_m3.impact_shell", "Impact Shell Density"),
+    density("design.density_kg_m3.body_foam", "Body Foam Density"),
+    density("design.density_kg_m3.lid_insulation", "Lid Density"),
+    density("design.density_kg_m3.wing_insulation", "Wing Insulation Density"),
+    Input::number("design.mass_criterion_kg", "Mass Convergence Criterion", Group::Solver, Dimension::Mass, Range::above(0.0, 10.0))
+        .unit("kg")
+        .usual(0.0001, 1.0)
+        .preset(Preset::Number(0.001))
+        .basic()
+        .help("Change of the entry mass between passes below which a design is converged.", RUN_PAGE),
+    Input::number("design.max_iterations", "Max Number of Iterations", Group::Solver, Dimension::One, Range::closed(1.0, 10_000.0))
+        .usual(1.0, 200.0)
+        .whole()
+        .preset(Preset::Number(20.0))
+        .basic()
+        .help("Passes through the modules after which an answer that has not converged is given as it is.", RUN_PAGE),
+    Input::number("design.relaxation", "Relaxation", Group::Solver, Dimension::One, Range::above(0.0, 1.5))
+        .usual(0.3, 1.0)
+        .preset(Preset::Number(1.0))
+        .help("Fraction of each change that a pass applies; 1 is plain Gauss-Seidel.", "convention of this program"),
+];

@@ -1,0 +1,181 @@
+//! The outputs: one entry for each number of an answer.
+
+mod flight;
+
+use crate::answer::Answer;
+use crate::units::{Dimension, Unit, canonical};
+
+/// Module of the report to which an output belongs; results are grouped by it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Module {
+    /// Passes and convergence.
+    Coupling,
+    /// Dimensions.
+    Geometry,
+    /// Masses, centre of gravity, inertias.
+    Mass,
+    /// Landing.
+    Impact,
+    /// Carrier and primary structure.
+    Structure,
+    /// Trajectory.
+    Flight,
+    /// Coefficients.
+    Aerodynamics,
+    /// Heating environment.
+    Heating,
+    /// Heat shield.
+    HeatShield,
+    /// Payload temperature.
+    ThermalSoak,
+}
+
+impl Module {
+    /// Heading of the module.
+    pub fn label(self) -> &'static str {
+        match self {
+            Module::Coupling => "Coupling",
+            Module::Geometry => "Geometry",
+            Module::Mass => "Mass properties",
+            Module::Impact => "Impact analysis",
+            Module::Structure => "Structural analysis",
+            Module::Flight => "Flight mechanics",
+            Module::Aerodynamics => "Aerodynamics",
+            Module::Heating => "Aerothermal",
+            Module::HeatShield => "TPS sizing",
+            Module::ThermalSoak => "Thermal soak",
+        }
+    }
+}
+
+/// One output.
+#[derive(Clone, Copy)]
+pub struct Output {
+    /// Key with its SI unit, such as `total_entry_mass_kg`.
+    pub key: &'static str,
+    /// The report's own label where it has one, without the unit.
+    pub label: &'static str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Symbol of the unit shown by default and used in the report's own CSV.
+    pub unit: &'static str,
+    /// Whether the report's CSV has this column.
+    pub in_report: bool,
+    /// Module of the report.
+    pub module: Module,
+    /// One sentence: what it is.
+    pub help: &'static str,
+    /// Where its definition comes from: equation, table, section.
+    pub source: &'static str,
+    /// Takes it out of an answer, in the canonical unit; `None` when it did not occur.
+    pub get: fn(&Answer) -> Option<f64>,
+}
+
+impl Output {
+    const fn new(
+        key: &'static str,
+        label: &'static str,
+        module: Module,
+        get: fn(&Answer) -> Option<f64>,
+    ) -> Output {
+        Output {
+            key,
+            label,
+            dimension: Dimension::One,
+            unit: "",
+            in_report: false,
+            module,
+            help: "",
+            source: "",
+            get,
+        }
+    }
+
+    const fn unit(mut self, dimension: Dimension, unit: &'static str) -> Output {
+        self.dimension = dimension;
+        self.unit = unit;
+        self
+    }
+
+    const fn help(mut self, help: &'static str, source: &'static str) -> Output {
+        self.help = help;
+        self.source = source;
+        self
+    }
+
+    /// Marks a column of the report's Appendix D.
+    const fn report(mut self) -> Output {
+        self.in_report = true;
+        self
+    }
+
+    /// Unit in which it is shown by default.
+    pub fn shown_unit(&self) -> &'static Unit {
+        Unit::find(self.unit)
+            .filter(|unit| unit.dimension == self.dimension)
+            .unwrap_or_else(|| canonical(self.dimension))
+    }
+
+    /// Column header in the report's manner, such as `Max Dynamic Pressure (Pa)`.
+    pub fn header(&self) -> String {
+        if self.unit.is_empty() {
+            self.label.to_string()
+        } else {
+            format!("{} ({})", self.label, self.unit)
+        }
+    }
+}
+
+/// Which answers have an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Job {
+    /// `fly`: flight only.
+    Fly,
+    /// `design`: everything.
+    Design,
+}
+
+/// The outputs of a job, in the order of tables and files.
+pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
+    let of_design: &[Output] = match job {
+        Job::Fly => &[],
+        Job::Design => &[],
+    };
+    of_design.iter().chain(flight::OUTPUTS)
+}
+
+/// The output with this key.
+pub fn find(key: &str) -> Option<&'static Output> {
+    outputs(Job::Design).find(|output| output.key == key)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_stand_once_and_every_output_explains_itself() {
+        let all: Vec<_> = outputs(Job::Design).collect();
+        for (i, output) in all.iter().enumerate() {
+            assert!(
+                all[..i].iter().all(|other| other.key != output.key),
+                "{}",
+                output.key
+            );
+            assert!(
+                all[..i]
+                    .iter()
+                    .all(|other| other.header() != output.header()),
+                "{}",
+                output.header()
+            );
+            assert!(
+                output.help.ends_with('.') && !output.source.is_empty(),
+                "{}",
+                output.key
+            );
+            let unit = Unit::find(output.unit).unwrap();
+            assert_eq!(unit.dimension, output.dimension, "{}", output.key);
+        }
+    }
+}

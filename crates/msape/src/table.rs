@@ -1,0 +1,1 @@
+//! Tables of answers: CSV, KML. (being written)
