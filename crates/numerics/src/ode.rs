@@ -88,6 +88,3 @@ pub enum OdeError {
         end: f64,
     },
 }
-
-#[cfg(test)]
-mod tests;

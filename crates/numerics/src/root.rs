@@ -24,7 +24,8 @@ pub fn bracket(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) ->
     if fa == 0.0 {
         return Some([a, a]);
     }
-    if !(fa * sign(fb) <= 0.0) {
+    let bracketed = fa * sign(fb) <= 0.0;
+    if !bracketed {
         return None;
     }
     // b: best so far; c: the other side of the root; a: b before.

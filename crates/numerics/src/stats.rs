@@ -1,4 +1,6 @@
 //! Statistics of a sample, summed in the order of the sample.
+//!
+//! Extremes are compared by hand: which zero `f64::min` gives of -0 and 0 is not the same on every platform.
 
 /// Arithmetic mean; `None` of an empty sample.
 pub fn mean(sample: &[f64]) -> Option<f64> {
@@ -24,12 +26,18 @@ pub fn sample_standard_deviation(sample: &[f64]) -> Option<f64> {
 
 /// Smallest of the sample; `None` of an empty one. What is not a number is passed over unless there is nothing else.
 pub fn minimum(sample: &[f64]) -> Option<f64> {
-    sample.iter().copied().reduce(f64::min)
+    sample
+        .iter()
+        .copied()
+        .reduce(|a, b| if b < a || a.is_nan() { b } else { a })
 }
 
 /// Largest of the sample; `None` of an empty one. What is not a number is passed over unless there is nothing else.
 pub fn maximum(sample: &[f64]) -> Option<f64> {
-    sample.iter().copied().reduce(f64::max)
+    sample
+        .iter()
+        .copied()
+        .reduce(|a, b| if b > a || a.is_nan() { b } else { a })
 }
 
 /// Value below which `percent` of the sample lie, linear between its members; `None` of an empty sample, of one that

@@ -61,7 +61,7 @@ impl HermiteTable {
         let points = || x.iter().zip(y).zip(slope).map(|((x, y), m)| [*x, *y, *m]);
         let line = |[x, y, m]: [f64; 3]| [x, y, m, 0.0, 0.0];
         let mut rows: Vec<[f64; 5]> = points().zip(points().skip(1)).map(cubic).collect();
-        rows.extend(points().last().map(line));
+        rows.extend(points().next_back().map(line));
         let before = points().next().map(line).unwrap_or_default();
         Self {
             range: range(x, end),

@@ -31,7 +31,7 @@ impl Table1 {
         let before = rows.first().copied().unwrap_or_default();
         let last_slope = rows.last().map_or(0.0, |row| row[2]);
         // The last row's line passes through the last point itself.
-        rows.extend(points().last().map(|(x, y)| [x, y, last_slope]));
+        rows.extend(points().next_back().map(|(x, y)| [x, y, last_slope]));
         Ok(Self {
             range: range(x, end),
             rows: Rows::new(Search::Binary(x.to_vec()), before, rows),

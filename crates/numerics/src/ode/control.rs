@@ -6,15 +6,16 @@
 //! ```
 //!
 //! # References
-//! - \[hairer-norsett-wanner-1993\] section II.4, eqs 4.11 to 4.14 and the algorithm after them; the proportional-integral
-//!   control of their eq. IV.2.43 with the constants of the codes DOPRI5 and DOP853.
+//! - \[hairer-norsett-wanner-1993\] section II.4, eqs 4.11 to 4.13 and the first step after them; the constants of the
+//!   codes DOPRI5 and DOP853.
+//! - \[hairer-wanner-1996\] section IV.2, proportional-integral control.
 
 use super::formula::{Origin, advance};
 use crate::math;
 
 const SAFETY: f64 = 0.9;
-/// An error that was met by more than this does not slow the next step further.
-const LEAST_ERROR_BEFORE: f64 = 1e-4;
+/// ln 10⁻⁴: an error still smaller does not slow the step after the next; kept before the first step, too.
+pub(super) const LN_LEAST_ERROR_BEFORE: f64 = -9.210_340_371_976_182;
 
 /// The error allowed in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,30 +64,26 @@ pub(super) struct Control {
 }
 
 impl Control {
-    /// Factor to the next step after a step that was accepted; `before` is [`memory`] of the step before it.
+    /// Factor to the next step after one that was accepted, from the logarithm of its error and [`memory`] of the step
+    /// before it.
     #[inline]
-    pub fn factor_accepted(&self, error_squared: f64, before: f64) -> f64 {
-        let exponent = self.integral * before - self.proportional * 0.5 * math::ln(error_squared);
-        (SAFETY * math::exp(exponent)).clamp(self.shrink, self.grow)
+    pub fn factor_accepted(&self, ln_error: f64, before: f64) -> f64 {
+        let factor = SAFETY * math::exp(self.integral * before - self.proportional * ln_error);
+        factor.clamp(self.shrink, self.grow)
     }
 
-    /// Factor to the next trial after one that was refused.
+    /// Factor to the next trial after one that was refused, from the logarithm of its error.
     #[inline]
-    pub fn factor_refused(&self, error_squared: f64) -> f64 {
-        let exponent = -self.proportional * 0.5 * math::ln(error_squared);
-        (SAFETY * math::exp(exponent)).clamp(self.shrink, SAFETY)
+    pub fn factor_refused(&self, ln_error: f64) -> f64 {
+        let factor = SAFETY * math::exp(-self.proportional * ln_error);
+        factor.clamp(self.shrink, SAFETY)
     }
 }
 
-/// What the control keeps of an accepted step: the logarithm of its error.
+/// What the control keeps of an accepted step, of whose error the logarithm is `ln_error`.
 #[inline]
-pub(super) fn memory(error_squared: f64) -> f64 {
-    0.5 * math::ln(error_squared.max(LEAST_ERROR_BEFORE * LEAST_ERROR_BEFORE))
-}
-
-/// What the control keeps before the first step.
-pub(super) fn first_memory() -> f64 {
-    math::ln(LEAST_ERROR_BEFORE)
+pub(super) fn memory(ln_error: f64) -> f64 {
+    ln_error.max(LN_LEAST_ERROR_BEFORE)
 }
 
 /// Length of the first step, not above `longest`, at the cost of one evaluation.
@@ -112,13 +109,13 @@ pub(super) fn first_step<const N: usize>(
     let ahead = f(t + h0, &advance(y, h0, [(1.0, slope)]));
     let change = core::array::from_fn(|i| ahead[i] - slope[i]);
     let d2 = mean_square(&change, &scale).sqrt() / h0;
-    let largest = d1.max(d2);
+    // A guess that led where the right-hand side is not finite says nothing.
+    let largest = if d2.is_finite() { d1.max(d2) } else { d1 };
     let h1 = if largest <= 1e-15 {
         (h0 * 1e-3).max(1e-6)
     } else {
         math::pow(0.01 / largest, 1.0 / order)
     };
-    // The smaller of the two also where h1 is not a number: f64::min takes the other.
     (100.0 * h0).min(h1).min(longest)
 }
 
@@ -151,14 +148,20 @@ mod tests {
     #[test]
     fn error_32_times_too_large_halves_the_step_but_for_safety() {
         // 32^(-1/5) = 1/2
-        assert!((CONTROL.factor_refused(32.0 * 32.0) - 0.45).abs() < 1e-14);
-        assert!((CONTROL.factor_accepted(1.0 / 1024.0, 0.0) - 1.8).abs() < 1e-14);
+        assert!((CONTROL.factor_refused(math::ln(32.0)) - 0.45).abs() < 1e-14);
+        assert!((CONTROL.factor_accepted(-math::ln(32.0), 0.0) - 1.8).abs() < 1e-14);
     }
 
     #[test]
     fn factor_stays_within_its_limits() {
-        assert_eq!(CONTROL.factor_accepted(0.0, 0.0), 10.0);
-        assert_eq!(CONTROL.factor_refused(1e300), 0.2);
+        assert_eq!(CONTROL.factor_accepted(math::ln(0.0), 0.0), 10.0);
+        assert_eq!(CONTROL.factor_refused(math::ln(1e300)), 0.2);
+    }
+
+    #[test]
+    fn memory_ends_at_an_error_of_1e_minus_4() {
+        assert_eq!(memory(math::ln(0.0)), math::ln(1e-4));
+        assert_eq!(memory(math::ln(0.5)), math::ln(0.5));
     }
 
     #[test]

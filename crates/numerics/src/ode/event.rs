@@ -24,7 +24,8 @@ pub enum Direction {
 
 /// Where `g` crosses zero along `step`, by its signs at both ends; the value of `g` there is zero or has the new sign.
 ///
-/// A zero at the very beginning belongs to the step before, a zero at the end to this one.
+/// A zero at the very beginning belongs to the step before, a zero at the end to this one. After a retake that ends at a
+/// crossing, rounding may leave either sign there: what must happen only once is for the caller to remember.
 pub fn crossing<const N: usize>(
     step: &Step<N>,
     g: impl Fn(f64, &[f64; N]) -> f64,

@@ -1,12 +1,13 @@
 //! The integrator: where it stands, how long the next step shall be, and what it has cost.
 
-use super::control::{Tolerance, first_memory, first_step, memory};
+use super::control::{Control, LN_LEAST_ERROR_BEFORE, Tolerance, first_step, memory};
 use super::dormand_prince_54::DormandPrince54;
 use super::dormand_prince_853::DormandPrince853;
 use super::formula::{Origin, Trial};
 use super::rk4::Rk4;
 use super::step::Step;
 use super::{Dense, Method, OdeError};
+use crate::math;
 
 /// Factor to the next trial after one that was not finite.
 const RETREAT: f64 = 0.1;
@@ -69,7 +70,7 @@ impl<const N: usize> Integrator<N> {
             y: y0,
             slope: None,
             h: None,
-            before: first_memory(),
+            before: LN_LEAST_ERROR_BEFORE,
             last: None,
             statistics: Statistics::default(),
         }
@@ -90,7 +91,7 @@ impl<const N: usize> Integrator<N> {
         self
     }
 
-    /// Sets the longest adaptive step, in the unit of t.
+    /// Sets the longest adaptive step, in the unit of t; one that ends at a limit may be a hundredth longer.
     pub fn with_longest_step(mut self, longest: f64) -> Self {
         self.longest = longest;
         self
@@ -215,7 +216,7 @@ impl<const N: usize> Integrator<N> {
             let error_squared = trial.error_squared(&origin, h, &self.tolerance);
             if error_squared.is_finite() && trial.y1().iter().all(|y| y.is_finite()) {
                 if error_squared > 1.0 {
-                    h *= F::CONTROL.factor_refused(error_squared);
+                    h *= F::CONTROL.factor_refused(0.5 * math::ln(error_squared));
                     refused = OdeError::StepTooSmall { t };
                     first_trial = false;
                     self.statistics.rejected += 1;
@@ -223,7 +224,12 @@ impl<const N: usize> Integrator<N> {
                 }
                 let (step, slope1) = trial.finish(f, &origin, t1, self.dense);
                 if slope1.iter().all(|slope| slope.is_finite()) {
-                    self.plan(&F::CONTROL, error_squared, [h, planned], first_trial);
+                    self.plan(
+                        &F::CONTROL,
+                        0.5 * math::ln(error_squared),
+                        [h, planned],
+                        first_trial,
+                    );
                     self.accept(origin, &step, slope1);
                     self.statistics.accepted += 1;
                     return Ok(step);
@@ -237,14 +243,8 @@ impl<const N: usize> Integrator<N> {
     }
 
     /// Length of the next step after one of length `h` where `planned` was intended.
-    fn plan(
-        &mut self,
-        control: &super::control::Control,
-        error_squared: f64,
-        [h, planned]: [f64; 2],
-        first: bool,
-    ) {
-        let next = h * control.factor_accepted(error_squared, self.before);
+    fn plan(&mut self, control: &Control, ln_error: f64, [h, planned]: [f64; 2], first: bool) {
+        let next = h * control.factor_accepted(ln_error, self.before);
         let cut_short = first && h < planned;
         self.h = Some(match (first, cut_short) {
             // A step cut short by its limit says little: the plan stands.
@@ -253,7 +253,7 @@ impl<const N: usize> Integrator<N> {
             (true, _) => next,
         });
         if !cut_short {
-            self.before = memory(error_squared);
+            self.before = memory(ln_error);
         }
     }
 
@@ -326,7 +326,8 @@ impl<const N: usize> Integrator<N> {
         t_limit: f64,
     ) -> Result<Origin<N>, OdeError> {
         let (t, y) = (self.t, self.y);
-        if !(t < t_limit) {
+        let ahead = t < t_limit;
+        if !ahead {
             return Err(OdeError::Unreachable { t, end: t_limit });
         }
         let slope = self.slope.unwrap_or_else(|| f(t, &y));

@@ -10,9 +10,8 @@
 //! # References
 //! - \[hairer-norsett-wanner-1993\] section II.6.
 
-/// Most corrections a formula can add to the cubic polynomial.
-pub(super) const CORRECTIONS: usize = 4;
-const ROWS: usize = 3 + CORRECTIONS;
+/// r₁ to r₇.
+const ROWS: usize = 7;
 
 /// A step that was taken, with its dense output.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,18 +41,16 @@ impl<const N: usize> Step<N> {
     #[inline]
     pub(super) fn new<const M: usize>(ends: &Ends<N>, corrections: &[[f64; N]; M]) -> Self {
         let h = ends.t[1] - ends.t[0];
-        let mut rows = [[0.0; N]; ROWS];
-        for i in 0..N {
-            let rise = ends.y[1][i] - ends.y[0][i];
-            let bend = h * ends.slope[0][i] - rise;
-            rows[0][i] = rise;
-            rows[1][i] = bend;
-            rows[2][i] = rise - h * ends.slope[1][i] - bend;
-        }
+        let ([y0, y1], [slope0, slope1]) = (ends.y, ends.slope);
+        let rise: [f64; N] = core::array::from_fn(|i| y1[i] - y0[i]);
+        let bend: [f64; N] = core::array::from_fn(|i| h * slope0[i] - rise[i]);
+        let rest: [f64; N] = core::array::from_fn(|i| rise[i] - h * slope1[i] - bend[i]);
+        let none = [0.0; N];
+        let mut rows = [rise, bend, rest, none, none, none, none];
         for (row, correction) in rows.iter_mut().skip(3).zip(corrections) {
             *row = *correction;
         }
-        let used = 3 + M.min(CORRECTIONS);
+        let used = (3 + M).min(ROWS);
         Self {
             t0: ends.t[0],
             t1: ends.t[1],
