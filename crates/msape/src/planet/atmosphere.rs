@@ -57,7 +57,12 @@ pub struct StandardAir {
 impl StandardAir {
     /// Air of a density, kg/m³, and a temperature, K; pressure by the gas law unless given, Pa.
     #[inline]
-    pub fn of<S: Scalar>(&self, density_kg_m3: S, temperature_k: S, pressure_pa: Option<S>) -> Air<S> {
+    pub fn of<S: Scalar>(
+        &self,
+        density_kg_m3: S,
+        temperature_k: S,
+        pressure_pa: Option<S>,
+    ) -> Air<S> {
         let r = self.gas_constant_j_kg_k;
         Air {
             density_kg_m3,
@@ -98,7 +103,8 @@ impl Atmosphere {
     /// Index of the piece that an altitude, m, belongs to; a boundary belongs to the piece above.
     #[inline]
     pub fn layer(&self, altitude_m: f64) -> usize {
-        self.boundaries_m().partition_point(|boundary| *boundary <= altitude_m)
+        self.boundaries_m()
+            .partition_point(|boundary| *boundary <= altitude_m)
     }
 
     /// Lowest and highest altitude at which the model is backed by its source, m.

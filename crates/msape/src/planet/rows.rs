@@ -82,7 +82,9 @@ pub enum RowFault {
         unit: &'static str,
     },
     /// Not above the row before.
-    #[error("row {row}: {column}: got {value} {unit}, must be above {before} {unit} of the row before")]
+    #[error(
+        "row {row}: {column}: got {value} {unit}, must be above {before} {unit} of the row before"
+    )]
     NotAscending {
         /// Row.
         row: usize,
@@ -99,10 +101,16 @@ pub enum RowFault {
 
 /// Checks all rows; the faults in the order of the rows, [`MOST_FAULTS`] at most.
 pub fn check(rows: &[Vec<f64>], columns: &[Column], shape: Shape) -> Result<(), Vec<RowFault>> {
-    let Shape { fewest_rows, fewest_columns } = shape;
+    let Shape {
+        fewest_rows,
+        fewest_columns,
+    } = shape;
     let mut faults = Vec::new();
     if rows.len() < fewest_rows {
-        faults.push(RowFault::TooFewRows { rows: rows.len(), fewest: fewest_rows });
+        faults.push(RowFault::TooFewRows {
+            rows: rows.len(),
+            fewest: fewest_rows,
+        });
     }
     let width = rows.first().map_or(0, Vec::len);
     let width_allowed = (fewest_columns..=columns.len()).contains(&width);
@@ -120,22 +128,53 @@ pub fn check(rows: &[Vec<f64>], columns: &[Column], shape: Shape) -> Result<(), 
             } else {
                 format!("{fewest_columns} to {}", columns.len())
             };
-            faults.push(RowFault::Ragged { row, columns: values.len(), expected });
+            faults.push(RowFault::Ragged {
+                row,
+                columns: values.len(),
+                expected,
+            });
         }
         for (i, (value, column)) in values.iter().zip(columns).enumerate() {
-            let (value, Column { name: column, unit, rule }) = (*value, *column);
+            let (
+                value,
+                Column {
+                    name: column,
+                    unit,
+                    rule,
+                },
+            ) = (*value, *column);
             if !value.is_finite() {
-                faults.push(RowFault::NotFinite { row, column, value, unit });
+                faults.push(RowFault::NotFinite {
+                    row,
+                    column,
+                    value,
+                    unit,
+                });
             } else if rule == Rule::Positive && value <= 0.0 {
-                faults.push(RowFault::NotPositive { row, column, value, unit });
+                faults.push(RowFault::NotPositive {
+                    row,
+                    column,
+                    value,
+                    unit,
+                });
             } else if rule == Rule::Ascending
                 && let Some(before) = before.and_then(|b| b.get(i)).copied()
                 && value <= before
             {
-                faults.push(RowFault::NotAscending { row, column, value, before, unit });
+                faults.push(RowFault::NotAscending {
+                    row,
+                    column,
+                    value,
+                    before,
+                    unit,
+                });
             }
         }
         before = Some(values);
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
+    }
 }

@@ -50,18 +50,34 @@ impl Exponential {
     ) -> Result<Self, Vec<ExponentialFault>> {
         let mut faults = Vec::new();
         if !(surface_density_kg_m3 > 0.0 && surface_density_kg_m3.is_finite()) {
-            faults.push(ExponentialFault::Density { value: surface_density_kg_m3 });
+            faults.push(ExponentialFault::Density {
+                value: surface_density_kg_m3,
+            });
         }
         if !(scale_height_m > 0.0 && scale_height_m.is_finite()) {
-            faults.push(ExponentialFault::ScaleHeight { value: scale_height_m });
+            faults.push(ExponentialFault::ScaleHeight {
+                value: scale_height_m,
+            });
         }
-        if faults.is_empty() { Ok(Self { surface_density_kg_m3, scale_height_m, standard }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self {
+                surface_density_kg_m3,
+                scale_height_m,
+                standard,
+            })
+        } else {
+            Err(faults)
+        }
     }
 
     /// Density, kg/m³.
     #[inline]
     pub fn density_kg_m3<S: Scalar>(&self, altitude_m: S) -> S {
-        let Self { surface_density_kg_m3: rho_0, scale_height_m: scale, .. } = *self;
+        let Self {
+            surface_density_kg_m3: rho_0,
+            scale_height_m: scale,
+            ..
+        } = *self;
         (altitude_m / -scale).exp() * rho_0
     }
 
@@ -69,7 +85,8 @@ impl Exponential {
     #[inline]
     pub fn air<S: Scalar>(&self, altitude_m: S) -> Air<S> {
         let temperature_k = self.standard.temperature.kinetic_k(altitude_m);
-        self.standard.of(self.density_kg_m3(altitude_m), temperature_k, None)
+        self.standard
+            .of(self.density_kg_m3(altitude_m), temperature_k, None)
     }
 }
 
@@ -79,7 +96,9 @@ mod tests {
     use crate::planet::atmosphere::us_1976::UsStandard1976;
 
     fn standard() -> StandardAir {
-        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml")).unwrap().standard_air()
+        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
+            .unwrap()
+            .standard_air()
     }
 
     #[test]

@@ -69,23 +69,37 @@ impl UsStandard1976 {
     /// The atmosphere of a definition; integrates the heterosphere.
     pub fn new(definition: &Definition) -> Self {
         let c = &definition.constants;
-        let temperature = StandardTemperature { lower: Lower::new(definition), upper: Upper::new(definition) };
+        let temperature = StandardTemperature {
+            lower: Lower::new(definition),
+            upper: Upper::new(definition),
+        };
         let mut boundaries_m = temperature.lower.tops_m.clone();
         let mut spans = Vec::with_capacity(SPANS.len() + 1);
-        for (span, knots) in SPANS.iter().zip(Heterosphere::new(definition, &temperature.upper).knots()) {
+        for (span, knots) in SPANS
+            .iter()
+            .zip(Heterosphere::new(definition, &temperature.upper).knots())
+        {
             spans.push(UpperSpan {
                 segment: span.segment,
                 ln_density: Curve::new(span.from_m, span.cell_m, &knots.ln_density),
                 molar_mass: Curve::new(span.from_m, span.cell_m, &knots.molar_mass),
             });
             boundaries_m.push(span.to_m);
-            if let (true, Some(density), Some(mass)) =
-                (span.to_m == Self::VALID_M.1, knots.ln_density.last(), knots.molar_mass.last())
-            {
+            if let (true, Some(density), Some(mass)) = (
+                span.to_m == Self::VALID_M.1,
+                knots.ln_density.last(),
+                knots.molar_mass.last(),
+            ) {
                 spans.push(UpperSpan {
                     segment: span.segment,
-                    ln_density: straight(span.to_m, *density),
-                    molar_mass: straight(span.to_m, Knot { slope_per_m: 0.0, ..*mass }),
+                    ln_density: Curve::line(span.to_m, *density),
+                    molar_mass: Curve::line(
+                        span.to_m,
+                        Knot {
+                            slope_per_m: 0.0,
+                            ..*mass
+                        },
+                    ),
                 });
             }
         }
@@ -96,7 +110,12 @@ impl UsStandard1976 {
             sea_level_molar_mass_kg_kmol: c.sea_level_molar_mass_kg_kmol,
             mean_free_path_constant: lower::mean_free_path_constant(definition),
         };
-        Self { temperature, spans, boundaries_m, gas }
+        Self {
+            temperature,
+            spans,
+            boundaries_m,
+            gas,
+        }
     }
 
     /// Temperature of this atmosphere by altitude, for models that bring a density only.
@@ -104,8 +123,10 @@ impl UsStandard1976 {
         super::StandardAir {
             temperature: self.temperature.clone(),
             heat_capacity_ratio: self.gas.heat_capacity_ratio,
-            gas_constant_j_kg_k: self.gas.gas_constant_j_kmol_k / self.gas.sea_level_molar_mass_kg_kmol,
-            mean_free_path_kg_m2: self.gas.mean_free_path_constant * self.gas.sea_level_molar_mass_kg_kmol,
+            gas_constant_j_kg_k: self.gas.gas_constant_j_kmol_k
+                / self.gas.sea_level_molar_mass_kg_kmol,
+            mean_free_path_kg_m2: self.gas.mean_free_path_constant
+                * self.gas.sea_level_molar_mass_kg_kmol,
         }
     }
 
@@ -115,7 +136,9 @@ impl UsStandard1976 {
     }
 
     fn span(&self, layer: usize) -> Option<&UpperSpan> {
-        self.spans.get(layer.saturating_sub(self.temperature.lower.layers.len())).or(self.spans.last())
+        self.spans
+            .get(layer.saturating_sub(self.temperature.lower.layers.len()))
+            .or(self.spans.last())
     }
 
     /// Density of one piece, kg/m³.
@@ -124,13 +147,20 @@ impl UsStandard1976 {
         if let Some(lower) = self.temperature.lower.layers.get(layer) {
             return lower.density_kg_m3(altitude_m);
         }
-        self.span(layer).map_or(S::constant(0.0), |span| span.ln_density.at(altitude_m).exp())
+        self.span(layer).map_or(S::constant(0.0), |span| {
+            span.ln_density.at(altitude_m).exp()
+        })
     }
 
     /// Everything of one piece.
     #[inline]
     pub fn air_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> Air<S> {
-        let Gas { heat_capacity_ratio, gas_constant_j_kmol_k, sea_level_molar_mass_kg_kmol: m_0, .. } = self.gas;
+        let Gas {
+            heat_capacity_ratio,
+            gas_constant_j_kmol_k,
+            sea_level_molar_mass_kg_kmol: m_0,
+            ..
+        } = self.gas;
         let (pressure_pa, density_kg_m3, temperature_k, m) =
             if let Some(lower) = self.temperature.lower.layers.get(layer) {
                 let (p, rho, t_m) = lower.state(altitude_m);
@@ -139,24 +169,32 @@ impl UsStandard1976 {
             } else if let Some(span) = self.span(layer) {
                 let rho = span.ln_density.at(altitude_m).exp();
                 let m = span.molar_mass.at(altitude_m);
-                let t = self.temperature.upper.temperature_k(span.segment, altitude_m);
+                let t = self
+                    .temperature
+                    .upper
+                    .temperature_k(span.segment, altitude_m);
                 (rho * t / m * self.gas.pressure_constant_j_kmol_k, rho, t, m)
             } else {
-                (S::constant(0.0), S::constant(0.0), S::constant(0.0), S::constant(m_0))
+                (
+                    S::constant(0.0),
+                    S::constant(0.0),
+                    S::constant(0.0),
+                    S::constant(m_0),
+                )
             };
         Air {
             density_kg_m3,
             pressure_pa,
             temperature_k,
-            speed_of_sound_m_s: (temperature_k / m * (heat_capacity_ratio * gas_constant_j_kmol_k)).sqrt(),
-            mean_free_path_m: lower::mean_free_path_m(self.gas.mean_free_path_constant, m, density_kg_m3),
+            speed_of_sound_m_s: (temperature_k / m * (heat_capacity_ratio * gas_constant_j_kmol_k))
+                .sqrt(),
+            mean_free_path_m: lower::mean_free_path_m(
+                self.gas.mean_free_path_constant,
+                m,
+                density_kg_m3,
+            ),
         }
     }
-}
-
-/// The line through one knot.
-fn straight(from_m: f64, knot: Knot) -> Curve {
-    Curve::new(from_m, 1.0, &[knot, Knot { value: knot.value + knot.slope_per_m, ..knot }])
 }
 
 #[cfg(test)]

@@ -140,17 +140,26 @@ impl Definition {
     /// Reads the file and checks what the code relies on.
     pub fn parse(text: &str) -> Result<Self, String> {
         let definition: Self = toml::from_str(text).map_err(|e| e.to_string())?;
-        let Lower { base_geopotential_km: bases, gradient_k_km, ratio_altitude_km, molar_mass_ratio, .. } =
-            &definition.lower;
+        let Lower {
+            base_geopotential_km: bases,
+            gradient_k_km,
+            ratio_altitude_km,
+            molar_mass_ratio,
+            ..
+        } = &definition.lower;
         if bases.is_empty() || bases.len() != gradient_k_km.len() {
             return Err("lower: one gradient_k_km for each base_geopotential_km".into());
         }
         if ratio_altitude_km.len() < 2 || ratio_altitude_km.len() != molar_mass_ratio.len() {
-            return Err("lower: one molar_mass_ratio for each ratio_altitude_km, at least two".into());
+            return Err(
+                "lower: one molar_mass_ratio for each ratio_altitude_km, at least two".into(),
+            );
         }
         let names: Vec<&str> = definition.species.iter().map(|s| s.name.as_str()).collect();
         if names != ["N2", "O", "O2", "Ar", "He", "H"] {
-            return Err(format!("species: {names:?}, must be N2, O, O2, Ar, He, H in this order"));
+            return Err(format!(
+                "species: {names:?}, must be N2, O, O2, Ar, He, H in this order"
+            ));
         }
         Ok(definition)
     }

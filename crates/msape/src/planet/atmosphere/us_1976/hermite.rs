@@ -40,9 +40,29 @@ impl Curve {
             let s = (b.value - a.value) / cell_m;
             let c_2 = (3.0 * s - 2.0 * a.slope_per_m - b.slope_per_m) / cell_m;
             let c_3 = (a.slope_per_m + b.slope_per_m - 2.0 * s) / (cell_m * cell_m);
-            Some([first_m + i as f64 * cell_m, a.value, a.slope_per_m, c_2, c_3])
+            Some([
+                first_m + i as f64 * cell_m,
+                a.value,
+                a.slope_per_m,
+                c_2,
+                c_3,
+            ])
         });
-        Self { first_m, cells_per_m: 1.0 / cell_m, rows: rows.collect() }
+        Self {
+            first_m,
+            cells_per_m: 1.0 / cell_m,
+            rows: rows.collect(),
+        }
+    }
+
+    /// The line through one knot.
+    pub fn line(through_m: f64, knot: Knot) -> Self {
+        let rows = vec![[through_m, knot.value, knot.slope_per_m, 0.0, 0.0]];
+        Self {
+            first_m: through_m,
+            cells_per_m: 0.0,
+            rows,
+        }
     }
 
     /// The value at `z_m`.
@@ -50,7 +70,11 @@ impl Curve {
     pub fn at<S: Scalar>(&self, z_m: S) -> S {
         let [z_0, c_0, c_1, c_2, c_3] = z_m.lookup(|z| {
             let cell = ((z - self.first_m) * self.cells_per_m) as usize;
-            self.rows.get(cell).or(self.rows.last()).copied().unwrap_or_default()
+            self.rows
+                .get(cell)
+                .or(self.rows.last())
+                .copied()
+                .unwrap_or_default()
         });
         let t = z_m - z_0;
         c_0 + t * (c_1 + t * (c_2 + t * c_3))
@@ -64,7 +88,10 @@ mod tests {
     #[test]
     fn a_cubic_is_met_exactly_within_and_beyond_the_ends() {
         // y = z³ − 2 z: y(1.25) = 1.953125 − 2.5, y(−1) = 1, y(4) = 56
-        let knot = |z: f64| Knot { value: z * z * z - 2.0 * z, slope_per_m: 3.0 * z * z - 2.0 };
+        let knot = |z: f64| Knot {
+            value: z * z * z - 2.0 * z,
+            slope_per_m: 3.0 * z * z - 2.0,
+        };
         let curve = Curve::new(0.0, 0.5, &[0.0, 0.5, 1.0, 1.5, 2.0].map(knot));
         for (z, y) in [(1.25, -0.546875), (-1.0, 1.0), (4.0, 56.0)] {
             assert!((curve.at(z) - y).abs() < 1e-12, "{z}: {}", curve.at(z));

@@ -11,8 +11,8 @@
 //! ```
 //!
 //! with n in 1/m³, T in K, z in m (km where the data are), g in m/s², M in kg/kmol, R* in J/(kmol K), D and K in
-//! m²/s, φ in 1/(m² s). M is that of sea level to 100 km and that of N₂ above; N is N₂ for O and O₂, N₂ + O + O₂ for
-//! Ar and He, everything for H. v has an integral in closed form, and so has g/T above 120 km:
+//! m²/s, φ in 1/(m² s). N is N₂ for O and O₂, N₂ + O + O₂ for Ar and He, everything for H. M is that of sea level to
+//! 100 km, above it that of the gases in N (the reading that gives the printed Ar and He at 120 km). v has an integral in closed form, and so has g/T above 120 km:
 //!
 //! ```text
 //! ∫ g/(R* T) dz = g₁₀/(R* T∞) · (ξ + ln(T/T₁₀)/λ)
@@ -55,13 +55,48 @@ pub struct Span {
 
 /// The smooth pieces, upwards.
 pub const SPANS: [Span; 7] = [
-    Span { from_m: 86e3, to_m: 91e3, segment: Segment::Isothermal, cell_m: CELL_86_TO_120_M },
-    Span { from_m: 91e3, to_m: 100e3, segment: Segment::Ellipse, cell_m: CELL_86_TO_120_M },
-    Span { from_m: 100e3, to_m: 110e3, segment: Segment::Ellipse, cell_m: CELL_86_TO_120_M },
-    Span { from_m: 110e3, to_m: Z10_M, segment: Segment::Linear, cell_m: CELL_86_TO_120_M },
-    Span { from_m: Z10_M, to_m: 150e3, segment: Segment::Exponential, cell_m: 500.0 },
-    Span { from_m: 150e3, to_m: Z11_M, segment: Segment::Exponential, cell_m: 2000.0 },
-    Span { from_m: Z11_M, to_m: 1e6, segment: Segment::Exponential, cell_m: 5000.0 },
+    Span {
+        from_m: 86e3,
+        to_m: 91e3,
+        segment: Segment::Isothermal,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 91e3,
+        to_m: 100e3,
+        segment: Segment::Ellipse,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 100e3,
+        to_m: 110e3,
+        segment: Segment::Ellipse,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 110e3,
+        to_m: Z10_M,
+        segment: Segment::Linear,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: Z10_M,
+        to_m: 150e3,
+        segment: Segment::Exponential,
+        cell_m: 500.0,
+    },
+    Span {
+        from_m: 150e3,
+        to_m: Z11_M,
+        segment: Segment::Exponential,
+        cell_m: 2000.0,
+    },
+    Span {
+        from_m: Z11_M,
+        to_m: 1e6,
+        segment: Segment::Exponential,
+        cell_m: 5000.0,
+    },
 ];
 
 /// ln(nᵢ T), nᵢ in 1/m³ and T in K, without the part of v.
@@ -93,18 +128,29 @@ impl<'a> Heterosphere<'a> {
             *log = math::ln(species.at_86_km_per_m3 * t_7);
         }
         let r_0 = definition.constants.earth_radius_km * 1000.0;
-        Self { definition, upper, r_0, start, at_120_km: start }
+        Self {
+            definition,
+            upper,
+            r_0,
+            start,
+            at_120_km: start,
+        }
     }
 
     /// The knots of all spans, upwards.
     pub fn knots(&mut self) -> Vec<SpanKnots> {
-        let mut spans = Vec::with_capacity(SPANS.len());
+        self.knots_of(&SPANS)
+    }
+
+    /// The knots of spans that follow each other from 86 km.
+    pub fn knots_of(&mut self, all: &[Span]) -> Vec<SpanKnots> {
+        let mut spans = Vec::with_capacity(all.len());
         let mut logs = self.start;
-        for span in SPANS.iter().filter(|s| s.to_m <= Z10_M) {
+        for span in all.iter().filter(|s| s.to_m <= Z10_M) {
             spans.push(self.integrate(span, &mut logs));
         }
         self.at_120_km = logs;
-        for span in SPANS.iter().filter(|s| s.to_m > Z10_M) {
+        for span in all.iter().filter(|s| s.to_m > Z10_M) {
             spans.push(self.closed_form(span));
         }
         spans
@@ -124,11 +170,27 @@ impl<'a> Heterosphere<'a> {
         let k = self.eddy_m2_s(z);
         let species = &self.definition.species;
         let m_n2 = species.first().map_or(0.0, |s| s.molar_mass_kg_kmol);
-        let m = if span.to_m <= 100e3 { self.definition.constants.sea_level_molar_mass_kg_kmol } else { m_n2 };
+        let m = if span.to_m <= 100e3 {
+            self.definition.constants.sea_level_molar_mass_kg_kmol
+        } else {
+            m_n2
+        };
         let [n2, o, o2] = [logs[0], logs[1], logs[2]];
-        let with_flux = |i: usize, log: f64| species.get(i).map_or(0.0, |s| math::exp(log - flux_integral(s, z)) / t);
-        let n_n2 = if k > 0.0 { with_flux(0, n2) } else { 0.0 };
-        let n_major = if k > 0.0 { n_n2 + with_flux(1, o) + with_flux(2, o2) } else { 0.0 };
+        let with_flux = |i: usize, log: f64| {
+            species
+                .get(i)
+                .map_or(0.0, |s| math::exp(log - flux_integral(s, z)) / t)
+        };
+        let [mut n_n2, mut n_major, mut m_major] = [0.0, 0.0, m];
+        if k > 0.0 {
+            let n = [with_flux(0, n2), with_flux(1, o), with_flux(2, o2)];
+            n_n2 = n[0];
+            n_major = n[0] + n[1] + n[2];
+            if span.from_m >= 100e3 {
+                let mass = |i: usize| species.get(i).map_or(0.0, |s| s.molar_mass_kg_kmol);
+                m_major = (n[0] * mass(0) + n[1] * mass(1) + n[2] * mass(2)) / n_major;
+            }
+        }
         let ln_t = math::ln(t / 273.15);
         let mut slopes = [0.0; HEAVY];
         for (i, (slope, s)) in slopes.iter_mut().zip(species).enumerate() {
@@ -136,7 +198,7 @@ impl<'a> Heterosphere<'a> {
             let mean = if i == 0 {
                 m
             } else if k > 0.0 {
-                let background = if i < 3 { n_n2 } else { n_major };
+                let (background, m) = if i < 3 { (n_n2, m) } else { (n_major, m_major) };
                 let d = s.diffusion_a_per_m_s / background * math::exp(s.diffusion_b * ln_t);
                 (mass * d + m * k) / (d + k)
             } else {
@@ -163,7 +225,10 @@ impl<'a> Heterosphere<'a> {
     fn integrate(&self, span: &Span, logs: &mut Logs) -> SpanKnots {
         let h = span.cell_m / 2.0;
         let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
-        let mut knots = SpanKnots { ln_density: Vec::new(), molar_mass: Vec::new() };
+        let mut knots = SpanKnots {
+            ln_density: Vec::new(),
+            molar_mass: Vec::new(),
+        };
         for i in 0..=cells {
             let z = span.from_m + i as f64 * span.cell_m;
             self.push_knot(span, z, logs, &mut knots);
@@ -185,9 +250,14 @@ impl<'a> Heterosphere<'a> {
     /// ∫ g/(R* T) dz from 120 km, kmol/kg.
     fn gravity_integral(&self, z: f64, t: f64) -> f64 {
         let t_10 = self.upper.temperature_k(Segment::Exponential, Z10_M);
-        let Upper { exosphere_k: t_inf, rate_per_m: lambda, .. } = *self.upper;
+        let Upper {
+            exosphere_k: t_inf,
+            rate_per_m: lambda,
+            ..
+        } = *self.upper;
         let r_star = self.definition.constants.gas_constant_j_kmol_k;
-        self.gravity_m_s2(Z10_M) / (r_star * t_inf) * (self.upper.xi_m(z) + math::ln(t / t_10) / lambda)
+        self.gravity_m_s2(Z10_M) / (r_star * t_inf)
+            * (self.upper.xi_m(z) + math::ln(t / t_10) / lambda)
     }
 
     /// ln(nᵢ T) above 120 km without v.
@@ -203,14 +273,21 @@ impl<'a> Heterosphere<'a> {
 
     fn closed_form(&self, span: &Span) -> SpanKnots {
         let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
-        let mut knots = SpanKnots { ln_density: Vec::new(), molar_mass: Vec::new() };
+        let mut knots = SpanKnots {
+            ln_density: Vec::new(),
+            molar_mass: Vec::new(),
+        };
         let hydrogen = self.hydrogen(span, cells);
         for i in 0..=cells {
             let z = span.from_m + i as f64 * span.cell_m;
             let t = self.upper.temperature_k(span.segment, z);
             let mut sums = self.sums(span, z, &self.logs_above_120_km(z, t));
             if let Some((n, slope)) = hydrogen.get(i) {
-                let m = self.definition.species.get(HEAVY).map_or(0.0, |s| s.molar_mass_kg_kmol);
+                let m = self
+                    .definition
+                    .species
+                    .get(HEAVY)
+                    .map_or(0.0, |s| s.molar_mass_kg_kmol);
                 sums.add(*n, *slope, m);
             }
             sums.push(self.definition.constants.avogadro_per_kmol, &mut knots);
@@ -220,11 +297,17 @@ impl<'a> Heterosphere<'a> {
 
     /// Number density of atomic hydrogen, 1/m³, and its slope, 1/m⁴, at the knots; nothing below 150 km.
     fn hydrogen(&self, span: &Span, cells: usize) -> Vec<(f64, f64)> {
-        let Some(h) = self.definition.species.get(HEAVY) else { return Vec::new() };
+        let Some(h) = self.definition.species.get(HEAVY) else {
+            return Vec::new();
+        };
         if span.from_m < FLUX_TOP_KM * 1000.0 {
             return Vec::new();
         }
-        let Definition { diffusion, constants, .. } = self.definition;
+        let Definition {
+            diffusion,
+            constants,
+            ..
+        } = self.definition;
         let temperature = |z: f64| self.upper.temperature_k(Segment::Exponential, z);
         let t_11 = temperature(Z11_M);
         let at_11 = self.gravity_integral(Z11_M, t_11);
@@ -233,11 +316,19 @@ impl<'a> Heterosphere<'a> {
             let tau = h.molar_mass_kg_kmol * (self.gravity_integral(z, t) - at_11);
             math::exp((1.0 + h.thermal_diffusion) * math::ln(t / t_11) + tau)
         };
-        let flux = if span.from_m < Z11_M { diffusion.flux_of_h_per_m2_s } else { 0.0 };
+        let flux = if span.from_m < Z11_M {
+            diffusion.flux_of_h_per_m2_s
+        } else {
+            0.0
+        };
         // φ/D
         let source = |z: f64, t: f64| {
             let mut n = 0.0;
-            for (log, s) in self.logs_above_120_km(z, t).iter().zip(&self.definition.species) {
+            for (log, s) in self
+                .logs_above_120_km(z, t)
+                .iter()
+                .zip(&self.definition.species)
+            {
                 n += math::exp(log - flux_integral(s, z)) / t;
             }
             flux * n / h.diffusion_a_per_m_s / math::exp(h.diffusion_b * math::ln(t / 273.15))
@@ -254,9 +345,15 @@ impl<'a> Heterosphere<'a> {
                 from_above += gauss_3(&integrand, z, span.cell_m);
             }
             let t = temperature(z);
-            let n = if flux > 0.0 { from_above } else { diffusion.h_at_500_km_per_m3 } / weight(z, t);
-            let fall = (1.0 + h.thermal_diffusion) * self.upper.gradient_k_m(Segment::Exponential, z) / t
-                + h.molar_mass_kg_kmol * self.gravity_m_s2(z) / (constants.gas_constant_j_kmol_k * t);
+            let n = if flux > 0.0 {
+                from_above
+            } else {
+                diffusion.h_at_500_km_per_m3
+            } / weight(z, t);
+            let fall =
+                (1.0 + h.thermal_diffusion) * self.upper.gradient_k_m(Segment::Exponential, z) / t
+                    + h.molar_mass_kg_kmol * self.gravity_m_s2(z)
+                        / (constants.gas_constant_j_kmol_k * t);
             knots.push((n, -source(z, t) - n * fall));
         }
         knots.reverse();
@@ -264,16 +361,25 @@ impl<'a> Heterosphere<'a> {
     }
 
     fn push_knot(&self, span: &Span, z: f64, logs: &Logs, knots: &mut SpanKnots) {
-        self.sums(span, z, logs).push(self.definition.constants.avogadro_per_kmol, knots);
+        self.sums(span, z, logs)
+            .push(self.definition.constants.avogadro_per_kmol, knots);
     }
 
     fn sums(&self, span: &Span, z: f64, logs: &Logs) -> Sums {
         let t = self.upper.temperature_k(span.segment, z);
         let ln_t_slope = self.upper.gradient_k_m(span.segment, z) / t;
         let mut sums = Sums::default();
-        for ((log, slope), s) in logs.iter().zip(self.slopes(span, z, logs)).zip(&self.definition.species) {
+        for ((log, slope), s) in logs
+            .iter()
+            .zip(self.slopes(span, z, logs))
+            .zip(&self.definition.species)
+        {
             let n = math::exp(log - flux_integral(s, z)) / t;
-            sums.add(n, n * (slope - flux_per_m(s, z) - ln_t_slope), s.molar_mass_kg_kmol);
+            sums.add(
+                n,
+                n * (slope - flux_per_m(s, z) - ln_t_slope),
+                s.molar_mass_kg_kmol,
+            );
         }
         sums
     }
@@ -297,10 +403,21 @@ impl Sums {
     }
 
     fn push(&self, avogadro_per_kmol: f64, knots: &mut SpanKnots) {
-        let Self { n, n_slope, mass, mass_slope } = self;
+        let Self {
+            n,
+            n_slope,
+            mass,
+            mass_slope,
+        } = self;
         let m = mass / n;
-        knots.ln_density.push(Knot { value: math::ln(mass / avogadro_per_kmol), slope_per_m: mass_slope / mass });
-        knots.molar_mass.push(Knot { value: m, slope_per_m: m * (mass_slope / mass - n_slope / n) });
+        knots.ln_density.push(Knot {
+            value: math::ln(mass / avogadro_per_kmol),
+            slope_per_m: mass_slope / mass,
+        });
+        knots.molar_mass.push(Knot {
+            value: m,
+            slope_per_m: m * (mass_slope / mass - n_slope / n),
+        });
     }
 }
 
@@ -314,8 +431,18 @@ fn along(logs: &Logs, slopes: &Logs, step_m: f64) -> Logs {
 
 /// v, 1/m.
 fn flux_per_m(species: &Species, z_m: f64) -> f64 {
-    let Species { q_capital_per_km3: q1, u_capital_km: u1, w_capital_per_km3: w1, .. } = *species;
-    let Species { q_small_per_km3: q2, u_small_km: u2, w_small_per_km3: w2, .. } = *species;
+    let Species {
+        q_capital_per_km3: q1,
+        u_capital_km: u1,
+        w_capital_per_km3: w1,
+        ..
+    } = *species;
+    let Species {
+        q_small_per_km3: q2,
+        u_small_km: u2,
+        w_small_per_km3: w2,
+        ..
+    } = *species;
     let z = z_m / 1000.0;
     if z >= FLUX_TOP_KM {
         return 0.0;
@@ -327,8 +454,18 @@ fn flux_per_m(species: &Species, z_m: f64) -> f64 {
 
 /// ∫ v dz from 86 km.
 fn flux_integral(species: &Species, z_m: f64) -> f64 {
-    let Species { q_capital_per_km3: q1, u_capital_km: u1, w_capital_per_km3: w1, .. } = *species;
-    let Species { q_small_per_km3: q2, u_small_km: u2, w_small_per_km3: w2, .. } = *species;
+    let Species {
+        q_capital_per_km3: q1,
+        u_capital_km: u1,
+        w_capital_per_km3: w1,
+        ..
+    } = *species;
+    let Species {
+        q_small_per_km3: q2,
+        u_small_km: u2,
+        w_small_per_km3: w2,
+        ..
+    } = *species;
     let z = (z_m / 1000.0).min(FLUX_TOP_KM);
     let falling = |x: f64| {
         let a = x - u1;

@@ -58,10 +58,18 @@ impl Layer {
     /// Pressure over that at the lower end, and molecular-scale temperature, K.
     #[inline]
     fn pressure_ratio_and_temperature<S: Scalar>(&self, altitude_m: S) -> (S, S) {
-        let Self { base_geopotential_m: h_b, base_temperature_k: t_b, gradient_k_m: l, .. } = *self;
+        let Self {
+            base_geopotential_m: h_b,
+            base_temperature_k: t_b,
+            gradient_k_m: l,
+            ..
+        } = *self;
         let above = geopotential_m(self.earth_radius_m, altitude_m) - h_b;
         if l == 0.0 {
-            ((above * (-self.hydrostatic_k_m / t_b)).exp(), S::constant(t_b))
+            (
+                (above * (-self.hydrostatic_k_m / t_b)).exp(),
+                S::constant(t_b),
+            )
         } else {
             let t = above * l + t_b;
             (((t / t_b).ln() * (-self.hydrostatic_k_m / l)).exp(), t)
@@ -109,7 +117,11 @@ impl MolarMassRatio {
         let (Some(a), Some(b)) = (self.values.get(i), self.values.get(i + 1)) else {
             return [self.first_m, 1.0, 0.0];
         };
-        [self.first_m + i as f64 * self.step_m, *a, (b - a) / self.step_m]
+        [
+            self.first_m + i as f64 * self.step_m,
+            *a,
+            (b - a) / self.step_m,
+        ]
     }
 }
 
@@ -134,7 +146,12 @@ impl Lower {
         let geometric = |h: f64| r_0 * h / (r_0 - h);
         let (mut p, mut t) = (c.sea_level_pressure_pa, d.sea_level_temperature_k);
         let (mut layers, mut tops_m) = (Vec::new(), Vec::new());
-        for (i, (base, gradient)) in d.base_geopotential_km.iter().zip(&d.gradient_k_km).enumerate() {
+        for (i, (base, gradient)) in d
+            .base_geopotential_km
+            .iter()
+            .zip(&d.gradient_k_km)
+            .enumerate()
+        {
             let layer = Layer {
                 base_geopotential_m: base * 1000.0,
                 base_temperature_k: t,
@@ -144,27 +161,47 @@ impl Lower {
                 hydrostatic_k_m: c.gravity_m_s2 * per_k,
                 earth_radius_m: r_0,
             };
-            let top = d.base_geopotential_km.get(i + 1).map_or(d.top_altitude_km * 1000.0, |h| geometric(h * 1000.0));
+            let top = d
+                .base_geopotential_km
+                .get(i + 1)
+                .map_or(d.top_altitude_km * 1000.0, |h| geometric(h * 1000.0));
             (p, _, t) = layer.state(top);
             layers.push(layer);
             tops_m.push(top);
         }
         let first_m = d.ratio_altitude_km.first().map_or(0.0, |km| km * 1000.0);
-        let step_m = d.ratio_altitude_km.get(1).map_or(1.0, |km| km * 1000.0 - first_m);
-        Self { layers, tops_m, ratio: MolarMassRatio { first_m, step_m, values: d.molar_mass_ratio.clone() } }
+        let step_m = d
+            .ratio_altitude_km
+            .get(1)
+            .map_or(1.0, |km| km * 1000.0 - first_m);
+        Self {
+            layers,
+            tops_m,
+            ratio: MolarMassRatio {
+                first_m,
+                step_m,
+                values: d.molar_mass_ratio.clone(),
+            },
+        }
     }
 
     /// What [`Self::kinetic_temperature_k`] needs of the layer that an altitude belongs to.
     fn row(&self, altitude_m: f64) -> [f64; 3] {
-        let i = self.tops_m.partition_point(|top| *top < altitude_m).min(self.layers.len().saturating_sub(1));
-        self.layers.get(i).map_or([0.0; 3], |l| [l.base_geopotential_m, l.base_temperature_k, l.gradient_k_m])
+        let i = self
+            .tops_m
+            .partition_point(|top| *top < altitude_m)
+            .min(self.layers.len().saturating_sub(1));
+        self.layers.get(i).map_or([0.0; 3], |l| {
+            [l.base_geopotential_m, l.base_temperature_k, l.gradient_k_m]
+        })
     }
 
     /// Kinetic temperature, K, the layer chosen by the altitude.
     #[inline]
     pub fn kinetic_temperature_k<S: Scalar>(&self, earth_radius_m: f64, altitude_m: S) -> S {
         let [h_b, t_b, gradient] = altitude_m.lookup(|z| self.row(z));
-        ((geopotential_m(earth_radius_m, altitude_m) - h_b) * gradient + t_b) * self.ratio.at(altitude_m)
+        ((geopotential_m(earth_radius_m, altitude_m) - h_b) * gradient + t_b)
+            * self.ratio.at(altitude_m)
     }
 }
 
@@ -174,7 +211,11 @@ impl Lower {
 /// L = M / (√2 π σ² N_A ρ)
 /// ```
 #[inline]
-pub fn mean_free_path_m<S: Scalar>(per_molar_mass: f64, molar_mass_kg_kmol: S, density_kg_m3: S) -> S {
+pub fn mean_free_path_m<S: Scalar>(
+    per_molar_mass: f64,
+    molar_mass_kg_kmol: S,
+    density_kg_m3: S,
+) -> S {
     molar_mass_kg_kmol * per_molar_mass / density_kg_m3
 }
 

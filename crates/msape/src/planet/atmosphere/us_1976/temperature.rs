@@ -94,7 +94,8 @@ impl Upper {
             }
             Segment::Linear => (z - Z9_M) * self.gradient_k_m + self.t_9,
             Segment::Exponential => {
-                (self.xi_m(z) * -self.rate_per_m).exp() * (self.t_10 - self.exosphere_k) + self.exosphere_k
+                (self.xi_m(z) * -self.rate_per_m).exp() * (self.t_10 - self.exosphere_k)
+                    + self.exosphere_k
             }
         }
     }
@@ -111,7 +112,10 @@ impl Upper {
             Segment::Linear => self.gradient_k_m,
             Segment::Exponential => {
                 let stretch = (self.r_0 + Z10_M) / (self.r_0 + z);
-                self.rate_per_m * (self.exosphere_k - self.temperature_k(segment, z)) * stretch * stretch
+                self.rate_per_m
+                    * (self.exosphere_k - self.temperature_k(segment, z))
+                    * stretch
+                    * stretch
             }
         }
     }
@@ -141,7 +145,11 @@ impl StandardTemperature {
     #[inline]
     pub fn kinetic_k<S: Scalar>(&self, altitude_m: S) -> S {
         let low = self.lower.kinetic_temperature_k(self.upper.r_0, altitude_m);
-        S::select(altitude_m.less(S::constant(Z7_M)), low, self.upper.by_altitude(altitude_m))
+        S::select(
+            altitude_m.less(S::constant(Z7_M)),
+            low,
+            self.upper.by_altitude(altitude_m),
+        )
     }
 }
 
@@ -152,7 +160,10 @@ mod tests {
     fn standard() -> StandardTemperature {
         let text = include_str!("../../../../data/atmospheres/us-1976.toml");
         let definition = Definition::parse(text).unwrap();
-        StandardTemperature { lower: Lower::new(&definition), upper: Upper::new(&definition) }
+        StandardTemperature {
+            lower: Lower::new(&definition),
+            upper: Upper::new(&definition),
+        }
     }
 
     #[test]
@@ -167,17 +178,25 @@ mod tests {
             (120_000.0, 360.0, 1e-2),
             (200_000.0, 854.56, 1e-2),
         ] {
-            assert!((standard().kinetic_k(z) - t).abs() < digit, "{z}: {}", standard().kinetic_k(z));
+            assert!(
+                (standard().kinetic_k(z) - t).abs() < digit,
+                "{z}: {}",
+                standard().kinetic_k(z)
+            );
         }
     }
 
     #[test]
     fn gradient_is_the_slope_of_the_temperature() {
         let upper = standard().upper;
-        for (segment, z) in
-            [(Segment::Ellipse, 104_000.0), (Segment::Linear, 112_000.0), (Segment::Exponential, 180_000.0)]
-        {
-            let slope = (upper.temperature_k(segment, z + 1.0) - upper.temperature_k(segment, z - 1.0)) / 2.0;
+        for (segment, z) in [
+            (Segment::Ellipse, 104_000.0),
+            (Segment::Linear, 112_000.0),
+            (Segment::Exponential, 180_000.0),
+        ] {
+            let slope = (upper.temperature_k(segment, z + 1.0)
+                - upper.temperature_k(segment, z - 1.0))
+                / 2.0;
             assert!((upper.gradient_k_m(segment, z) - slope).abs() < 1e-9, "{z}");
         }
     }
