@@ -28,6 +28,8 @@ use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use serde::{Deserialize, Serialize};
 
+pub use stagnation::{HeatFlux, StagnationHeating};
+
 /// W/m² in one W/cm², and J/m² in one J/cm².
 pub const PER_CM2: f64 = 1e4;
 

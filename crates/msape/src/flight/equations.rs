@@ -17,8 +17,9 @@
 
 use super::mission::{Body, Mission};
 use crate::aero::Drag;
-use crate::heating::Flow;
-use crate::planet::Wind;
+use crate::heating::{Flow, HeatFlux};
+use crate::planet::horizon::Horizon;
+use crate::planet::wind::Wind;
 use numerics::scalar::Scalar;
 
 /// Number of components of the state: position, velocity, two heat loads.
@@ -66,17 +67,10 @@ impl Equations<'_> {
         let air_velocity_m_s = match &self.mission.wind {
             Wind::Calm => [vx, vy, vz],
             wind => {
-                let [east_m_s, north_m_s] = wind.at(local.altitude_m);
-                let [u, v, w] = local.up;
-                // East is horizontal; at the pole itself it is the y axis.
-                let horizontal = (u * u + v * v).sqrt().max(S::constant(1e-12));
-                let east = [-v / horizontal, u / horizontal];
-                let north = [-w * east[1], w * east[0], u * east[1] - v * east[0]];
-                [
-                    vx - (east[0] * east_m_s + north[0] * north_m_s),
-                    vy - (east[1] * east_m_s + north[1] * north_m_s),
-                    vz - north[2] * north_m_s,
-                ]
+                let [east_m_s, north_m_s] = wind.east_north_m_s(local.altitude_m);
+                let calm = S::constant(0.0);
+                let [wx, wy, wz] = Horizon::new(local.up).vector([north_m_s, east_m_s, calm]);
+                [vx - wx, vy - wy, vz - wz]
             }
         };
         let [ux, uy, uz] = air_velocity_m_s;
@@ -105,15 +99,15 @@ impl Equations<'_> {
         around.density_kg_m3 * around.air_speed_m_s * around.drag_coefficient * area_over_mass
     }
 
-    /// Convective and radiative heat flux at the stagnation point without margin, W/m².
+    /// Heat fluxes at the stagnation point without margins.
     #[inline]
-    pub fn heat_fluxes_w_m2<S: Scalar>(&self, around: &Surroundings<S>) -> [S; 2] {
+    pub fn heat_flux<S: Scalar>(&self, around: &Surroundings<S>) -> HeatFlux<S> {
         let flow = Flow {
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,
             nose_radius_m: self.body.nose_radius_m,
         };
-        self.mission.heating.heat_fluxes_w_m2(&flow)
+        self.mission.heating.heat_flux(&flow)
     }
 
     /// The derivative of the state.
@@ -125,7 +119,7 @@ impl Equations<'_> {
         let [ux, uy, uz] = around.air_velocity_m_s;
         let [gx, gy, gz] = self.mission.planet.gravity([x_m, y_m, z_m]);
         let omega = self.mission.planet.rotation_rate_rad_s;
-        let [convective, radiative] = self.heat_fluxes_w_m2(&around);
+        let heat_flux = self.heat_flux(&around);
         [
             vx,
             vy,
@@ -133,8 +127,8 @@ impl Equations<'_> {
             gx - rate * ux + vy * (2.0 * omega) + x_m * (omega * omega),
             gy - rate * uy - vx * (2.0 * omega) + y_m * (omega * omega),
             gz - rate * uz,
-            convective,
-            radiative,
+            heat_flux.convective_w_m2,
+            heat_flux.radiative_w_m2,
         ]
     }
 }

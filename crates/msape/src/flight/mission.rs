@@ -1,9 +1,11 @@
 //! What is flown, through what, from where, until when, how exactly.
 
-use super::LocalVelocity;
 use crate::aero::Drag;
 use crate::heating::StagnationHeating;
-use crate::planet::{Atmosphere, Planet, Wind};
+use crate::planet::Planet;
+use crate::planet::atmosphere::Atmosphere;
+use crate::planet::horizon::Velocity;
+use crate::planet::wind::Wind;
 use numerics::ode::Method;
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
@@ -30,9 +32,9 @@ pub struct Start {
     /// Velocity relative to the rotating planet, same axes, m/s.
     pub velocity_m_s: [f64; 3],
     /// Velocity relative to the planet in the local horizon.
-    pub relative: LocalVelocity,
+    pub relative: Velocity<f64>,
     /// Inertial velocity in the local horizon.
-    pub inertial: LocalVelocity,
+    pub inertial: Velocity<f64>,
 }
 
 /// Where a flight ends.

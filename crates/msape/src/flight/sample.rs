@@ -5,9 +5,10 @@ use super::mission::Mission;
 use super::trajectory::Trajectory;
 use crate::heating::HeatFlux;
 use crate::heating::pressure::{Stream, stagnation_pressure_pa};
-use crate::heating::wall::{ColdWall, radiating_temperature_k};
+use crate::heating::wall::{ColdWall, Wall, radiating_temperature_k};
 use crate::planet::geodetic::{Geodetic, great_circle_m};
-use numerics::math::{self, RADIANS_PER_DEGREE};
+use crate::planet::horizon::Horizon;
+use numerics::math::RADIANS_PER_DEGREE;
 
 /// Standard acceleration of gravity, m/s²: the Earth g of loads.
 pub const EARTH_G_M_S2: f64 = 9.80665;
@@ -57,7 +58,7 @@ pub fn mach(equations: &Equations, y: &[f64; STATES]) -> f64 {
 /// Temperature at which the stagnation point radiates away heat fluxes that carry their margins, K.
 pub fn wall_temperature_k(mission: &Mission, margined: &HeatFlux<f64>, air_speed_m_s: f64) -> f64 {
     match mission.heating.options.wall {
-        crate::heating::wall::Wall::Cold => {
+        Wall::Cold => {
             radiating_temperature_k(margined.total_w_m2(), mission.wall_emissivity)
         }
         _ => mission.heating.gas.radiative_equilibrium_temperature_k(
@@ -85,10 +86,10 @@ pub fn record(trajectory: &mut Trajectory, equations: &Equations, t: f64, y: &[f
     let margined = mission.heating.margined(&heat_flux);
     let place = position(mission, y);
     let velocity = [y[3], y[4], y[5]];
-    let [north_m_s, east_m_s, down_m_s] = mission.planet.north_east_down(&place, velocity);
-    let relative = super::LocalVelocity::of([north_m_s, east_m_s, down_m_s]);
-    let omega = mission.planet.rotation_rate_rad_s;
-    let (vx, vy, vz) = (y[3] - omega * y[1], y[4] + omega * y[0], y[5]);
+    let horizon = Horizon::new(around.up);
+    let [north_m_s, east_m_s, up_m_s] = horizon.parts(velocity);
+    let relative = horizon.velocity(velocity);
+    let [vx, vy, vz] = mission.planet.inertial_m_s([y[0], y[1], y[2]], velocity);
     let row = [
         t,
         around.altitude_m,
@@ -100,7 +101,7 @@ pub fn record(trajectory: &mut Trajectory, equations: &Equations, t: f64, y: &[f
         (vx * vx + vy * vy + vz * vz).sqrt(),
         east_m_s,
         north_m_s,
-        down_m_s,
+        -up_m_s,
         great_circle_m(start, &place),
         around.air_speed_m_s / air.speed_of_sound_m_s,
         around.density_kg_m3,
@@ -120,18 +121,5 @@ pub fn record(trajectory: &mut Trajectory, equations: &Equations, t: f64, y: &[f
     ];
     for (column, value) in trajectory.values.iter_mut().zip(row) {
         column.push(value);
-    }
-}
-
-impl super::LocalVelocity {
-    /// Speed, angle and azimuth of a velocity towards north, east and down, m/s; the azimuth of a vertical velocity is 0.
-    pub fn of([north, east, down]: [f64; 3]) -> super::LocalVelocity {
-        let horizontal = math::hypot(north, east);
-        let azimuth = math::atan2(east, north);
-        super::LocalVelocity {
-            speed_m_s: (north * north + east * east + down * down).sqrt(),
-            flight_path_angle_rad: math::atan2(-down, horizontal),
-            azimuth_rad: if azimuth < 0.0 { azimuth + 2.0 * math::PI } else { azimuth },
-        }
     }
 }

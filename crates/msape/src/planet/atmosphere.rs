@@ -136,6 +136,12 @@ impl Atmosphere {
         }
     }
 
+    /// Speed of sound of one piece, m/s, continued smoothly beyond its ends.
+    #[inline]
+    pub fn speed_of_sound_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
+        self.air_in(layer, altitude_m).speed_of_sound_m_s
+    }
+
     /// Density, kg/m³, the piece chosen by the altitude, m.
     pub fn density_kg_m3(&self, altitude_m: f64) -> f64 {
         self.density_in(self.layer(altitude_m), altitude_m)
