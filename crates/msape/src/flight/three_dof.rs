@@ -35,7 +35,7 @@ const SPEED_SCALE_M_S: f64 = 10.0;
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
 /// A step of a flight, and the piece of the atmosphere in which it was taken.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Leg {
     /// The step with its dense output.
     pub step: Step<STATES>,

@@ -21,6 +21,7 @@ pub mod us_1976;
 use exponential::Exponential;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use table::Table;
 use us_1976::UsStandard1976;
 use us_1976::temperature::StandardTemperature;
@@ -78,17 +79,17 @@ impl StandardAir {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Atmosphere {
     /// The U.S. Standard Atmosphere 1976.
-    UsStandard1976(Box<UsStandard1976>),
+    UsStandard1976(Arc<UsStandard1976>),
     /// Rows that a user brings.
-    Table(Box<Table>),
+    Table(Arc<Table>),
     /// One scale height.
-    Exponential(Box<Exponential>),
+    Exponential(Arc<Exponential>),
 }
 
 impl Atmosphere {
     /// The U.S. Standard Atmosphere 1976 of its data file.
     pub fn us_1976(text: &str) -> Result<Self, String> {
-        Ok(Self::UsStandard1976(Box::new(UsStandard1976::parse(text)?)))
+        Ok(Self::UsStandard1976(Arc::new(UsStandard1976::parse(text)?)))
     }
 
     /// Geometric altitudes between the smooth pieces, m, ascending; one fewer than pieces.

@@ -235,8 +235,10 @@ pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
         // A separator at the end of the line makes no column.
         let width = record
             .iter()
-            .rposition(|field| !field.is_empty())
-            .map_or(0, |i| i + 1);
+            .enumerate()
+            .filter(|(_, field)| !field.is_empty())
+            .last()
+            .map_or(0, |(i, _)| i + 1);
         let fields: Vec<&str> = record.iter().take(width).collect();
         if fields.is_empty() {
             continue;
