@@ -1,1 +1,6 @@
 //! (being written)
+
+pub mod forebody;
+pub mod outline;
+pub mod profile;
+pub mod segment;
