@@ -71,20 +71,20 @@ impl Outline {
 
     /// The forebody's surface at depth `depth_m`, from the axis outwards and round the shoulder to the tip line.
     pub fn fore_layer(&self, depth_m: f64) -> Profile {
-        let theta = self.forebody.cone_half_angle_rad;
+        self.fore_layer_beyond(depth_m, 0.0)
+    }
+
+    /// The same from the distance `inner_r_m` off the axis.
+    pub fn fore_layer_beyond(&self, depth_m: f64, inner_r_m: f64) -> Profile {
+        let cone_end = self.cone_end(depth_m);
+        let path = self.forebody.between(depth_m, inner_r_m, cone_end.r_m).line_to(cone_end);
         let radius = self.forebody.shoulder_radius_m - depth_m;
-        let mut path = self.forebody.nose(depth_m);
-        if path.segments.is_empty() {
-            let start = self.forebody.nose_tangent(depth_m);
-            path.segments.push(Segment::Line { start, end: self.cone_end(depth_m) });
-        }
         if radius > 0.0 {
-            let center = self.forebody.shoulder_center();
-            let sweep = -(FRAC_PI_2 + theta + self.wing_slope_rad);
-            let arc = Segment::arc(center, radius, FRAC_PI_2 + theta, sweep);
+            let start = FRAC_PI_2 + self.forebody.cone_half_angle_rad;
+            let arc = Segment::arc(self.forebody.shoulder_center(), radius, start, -(start + self.wing_slope_rad));
             path.then(&Profile { segments: vec![arc] })
         } else {
-            path.line_to(self.cone_end(depth_m))
+            path
         }
     }
 
