@@ -34,7 +34,7 @@ pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
 use crate::vehicle::close::{Closed, close};
-use crate::vehicle::impact::{EARTH_G_M_S2, Impact};
+use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::structure::Structure;
@@ -140,9 +140,20 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
     let v = input.loads.terminal_speed_m_s;
     let stroke_m = impact::required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
     let required_foam_m = stroke_m / input.impact.stroke_efficiency;
-    let foam_m = required_foam_m.max(input.rules.foam_thickness_min_m);
-    let (diameter_m, closed) = smallest_that_closes(input, foam_m)?;
-    let payload_diameter_m = input.payload_diameter_m();
+    // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
+    let foam_strength_pa = if stroke_m > 0.0 {
+        impact::foam_strength_pa(input.payload_mass_kg, input.payload_diameter_m(), v, stroke_m)
+    } else {
+        0.0
+    };
+    let foam = Foam {
+        thickness_m: required_foam_m.max(input.rules.foam_thickness_min_m),
+        density_kg_m3: match input.densities.impact_foam_kg_m3 {
+            Some(density) => density,
+            None => impact::foam_density_kg_m3(&input.foam_grades, foam_strength_pa).unwrap_or(0.0),
+        },
+    };
+    let (diameter_m, closed) = smallest_that_closes(input, foam)?;
     let nose_diameter_m = 2.0 * closed.layout.outline.forebody.nose_radius_m;
     let mass_kg = closed.mass.mass_kg;
     let p = &input.impact.ground.penetration;
@@ -154,16 +165,12 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         nose_diameter_m,
         required_stroke_m: stroke_m,
         required_foam_thickness_m: required_foam_m,
-        // equation 6 with equation 4: the speed drops out, so that a landing at rest has a strength too
-        foam_strength_pa: if stroke_m > 0.0 {
-            impact::foam_strength_pa(input.payload_mass_kg, payload_diameter_m, v, stroke_m)
-        } else {
-            0.0
-        },
+        foam_strength_pa,
+        foam_density_kg_m3: foam.density_kg_m3,
         impact_energy_j: 0.5 * mass_kg * v * v,
     };
     let dimensions = dimensions(input, diameter_m, &closed);
-    let adjustments = remarks::adjustments(input, diameter_m, foam_m, &closed.layout);
+    let adjustments = remarks::adjustments(input, diameter_m, foam.thickness_m, &closed.layout);
     let findings = remarks::findings(input, &impact, &closed);
     let Closed { layout, components, mass, structure, iterations } = closed;
     Ok(Vehicle {
@@ -185,8 +192,8 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
 const GROWTH: f64 = 1.03;
 
 /// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
-fn smallest_that_closes(input: &VehicleInput, foam_m: f64) -> Result<(f64, Closed), NotClosed> {
-    let at_input = match close(input, input.diameter_m, foam_m) {
+fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed), NotClosed> {
+    let at_input = match close(input, input.diameter_m, foam) {
         Ok(closed) => return Ok((input.diameter_m, closed)),
         Err(misfit) => misfit,
     };
@@ -195,11 +202,11 @@ fn smallest_that_closes(input: &VehicleInput, foam_m: f64) -> Result<(f64, Close
     let mut at_largest = at_input;
     while low < largest {
         let mut high = (low * GROWTH).min(largest);
-        match close(input, high, foam_m) {
+        match close(input, high, foam) {
             Ok(mut best) => {
                 while high - low > input.rules.diameter_resolution_m {
                     let middle = 0.5 * (low + high);
-                    match close(input, middle, foam_m) {
+                    match close(input, middle, foam) {
                         Ok(closed) => (high, best) = (middle, closed),
                         Err(_) => low = middle,
                     }

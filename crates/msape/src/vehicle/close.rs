@@ -13,13 +13,13 @@
 //! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it).
 
 use crate::vehicle::forebody::Forebody;
-use crate::vehicle::impact::EARTH_G_M_S2;
+use crate::vehicle::impact::{EARTH_G_M_S2, Foam};
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
-use crate::vehicle::mass::{Component, ComponentKind, MassProperties, components, total};
-use crate::vehicle::structure::{PressureShell, Structure};
+use crate::vehicle::mass::{Component, ComponentKind, Densities, MassProperties, components, total};
+use crate::vehicle::structure::{PressureShell, Structure, Wall};
 use crate::vehicle::{msr, non_msr};
-use numerics::math::{PI, sin};
+use numerics::math::PI;
 
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
@@ -39,8 +39,8 @@ pub struct Closed {
 /// Turns after which the loop gives up.
 const MOST_TURNS: u32 = 200;
 
-/// The vehicle at the diameter `diameter_m`, with `foam_thickness_m` of impact foam or more.
-pub fn close(input: &VehicleInput, diameter_m: f64, foam_thickness_m: f64) -> Result<Closed, Misfit> {
+/// The vehicle at the diameter `diameter_m`, with the impact foam `foam` or more of it.
+pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed, Misfit> {
     let radius_m = diameter_m / 2.0;
     let forebody = Forebody {
         diameter_m,
@@ -70,12 +70,12 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam_thickness_m: f64) -> Re
             aftbody_carrier_m: structure.aftbody.thickness_m,
             primary_m: structure.primary.thickness_m,
         };
-        let frame = Frame { forebody, depths, payload_radius_m, foam_thickness_m, cg_x_m, rules };
+        let frame = Frame { forebody, depths, payload_radius_m, foam_thickness_m: foam.thickness_m, cg_x_m, rules };
         let layout = match input.concept {
             Concept::Msr => msr::layout(&frame)?,
             Concept::NonMsr => non_msr::layout(&frame)?,
         };
-        let components = components(input, &layout, &structure);
+        let components = components(input, &layout, &Densities { structure: &structure, foam });
         let mass = total(&components);
         let sized = size_walls(input, &layout, &components, &mass);
         let foot_x_m = layout.outline.attached_structure_x_m;
@@ -110,12 +110,10 @@ fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
 
 /// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
 fn sized_labels(used: Structure, sized: Structure) -> Structure {
-    let label = |used: crate::vehicle::structure::Wall, sized: crate::vehicle::structure::Wall| {
-        crate::vehicle::structure::Wall {
-            thickness_m: used.thickness_m,
-            density_kg_m3: used.density_kg_m3,
-            ..sized
-        }
+    let label = |used: Wall, sized: Wall| Wall {
+        thickness_m: used.thickness_m,
+        density_kg_m3: used.density_kg_m3,
+        ..sized
     };
     Structure {
         forebody: label(used.forebody, sized.forebody),
@@ -143,13 +141,11 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
         cap_radius_m: forebody.nose_radius_m,
     };
     let aft_pa = load.aftbody_pressure_fraction * pressure_pa;
-    // the wing's aft side is stretched: N = p r / sin φ
-    let wing_curvature_m = outline.annulus_outer_r_m(0.0) / sin(outline.wing_slope_rad);
     let aft_shell = PressureShell {
         pressure_pa: aft_pa,
         slant_length_m: 0.0,
         cone_curvature_radius_m: 0.0,
-        largest_curvature_radius_m: wing_curvature_m,
+        largest_curvature_radius_m: 0.0,
         cap_radius_m: outline.lid_radius_m,
     };
     // in entry the forebody carries itself; the rest hangs on the primary structure

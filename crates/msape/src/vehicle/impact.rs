@@ -19,6 +19,7 @@
 //! - \[samareh-2014\] section 3.1.5, equations 1, 4 and 6.
 
 use crate::vehicle::input::Concept;
+use crate::vehicle::rules::FoamGrade;
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
 
@@ -88,8 +89,32 @@ pub struct Impact {
     pub required_foam_thickness_m: f64,
     /// Compressive strength of the foam, Pa.
     pub foam_strength_pa: f64,
+    /// Density of the foam, kg/m³.
+    pub foam_density_kg_m3: f64,
     /// Energy of the vehicle at impact, J.
     pub impact_energy_j: f64,
+}
+
+/// Impact foam as equations 4 and 6 ask for it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Foam {
+    /// Thickness, m.
+    pub thickness_m: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³.
+pub fn foam_density_kg_m3(grades: &[FoamGrade], strength_pa: f64) -> Option<f64> {
+    let first = grades.first()?;
+    if strength_pa <= first.compressive_strength_pa {
+        return Some(first.density_kg_m3);
+    }
+    let pairs = grades.iter().zip(grades.iter().skip(1));
+    let (low, high) = pairs.clone().find(|(_, high)| strength_pa <= high.compressive_strength_pa).or(pairs.last())?;
+    let share =
+        (strength_pa - low.compressive_strength_pa) / (high.compressive_strength_pa - low.compressive_strength_pa);
+    Some(low.density_kg_m3 + share * (high.density_kg_m3 - low.density_kg_m3))
 }
 
 /// Peak load of ground penetration, Earth g.
@@ -137,6 +162,21 @@ mod tests {
         let area = PI * 0.2 * 0.2 / 4.0;
         let strength = foam_strength_pa(10.0, 0.2, 31.0, stroke);
         assert!((strength - 10.0 * 1000.0 * EARTH_G_M_S2 / area).abs() < 1e-6);
+    }
+
+    #[test]
+    fn foam_of_3_mpa_between_2_and_4_has_the_mean_density() {
+        let grade = |density_kg_m3, compressive_strength_pa| FoamGrade {
+            name: String::new(),
+            density_kg_m3,
+            compressive_strength_pa,
+            source: String::new(),
+        };
+        let grades = [grade(50.0, 1.0e6), grade(100.0, 2.0e6), grade(200.0, 4.0e6)];
+        assert_eq!(foam_density_kg_m3(&grades, 3.0e6), Some(150.0));
+        assert_eq!(foam_density_kg_m3(&grades, 6.0e6), Some(300.0)); // beyond: 50 kg/m³ a MPa further
+        assert_eq!(foam_density_kg_m3(&grades, 0.5e6), Some(50.0));
+        assert_eq!(foam_density_kg_m3(&[], 1.0e6), None);
     }
 
     #[test]

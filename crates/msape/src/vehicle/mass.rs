@@ -13,6 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
 
+use crate::vehicle::impact::Foam;
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::Layout;
 use crate::vehicle::profile::{Profile, SolidProperties};
@@ -162,9 +163,17 @@ fn wing(layout: &Layout) -> Profile {
         .closed()
 }
 
-/// Densities of the components that have one of their own, in kg/m³.
-fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, structure: &Structure) -> f64 {
-    let d = &input.densities;
+/// Densities that are found and not given.
+#[derive(Clone, Copy, Debug)]
+pub struct Densities<'a> {
+    /// Walls.
+    pub structure: &'a Structure,
+    /// Impact foam.
+    pub foam: Foam,
+}
+
+fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -> f64 {
+    let (d, structure) = (&input.densities, found.structure);
     match kind {
         ComponentKind::ForebodyTps => input.forebody.tps_density_kg_m3,
         ComponentKind::Bond => input.forebody.bond_density_kg_m3,
@@ -173,7 +182,7 @@ fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, structure: &Structur
         ComponentKind::AftbodyCarrier => structure.aftbody.density_kg_m3,
         ComponentKind::PrimaryStructure => structure.primary.density_kg_m3,
         ComponentKind::WingInsulation => d.wing_insulation_kg_m3,
-        ComponentKind::ImpactFoam => d.impact_foam_kg_m3,
+        ComponentKind::ImpactFoam => found.foam.density_kg_m3,
         ComponentKind::ImpactShell => d.impact_shell_kg_m3,
         ComponentKind::BodyFoam => d.body_foam_kg_m3,
         ComponentKind::LidInsulation => d.lid_insulation_kg_m3,
@@ -185,12 +194,12 @@ fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, structure: &Structur
 }
 
 /// Every component with its mass.
-pub fn components(input: &VehicleInput, layout: &Layout, structure: &Structure) -> Vec<Component> {
+pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> Vec<Component> {
     profiles(input.concept, layout)
         .into_iter()
         .map(|(kind, profiles)| {
             let solid = profiles.iter().fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
-            let density = density_kg_m3(kind, input, structure);
+            let density = density_kg_m3(kind, input, found);
             let factor = if kind == ComponentKind::Payload { 1.0 } else { 1.0 + input.mass_margin };
             let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
             let about_apex = factor * density * solid.transverse_second_moment_m5;

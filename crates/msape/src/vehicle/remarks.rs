@@ -52,27 +52,30 @@ pub fn adjustments(input: &VehicleInput, diameter_m: f64, foam_m: f64, layout: &
     list
 }
 
-/// Remarks on foam strength.
+/// Remarks on foam strength and balance.
 pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<Finding> {
     let mut list = Vec::new();
-    let density = input.densities.impact_foam_kg_m3;
-    if let Some(strength_pa) = foam_strength_at_pa(&input.foam_grades, density)
-        && impact.foam_strength_pa > strength_pa
+    let strongest = input.foam_grades.last();
+    let offered_pa = match input.densities.impact_foam_kg_m3 {
+        Some(density) => foam_strength_at_pa(&input.foam_grades, density),
+        None => strongest.map(|grade| grade.compressive_strength_pa),
+    };
+    if let Some(offered_pa) = offered_pa
+        && impact.foam_strength_pa > offered_pa
     {
         list.push(Finding {
-            severity: Severity::Note,
+            severity: Severity::Extrapolated,
             model: "impact foam".to_owned(),
             key: "foam_strength_pa".to_owned(),
             value: Some(impact.foam_strength_pa),
-            valid: (None, Some(strength_pa)),
+            valid: (None, Some(offered_pa)),
             message: format!(
-                "Equation 6 asks for {:.1} MPa of crush strength; plain foam of {:.0} kg/m³ has {:.1} MPa, so that webs or honeycomb have to carry the rest.",
+                "Equation 6 asks for {:.1} MPa of crush strength, the foam offers {:.1} MPa: webs or honeycomb have to carry the rest.",
                 impact.foam_strength_pa / 1e6,
-                density,
-                strength_pa / 1e6
+                offered_pa / 1e6
             ),
             source: "NASA/TM-2014-218507, equation 6; data sheets of Rohacell".to_owned(),
-            field: Some("design.density_kg_m3.impact_foam".to_owned()),
+            field: Some("design.crush_load_limit_earth_g".to_owned()),
         });
     }
     let payload_x_m = closed.layout.payload_x_m;

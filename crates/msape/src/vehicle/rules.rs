@@ -185,12 +185,13 @@ impl VehicleData {
         })
     }
 
-    /// Densities of the fillings.
+    /// Densities of the fillings; that of the impact foam may be left to its strength.
     pub fn densities(&self) -> Result<ComponentDensities, String> {
         let get = |key| value(&self.density, key);
-        count(&self.density, 5, "density")?;
+        let foam = self.density.get("impact_foam_kg_m3").map(|datum| datum.value);
+        count(&self.density, 4 + usize::from(foam.is_some()), "density")?;
         Ok(ComponentDensities {
-            impact_foam_kg_m3: get("impact_foam_kg_m3")?,
+            impact_foam_kg_m3: foam,
             impact_shell_kg_m3: get("impact_shell_kg_m3")?,
             body_foam_kg_m3: get("body_foam_kg_m3")?,
             lid_insulation_kg_m3: get("lid_insulation_kg_m3")?,

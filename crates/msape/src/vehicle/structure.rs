@@ -11,8 +11,8 @@
 //! with pressures in Pa, lengths in m, E and σ in Pa, P in N, N in N/m; θ the cone half-angle, L the slant length and r̄
 //! the mean radius of the cone between primary structure and shoulder, h the height of a sandwich and t_f one face.
 //! Loads, all times the safety factor: on the forebody the larger of peak stagnation pressure and entry load times mass
-//! over area; on the lid a fraction of it (the aft side of the wing is a dish, which pressure stretches and does not
-//! buckle); on the primary structure the larger of entry and launch load times the mass it carries.
+//! over area; on the lid a fraction of it (the aft side of the wing is a dish that the wing's filling backs: it follows the
+//! lid); on the primary structure the larger of entry and launch load times the mass it carries.
 //!
 //! # Valid
 //! Thin isotropic walls; cones of 10-75 deg. Wrinkling and shear of the core are not checked.
