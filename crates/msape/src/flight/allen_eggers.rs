@@ -274,7 +274,8 @@ pub fn terminal_speed_m_s(mission: &Mission, body: &Body, altitude_m: f64) -> f6
         Drag::Constant(coefficient) => *coefficient,
         Drag::Table(table) => table.at(0.0),
     };
-    let [x, y, z] = mission.planet.gravity(mission.start.position_m);
+    let below = Geodetic { altitude_m, ..mission.planet.geodetic(mission.start.position_m) };
+    let [x, y, z] = mission.planet.gravity(mission.planet.cartesian_m(&below));
     let gravity_m_s2 = (x * x + y * y + z * z).sqrt();
     let density = mission.atmosphere.density_kg_m3(altitude_m);
     let weight_n = body.mass_kg * gravity_m_s2;
