@@ -1,0 +1,61 @@
+//! A figure on an HTML canvas.
+
+use crate::figure::Figure;
+use crate::mapping::Mapping;
+use crate::paint::{Frame, draw};
+use crate::theme::Theme;
+use plotters::prelude::IntoDrawingArea;
+use plotters_canvas::CanvasBackend;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+/// Plotters places by whole numbers; this many to a CSS px make lines smooth on any screen.
+const UNITS_PER_PX: f64 = 16.0;
+
+/// Size of a canvas on the page and px of the screen in a CSS px.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CanvasSize {
+    /// Width, CSS px.
+    pub width_px: f64,
+    /// Height, CSS px.
+    pub height_px: f64,
+    /// `window.devicePixelRatio`.
+    pub device_pixel_ratio: f64,
+}
+
+/// Draws a figure on a canvas, whose bitmap is made as fine as the screen. Its size on the page is
+/// left to the page's style.
+///
+/// # Errors
+/// What the browser refuses: a context, or drawing on it.
+pub fn canvas(
+    figure: &Figure,
+    theme: &Theme,
+    element: &HtmlCanvasElement,
+    size: CanvasSize,
+) -> Result<Mapping, JsValue> {
+    let ratio = if size.device_pixel_ratio > 0.0 {
+        size.device_pixel_ratio
+    } else {
+        1.0
+    };
+    let bitmap = |px: f64| (px * ratio).round().max(1.0) as u32;
+    let (width, height) = (bitmap(size.width_px), bitmap(size.height_px));
+    // Setting a size empties the bitmap even if nothing changes.
+    if element.width() != width || element.height() != height {
+        element.set_width(width);
+        element.set_height(height);
+    }
+    let context: CanvasRenderingContext2d = element
+        .get_context("2d")?
+        .ok_or_else(|| JsValue::from_str("no 2d context"))?
+        .dyn_into()?;
+    let scale = ratio / UNITS_PER_PX;
+    context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0)?;
+    context.set_line_join("round");
+    let area = CanvasBackend::with_canvas_object(element.clone())
+        .ok_or_else(|| JsValue::from_str("no 2d context"))?
+        .into_drawing_area();
+    let frame = Frame::new(size.width_px, size.height_px, UNITS_PER_PX);
+    draw(figure, theme, &frame, &area).map_err(|e| JsValue::from_str(&e.to_string()))
+}
