@@ -168,7 +168,7 @@ fn round(
     };
     let lines = visible_events(figure, &mapping);
     let room = Room {
-        left_px: PAD_PX,
+        left_px: plot.left_px,
         right_px: sheet.width_px - PAD_PX,
         rows,
         size_px: sizes.small_px,
@@ -327,11 +327,15 @@ fn rounded(range: Range, scale: Scale, plot: Rect) -> Range {
 }
 
 fn most_x(plot: Rect) -> usize {
-    (plot.width_px() / 60.0).clamp(2.0, 12.0) as usize
+    (plot.width_px() / 48.0).clamp(2.0, 12.0) as usize
 }
 
 fn most_y(plot: Rect) -> usize {
-    (plot.height_px() / 42.0).clamp(2.0, 9.0) as usize
+    let height = plot.height_px();
+    // Four steps are worth a little crowding.
+    (height / 42.0)
+        .max((height / 24.0).min(4.0))
+        .clamp(2.0, 9.0) as usize
 }
 
 fn axis_ticks(mapping: &Mapping, shown: Shown, sizes: Sizes) -> [Vec<Tick>; 3] {

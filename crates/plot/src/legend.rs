@@ -7,7 +7,7 @@ use crate::scene::Point;
 use crate::text::{Weight, shorten, width_px};
 
 /// Length of the sample of a line, px.
-pub(crate) const SAMPLE_PX: f64 = 28.0;
+pub(crate) const SAMPLE_PX: f64 = 34.0;
 /// Space between a sample and its name, px.
 pub(crate) const GAP_PX: f64 = 6.0;
 /// Space inside the frame, and between entries beside each other, px.

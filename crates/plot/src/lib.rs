@@ -27,6 +27,7 @@
 //! Deliberately absent: pictures of fonts, animation, interaction. A page places its cursor with the
 //! [`Mapping`] that drawing returns, and reads values with [`readings`].
 
+mod annotation;
 mod compose;
 mod csv;
 mod event;
@@ -38,6 +39,7 @@ mod mapping;
 mod marker;
 mod number;
 mod paint;
+mod painter;
 mod range;
 mod reading;
 mod scene;

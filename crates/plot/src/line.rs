@@ -146,7 +146,7 @@ pub(crate) fn pattern(dash: Dash) -> &'static [f64] {
         Dash::Dash => &[4.5, 2.5],
         Dash::Dot => &[1.2, 1.8],
         Dash::DashDot => &[5.5, 2.0, 1.2, 2.0],
-        Dash::LongDash => &[9.0, 3.0],
+        Dash::LongDash => &[7.5, 2.5],
     }
 }
 

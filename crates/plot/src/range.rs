@@ -110,9 +110,14 @@ pub(crate) fn vertical(figure: &Figure, side: Side, x: Range) -> Option<Range> {
         .map(|p| p.1);
     asked(axis.range, axis.scale).or_else(|| {
         let data = extent(points, axis.scale)?;
-        let limits = figure.limits.iter().filter(|_| !on_right).map(|l| l.y);
+        // A limit is not to lie on the edge of the plot.
+        let limits = figure
+            .limits
+            .iter()
+            .filter(|_| !on_right)
+            .map(|l| 1.05 * l.y);
         let all = extent([data.0, data.1].into_iter().chain(limits), axis.scale)?;
-        Some(widened(all, axis.scale, 0.02))
+        Some(widened(all, axis.scale, 0.0))
     })
 }
 
@@ -124,7 +129,7 @@ pub(crate) fn around_decades((low, high): (f64, f64)) -> (f64, f64) {
         .iter()
         .map(|m| scaled(*m, below))
         .filter(|v| *v <= low * (1.0 + 1e-9))
-        .last();
+        .next_back();
     let to = mantissas
         .iter()
         .map(|m| scaled(*m, above))

@@ -115,7 +115,7 @@ impl Scene {
     #[cfg(test)]
     pub(crate) fn labels(&self) -> Vec<&Label> {
         let label = |s| {
-            if let &Shape::Text(ref label) = s {
+            if let Shape::Text(label) = s {
                 Some(label)
             } else {
                 None

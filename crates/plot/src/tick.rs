@@ -91,7 +91,7 @@ impl Step {
     fn whole_steps(self, (low, high): (f64, f64)) -> Vec<f64> {
         let step = self.value();
         let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
-        let count = (last - first).max(-1.0).min(1000.0) as usize;
+        let count = (last - first).clamp(0.0, 1000.0) as usize;
         if last < first {
             return Vec::new();
         }
