@@ -128,8 +128,7 @@ pub(crate) fn around_decades((low, high): (f64, f64)) -> (f64, f64) {
     let from = mantissas
         .iter()
         .map(|m| scaled(*m, below))
-        .filter(|v| *v <= low * (1.0 + 1e-9))
-        .next_back();
+        .rfind(|v| *v <= low * (1.0 + 1e-9));
     let to = mantissas
         .iter()
         .map(|m| scaled(*m, above))

@@ -114,14 +114,16 @@ impl Scene {
     /// Labels in the order in which they are painted.
     #[cfg(test)]
     pub(crate) fn labels(&self) -> Vec<&Label> {
-        let label = |s| {
-            if let Shape::Text(label) = s {
-                Some(label)
-            } else {
-                None
-            }
-        };
-        self.shapes.iter().filter_map(label).collect()
+        let shapes = self.shapes.iter();
+        shapes
+            .filter_map(|s| {
+                if let Shape::Text(label) = s {
+                    Some(label)
+                } else {
+                    None
+                }
+            })
+            .collect()
     }
 }
 
