@@ -20,6 +20,7 @@ const LIMIT_DASHES: [f64; 2] = [7.0, 4.0];
 const CURSOR_DOTS: usize = 8;
 
 impl Painter<'_> {
+    /// Event lines with their labels above the plot.
     pub(crate) fn event_lines(&mut self, figure: &Figure) {
         let (layout, plot) = (self.layout, self.layout.mapping.plot);
         let row = Sizes::row_px(layout.sizes.small_px);
@@ -42,6 +43,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Limit lines, under the series.
     pub(crate) fn limit_lines(&mut self, figure: &Figure) {
         let plot = self.layout.mapping.plot;
         let places: Vec<f64> = figure
@@ -58,12 +60,14 @@ impl Painter<'_> {
         }
     }
 
+    /// Place of a value of the left axis, px, if it is in the plot.
     pub(crate) fn inside(&self, y: f64) -> Option<f64> {
         let Mapping { plot, y: axis, .. } = &self.layout.mapping;
         axis.px(y)
             .filter(|px| *px >= plot.top_px - 0.5 && *px <= plot.bottom_px + 0.5)
     }
 
+    /// Labels of limits, each at the end and on the side of its line with the fewest data under it.
     pub(crate) fn limit_labels(&mut self, figure: &Figure, drawn: &[Drawn], legend: &Legend) {
         let (plot, size_px) = (self.layout.mapping.plot, self.layout.sizes.small_px);
         let taken = occupied(figure, &self.layout.mapping, drawn);
@@ -110,6 +114,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Frame and entries of the legend.
     pub(crate) fn legend(&mut self, figure: &Figure, legend: &Legend) {
         if let Some(frame) = legend.frame {
             self.scene.rect(frame, self.theme.background, 0.88);
@@ -164,6 +169,7 @@ impl Painter<'_> {
         }
     }
 
+    /// The cursor with its dots.
     pub(crate) fn cursor(&mut self, figure: &Figure, cursor: Cursor) {
         let mapping = self.layout.mapping;
         let plot = mapping.plot;
@@ -197,6 +203,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Dot with a ring that sets it off.
     pub(crate) fn cursor_dot(&mut self, at: Point, colour: Rgb) {
         let ring = Shape::Dot {
             at,

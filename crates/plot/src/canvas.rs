@@ -4,13 +4,81 @@ use crate::figure::Figure;
 use crate::mapping::Mapping;
 use crate::paint::{Frame, draw};
 use crate::theme::Theme;
-use plotters::prelude::IntoDrawingArea;
+use plotters::prelude::{DrawingBackend, IntoDrawingArea};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind,
+};
 use plotters_canvas::CanvasBackend;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 /// Plotters places by whole numbers; this many to a CSS px make lines smooth on any screen.
 const UNITS_PER_PX: f64 = 16.0;
+
+/// Result of drawing on a canvas.
+type Drawn = Result<(), DrawingErrorKind<<CanvasBackend as DrawingBackend>::ErrorType>>;
+
+/// A canvas that counts in finer units than those of its bitmap, for which its context is scaled:
+/// plotters holds everything inside the size that the backend gives.
+struct FineCanvas {
+    inner: CanvasBackend,
+    size: (u32, u32),
+}
+
+impl DrawingBackend for FineCanvas {
+    type ErrorType = <CanvasBackend as DrawingBackend>::ErrorType;
+
+    fn get_size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        self.inner.ensure_prepared()
+    }
+
+    fn present(&mut self) -> Drawn {
+        self.inner.present()
+    }
+
+    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
+        self.inner.draw_pixel(point, color)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        self.inner.draw_path(path, style)
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        vertices: I,
+        style: &S,
+    ) -> Drawn {
+        self.inner.fill_polygon(vertices, style)
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        self.inner.draw_circle(center, radius, style, fill)
+    }
+
+    fn draw_text<S: BackendTextStyle>(
+        &mut self,
+        text: &str,
+        style: &S,
+        place: BackendCoord,
+    ) -> Drawn {
+        self.inner.draw_text(text, style, place)
+    }
+}
 
 /// Size of a canvas on the page and px of the screen in a CSS px.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,9 +121,11 @@ pub fn canvas(
     let scale = ratio / UNITS_PER_PX;
     context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0)?;
     context.set_line_join("round");
-    let area = CanvasBackend::with_canvas_object(element.clone())
-        .ok_or_else(|| JsValue::from_str("no 2d context"))?
-        .into_drawing_area();
     let frame = Frame::new(size.width_px, size.height_px, UNITS_PER_PX);
+    let inner = CanvasBackend::with_canvas_object(element.clone())
+        .ok_or_else(|| JsValue::from_str("no 2d context"))?;
+    let units = |px: f64| (px * UNITS_PER_PX).ceil().max(1.0) as u32;
+    let size = (units(size.width_px), units(size.height_px));
+    let area = FineCanvas { inner, size }.into_drawing_area();
     draw(figure, theme, &frame, &area).map_err(|e| JsValue::from_str(&e.to_string()))
 }

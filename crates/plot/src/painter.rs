@@ -15,6 +15,8 @@ use crate::tick::Tick;
 pub(crate) const MARKER_PX: f64 = 3.4;
 /// Distance of markers along a line, px.
 const MARKER_EVERY_PX: f64 = 64.0;
+/// Mean distance of grid lines below which the minor ones are left out, px.
+const DENSEST_PX: f64 = 6.0;
 
 /// Adds the parts of a laid-out figure to a scene.
 pub(crate) struct Painter<'a> {
@@ -24,16 +26,19 @@ pub(crate) struct Painter<'a> {
 }
 
 impl Painter<'_> {
+    /// Level line one px wide.
     pub(crate) fn level(&mut self, (left, right): (f64, f64), y_px: f64, colour: Rgb) {
         let y = sharp(y_px);
         self.scene.path(vec![(left, y), (right, y)], colour, 1.0);
     }
 
+    /// Upright line one px wide.
     pub(crate) fn upright(&mut self, x_px: f64, (top, bottom): (f64, f64), colour: Rgb) {
         let x = sharp(x_px);
         self.scene.path(vec![(x, top), (x, bottom)], colour, 1.0);
     }
 
+    /// Text in the size of tick labels.
     pub(crate) fn small(&mut self, text: &str, at: Point, anchor: Anchor, colour: Rgb) {
         let size_px = self.layout.sizes.small_px;
         let text = text.to_owned();
@@ -47,19 +52,28 @@ impl Painter<'_> {
         });
     }
 
+    /// Minor grid, where it is not too dense, under major grid; the right axis has none.
     pub(crate) fn grid(&mut self) {
-        let (plot, theme) = (self.layout.mapping.plot, self.theme);
-        let layout = self.layout;
+        let (layout, theme) = (self.layout, self.theme);
+        let Mapping { plot, x, y, .. } = layout.mapping;
+        let is_open = |ticks: &[Tick], length: f64| length > DENSEST_PX * ticks.len() as f64;
+        let is_x_open = is_open(&layout.x_ticks, plot.width_px());
+        let is_y_open = is_open(&layout.y_ticks, plot.height_px());
         for (is_major, colour) in [(false, theme.minor_grid), (true, theme.grid)] {
-            for (x_px, _) in places(&layout.x_ticks, &layout.mapping.x, is_major) {
-                self.upright(x_px, (plot.top_px, plot.bottom_px), colour);
+            if is_major || is_x_open {
+                for (x_px, _) in places(&layout.x_ticks, &x, is_major) {
+                    self.upright(x_px, (plot.top_px, plot.bottom_px), colour);
+                }
             }
-            for (y_px, _) in places(&layout.y_ticks, &layout.mapping.y, is_major) {
-                self.level((plot.left_px, plot.right_px), y_px, colour);
+            if is_major || is_y_open {
+                for (y_px, _) in places(&layout.y_ticks, &y, is_major) {
+                    self.level((plot.left_px, plot.right_px), y_px, colour);
+                }
             }
         }
     }
 
+    /// Axis lines, ticks and their labels.
     pub(crate) fn axes(&mut self) {
         let (layout, axis, text) = (self.layout, self.theme.axis, self.theme.muted);
         let Mapping { plot, x, y, y2 } = layout.mapping;
@@ -90,6 +104,7 @@ impl Painter<'_> {
         self.level((left, right), plot.bottom_px, axis);
     }
 
+    /// Title and captions of the axes.
     pub(crate) fn captions(&mut self, width_px: f64) {
         let Layout {
             mapping,
@@ -116,6 +131,7 @@ impl Painter<'_> {
         self.block(x_caption, middle, Anchor::Middle, running);
     }
 
+    /// Lines of text above each other.
     pub(crate) fn block(
         &mut self,
         block: &Block,
@@ -140,6 +156,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Fillings of areas.
     pub(crate) fn areas(&mut self, drawn: &[Drawn]) {
         for area in drawn {
             for points in &area.fillings {
@@ -153,6 +170,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Lines, outlines and points of the series.
     pub(crate) fn series(&mut self, drawn: &[Drawn]) {
         for Drawn {
             series,
@@ -189,6 +207,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Dashed line in the width of series.
     pub(crate) fn stroke(&mut self, points: &[Point], dash: Dash, colour: Rgb) {
         let width = self.theme.line_width_px;
         let pattern: Vec<f64> = line::pattern(dash).iter().map(|d| d * width).collect();
@@ -197,6 +216,7 @@ impl Painter<'_> {
         }
     }
 
+    /// Says that there is nothing to show.
     pub(crate) fn no_data(&mut self) {
         let plot = self.layout.mapping.plot;
         let middle = (

@@ -1,6 +1,6 @@
 //! Ranges of axes that follow the data.
 
-use crate::figure::{Figure, Kind, Scale, Side};
+use crate::figure::{Aspect, Figure, Kind, Scale, Side};
 use crate::number::{decade, scaled};
 
 /// Range of an axis before it is rounded to ticks.
@@ -117,7 +117,13 @@ pub(crate) fn vertical(figure: &Figure, side: Side, x: Range) -> Option<Range> {
             .filter(|_| !on_right)
             .map(|l| 1.05 * l.y);
         let all = extent([data.0, data.1].into_iter().chain(limits), axis.scale)?;
-        Some(widened(all, axis.scale, 0.0))
+        // A drawing to scale is not moved outwards to ticks, which gives others their margin.
+        let margin = if figure.aspect == Aspect::Equal {
+            0.04
+        } else {
+            0.0
+        };
+        Some(widened(all, axis.scale, margin))
     })
 }
 
