@@ -111,7 +111,10 @@ fn series<'a>(figure: &'a Figure, theme: &Theme, mapping: &Mapping) -> Vec<Drawn
                         fillings.push(line::clipped_polygon(run.clone(), &mapping.plot));
                     }
                 }
-                let thin = runs.into_iter().map(line::thinned);
+                let thin = runs
+                    .into_iter()
+                    .map(line::thinned)
+                    .map(|run| line::straightened(&run));
                 thin.flat_map(|run| line::clipped(&run, &mapping.plot))
                     .collect()
             }

@@ -8,6 +8,10 @@ use crate::scene::Point;
 const MOST_POINTS: usize = 4000;
 /// Width of the columns that points are thinned in, px: that of a device px on a fine screen.
 const COLUMN_PX: f64 = 0.5;
+/// Distance from a straight line that is not seen, px: half a unit of the SVG backend.
+const STRAIGHT_PX: f64 = 0.05;
+/// Most points between two of a straight line that are left out.
+const MOST_SKIPPED: usize = 24;
 /// Places are held within this many px, which whole numbers of any backend can hold.
 const FARTHEST_PX: f64 = 1e6;
 
@@ -64,6 +68,36 @@ fn keep_extremes(column: &[Point], kept: &mut Vec<Point>) {
     chosen.sort_unstable();
     chosen.dedup();
     kept.extend(chosen.into_iter().filter_map(|i| column.get(i)));
+}
+
+/// The run without points that lie on the line between their neighbours to a small part of a px.
+pub(crate) fn straightened(run: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    let mut skipped: Vec<Point> = Vec::new();
+    for &point in run {
+        let is_straight = kept.last().is_some_and(|from| {
+            skipped.len() <= MOST_SKIPPED && skipped.iter().all(|p| is_between(*from, *p, point))
+        });
+        if !is_straight {
+            kept.extend(skipped.last());
+            skipped.clear();
+        }
+        if kept.is_empty() {
+            kept.push(point);
+        } else {
+            skipped.push(point);
+        }
+    }
+    kept.extend(skipped.last());
+    kept
+}
+
+/// Whether `p` is near the line from `a` to `b`, and between its ends.
+fn is_between(a: Point, p: Point, b: Point) -> bool {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let (px, py) = (p.0 - a.0, p.1 - a.1);
+    let (across, along, square) = (dx * py - dy * px, dx * px + dy * py, dx * dx + dy * dy);
+    across * across <= STRAIGHT_PX * STRAIGHT_PX * square && along >= 0.0 && along <= square
 }
 
 /// The parts of a line inside a rectangle (Liang and Barsky's way).
@@ -314,6 +348,17 @@ mod tests {
         assert!(thin.len() <= 4 * 1000 + 4, "{}", thin.len());
         assert!(thin.contains(&run[peak as usize]));
         assert_eq!((thin.first(), thin.last()), (run.first(), run.last()));
+    }
+
+    #[test]
+    fn a_straight_line_keeps_its_ends_and_a_corner_its_point() {
+        let straight: Vec<Point> = (0..=20)
+            .map(|i| (f64::from(i), 2.0 * f64::from(i)))
+            .collect();
+        assert_eq!(straightened(&straight), [(0.0, 0.0), (20.0, 40.0)]);
+        let back = [(0.0, 0.0), (5.0, 0.0), (9.0, 0.0), (3.0, 0.0)];
+        assert_eq!(straightened(&back), [(0.0, 0.0), (9.0, 0.0), (3.0, 0.0)]);
+        assert_eq!(straightened(&back[..1]), [(0.0, 0.0)]);
     }
 
     #[test]

@@ -79,29 +79,42 @@ impl Painter<'_> {
         let Mapping { plot, x, y, y2 } = layout.mapping;
         let mark = TICK_PX - 3.0;
         let (left, right) = (plot.left_px, plot.right_px + 1.0);
-        for (x_px, label) in places(&layout.x_ticks, &x, true) {
-            self.upright(x_px, (plot.bottom_px, plot.bottom_px + mark), axis);
-            let below = plot.bottom_px + TICK_PX + 0.5 * layout.sizes.small_px;
-            self.small(label, (sharp(x_px), below), Anchor::Middle, text);
+        let x_places = places(&layout.x_ticks, &x, true);
+        let y_places = places(&layout.y_ticks, &y, true);
+        let y2_places = y2
+            .map(|y2| places(&layout.y2_ticks, &y2, true))
+            .unwrap_or_default();
+
+        for (x_px, _) in &x_places {
+            self.upright(*x_px, (plot.bottom_px, plot.bottom_px + mark), axis);
         }
-        for (y_px, label) in places(&layout.y_ticks, &y, true) {
-            self.level((left - mark, left), y_px, axis);
-            self.small(label, (left - TICK_PX, sharp(y_px)), Anchor::End, text);
+        for (y_px, _) in &y_places {
+            self.level((left - mark, left), *y_px, axis);
         }
-        if let Some(y2) = y2 {
-            for (y_px, label) in places(&layout.y2_ticks, &y2, true) {
-                self.level((right, right + mark), y_px, axis);
-                self.small(
-                    label,
-                    (right + TICK_PX - 1.0, sharp(y_px)),
-                    Anchor::Start,
-                    text,
-                );
-            }
+        for (y_px, _) in &y2_places {
+            self.level((right, right + mark), *y_px, axis);
+        }
+        if y2.is_some() {
             self.upright(plot.right_px, (plot.top_px, plot.bottom_px), axis);
         }
         self.upright(left, (plot.top_px, plot.bottom_px), axis);
         self.level((left, right), plot.bottom_px, axis);
+
+        let below = plot.bottom_px + TICK_PX + 0.5 * layout.sizes.small_px;
+        for (x_px, label) in x_places {
+            self.small(label, (sharp(x_px), below), Anchor::Middle, text);
+        }
+        for (y_px, label) in y_places {
+            self.small(label, (left - TICK_PX, sharp(y_px)), Anchor::End, text);
+        }
+        for (y_px, label) in y2_places {
+            self.small(
+                label,
+                (right + TICK_PX - 1.0, sharp(y_px)),
+                Anchor::Start,
+                text,
+            );
+        }
     }
 
     /// Title and captions of the axes.
