@@ -15,7 +15,8 @@ pub struct Figure {
     pub y2: Option<Axis>,
     /// Lines, point clouds and areas, drawn in this order.
     pub series: Vec<Series>,
-    /// Vertical dashed lines with a label above the plot.
+    /// Vertical dashed lines with a label above the plot, the most important first: it is theirs where
+    /// there is not room for all labels.
     pub events: Vec<EventLine>,
     /// Horizontal dashed lines of the left axis.
     pub limits: Vec<LimitLine>,

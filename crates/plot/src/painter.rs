@@ -16,7 +16,7 @@ pub(crate) const MARKER_PX: f64 = 3.4;
 /// Distance of markers along a line, px.
 const MARKER_EVERY_PX: f64 = 64.0;
 /// Mean distance of grid lines below which the minor ones are left out, px.
-const DENSEST_PX: f64 = 6.0;
+const DENSEST_PX: f64 = 8.0;
 
 /// Adds the parts of a laid-out figure to a scene.
 pub(crate) struct Painter<'a> {
