@@ -16,7 +16,9 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam};
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
-use crate::vehicle::mass::{Component, ComponentKind, Densities, MassProperties, components, total};
+use crate::vehicle::mass::{
+    Component, ComponentKind, Densities, MassProperties, components, total,
+};
 use crate::vehicle::structure::{PressureShell, Structure, Wall};
 use crate::vehicle::{msr, non_msr};
 use numerics::math::PI;
@@ -70,12 +72,26 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
             aftbody_carrier_m: structure.aftbody.thickness_m,
             primary_m: structure.primary.thickness_m,
         };
-        let frame = Frame { forebody, depths, payload_radius_m, foam_thickness_m: foam.thickness_m, cg_x_m, rules };
+        let frame = Frame {
+            forebody,
+            depths,
+            payload_radius_m,
+            foam_thickness_m: foam.thickness_m,
+            cg_x_m,
+            rules,
+        };
         let layout = match input.concept {
             Concept::Msr => msr::layout(&frame)?,
             Concept::NonMsr => non_msr::layout(&frame)?,
         };
-        let components = components(input, &layout, &Densities { structure: &structure, foam });
+        let components = components(
+            input,
+            &layout,
+            &Densities {
+                structure: &structure,
+                foam,
+            },
+        );
         let mass = total(&components);
         let sized = size_walls(input, &layout, &components, &mass);
         let foot_x_m = layout.outline.attached_structure_x_m;
@@ -92,9 +108,18 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
         if settled {
             let slope_rad = layout.outline.wing_slope_rad;
             if slope_rad < rules.wing_slope_min_rad.min(frame.steepest_rad()) {
-                return Err(Misfit::WingTooShallow { slope_rad, least_rad: rules.wing_slope_min_rad });
+                return Err(Misfit::WingTooShallow {
+                    slope_rad,
+                    least_rad: rules.wing_slope_min_rad,
+                });
             }
-            return Ok(Closed { layout, components, mass, structure: sized_labels(structure, sized), iterations });
+            return Ok(Closed {
+                layout,
+                components,
+                mass,
+                structure: sized_labels(structure, sized),
+                iterations,
+            });
         }
         cg_x_m = mass.cg_x_m;
         last_foot_x_m = foot_x_m;
@@ -105,7 +130,9 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
 
 /// A first centre of gravity, ahead of where it will be: then the lid is wide and its foot is lifted, never too low.
 fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
-    0.8 * forebody.resting_ball_x_m(0.0, payload_radius_m).max(0.5 * forebody.shoulder_center().x_m)
+    0.8 * forebody
+        .resting_ball_x_m(0.0, payload_radius_m)
+        .max(0.5 * forebody.shoulder_center().x_m)
 }
 
 /// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
@@ -123,7 +150,12 @@ fn sized_labels(used: Structure, sized: Structure) -> Structure {
 }
 
 /// Walls for the loads that these masses make.
-fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], mass: &MassProperties) -> Structure {
+fn size_walls(
+    input: &VehicleInput,
+    layout: &Layout,
+    components: &[Component],
+    mass: &MassProperties,
+) -> Structure {
     let outline = &layout.outline;
     let forebody = &outline.forebody;
     let load = &input.structure_loads;
@@ -132,7 +164,10 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
     let inertial_pa = mass.mass_kg * entry_g * EARTH_G_M_S2 / area_m2;
     let pressure_pa = load.safety_factor * inertial_pa.max(input.loads.peak_stagnation_pressure_pa);
     let (theta_sin, theta_cos) = forebody.sin_cos();
-    let (inner_r, outer_r) = (layout.primary_outer_r_m(), forebody.shoulder_tangent(0.0).r_m);
+    let (inner_r, outer_r) = (
+        layout.primary_outer_r_m(),
+        forebody.shoulder_tangent(0.0).r_m,
+    );
     let fore_shell = PressureShell {
         pressure_pa,
         slant_length_m: ((outer_r - inner_r) / theta_sin).max(0.0),
@@ -151,7 +186,12 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
     // in entry the forebody carries itself; the rest hangs on the primary structure
     let carried_kg: f64 = components
         .iter()
-        .filter(|c| !matches!(c.kind, ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier))
+        .filter(|c| {
+            !matches!(
+                c.kind,
+                ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier
+            )
+        })
         .map(|c| c.mass_with_margin_kg)
         .sum();
     let axial_n = load.safety_factor
@@ -163,6 +203,8 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
             None => input.forebody.carrier.pressure_wall(&fore_shell),
         },
         aftbody: input.aftbody_carrier.pressure_wall(&aft_shell),
-        primary: input.primary_carrier.axial_wall(layout.primary_inner_r_m(), axial_n),
+        primary: input
+            .primary_carrier
+            .axial_wall(layout.primary_inner_r_m(), axial_n),
     }
 }
