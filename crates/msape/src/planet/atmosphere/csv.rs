@@ -233,13 +233,10 @@ pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
         };
         let line = record.position().map_or(0, |p| p.line());
         // A separator at the end of the line makes no column.
-        let width = record
-            .iter()
-            .enumerate()
-            .filter(|(_, field)| !field.is_empty())
-            .last()
-            .map_or(0, |(i, _)| i + 1);
-        let fields: Vec<&str> = record.iter().take(width).collect();
+        let mut fields: Vec<&str> = record.iter().collect();
+        while fields.last().is_some_and(|field| field.is_empty()) {
+            fields.pop();
+        }
         if fields.is_empty() {
             continue;
         }
@@ -254,7 +251,7 @@ pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
             continue;
         }
         let before = faults.len();
-        let mut row = Vec::with_capacity(width);
+        let mut row = Vec::with_capacity(fields.len());
         for (i, field) in fields.iter().enumerate() {
             match number(field, delimiter) {
                 Some(value) => row.push(value),
