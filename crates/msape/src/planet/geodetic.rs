@@ -176,7 +176,7 @@ mod tests {
 
     const WGS84: Ellipsoid = Ellipsoid {
         equatorial_radius_m: 6_378_137.0,
-        polar_radius_m: 6_356_752.3142,
+        polar_radius_m: 6_356_752.314_2,
     };
     const SATURN: Ellipsoid = Ellipsoid {
         equatorial_radius_m: 60_268_000.0,
@@ -215,7 +215,7 @@ mod tests {
             })
         };
         assert!((on(1000.0, 0.0)[1] - 6_379_137.0).abs() < 1e-9);
-        assert!((on(1000.0, FRAC_PI_2)[2] - 6_357_752.3142).abs() < 1e-9);
+        assert!((on(1000.0, FRAC_PI_2)[2] - 6_357_752.314_2).abs() < 1e-9);
     }
 
     #[test]
