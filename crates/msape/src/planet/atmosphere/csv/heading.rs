@@ -32,7 +32,7 @@ impl Quantity {
         match self {
             Self::Altitude => (
                 "altitude",
-                &["altitude", "alt", "height", "h", "z", "elevation", "hoehe"],
+                &["altitude", "alt", "height", "h", "z", "elevation"],
             ),
             Self::Density => ("density", &["density", "rho", "ρ", "dens"]),
             Self::Temperature => ("temperature", &["temperature", "temp", "t"]),

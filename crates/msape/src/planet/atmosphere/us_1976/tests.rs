@@ -55,7 +55,7 @@ fn every_kilometre_to_200_km() {
 
 #[test]
 fn printed_table() {
-    // Four digits are printed: half a unit of the last is up to 5e-4 (of 1.000) in density.
+    // Four or five digits are printed: half a unit of the fourth is up to 5e-4 (of 1.000) in density.
     let air = us_1976();
     for row in rows(PRINTED) {
         let a = air.air(row[0] * 1000.0);
