@@ -13,5 +13,6 @@ fn main(){
   let mut top=serde_json::Map::new(); top.insert("outcome".into(), ans.outcome.name().into()); top.insert("results".into(), r.into());
   top.insert("evaluations".into(), ans.flight.as_ref().map_or(0,|f|f.evaluations).into());
   if let Some(t)=ans.flight.as_ref().and_then(|f|f.trajectory.as_ref()) { let mut m=serde_json::Map::new(); for (c,v) in msape::quantity::trajectory::columns().iter().zip(&t.values){ m.insert(c.key.into(), serde_json::json!(v)); } top.insert("trajectory".into(), m.into()); }
-  println!("{}", serde_json::Value::Object(top)); } }
+  if std::env::args().nth(1).as_deref()==Some("design") { if let Some(d)=&ans.design { for c in &d.vehicle.components { eprintln!("{:30} V {:9.5} m3 rho {:7.1} m {:7.3} kg, with margin {:7.3}", c.kind.label(), c.volume_m3, c.density_kg_m3, c.mass_kg, c.mass_with_margin_kg); } eprintln!("mass {:.3} cg/D {:.4} {:#?} {:#?}", d.vehicle.mass.mass_kg, d.vehicle.dimensions.cg_over_diameter, d.vehicle.dimensions, d.vehicle.impact); eprintln!("{:?}\n{:?}\n{:?}", d.vehicle.structure, d.forebody_tps, d.aftbody_tps); eprintln!("T {}", d.payload_temperature_k-273.15); } for p in &ans.passes { eprintln!("{} {} m {:.5} {:?} {:.6?}", p.number, p.flight_model, p.mass_kg, p.mass_change_kg, p.crossings);} for a in &ans.adjustments { eprintln!("ADJ {:?}", a);} for f in &ans.findings { eprintln!("FIND {:?} {} {}: {}", f.severity, f.model, f.key, f.message);} eprintln!("{:?} {:?}", ans.outcome, ans.reason); }
+ println!("{}", serde_json::Value::Object(top)); } }
 }
