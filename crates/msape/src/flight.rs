@@ -5,10 +5,16 @@
 //! - [`entry`]: entry states, inertial and relative.
 //! - [`trajectory`]: the time history.
 
+use crate::planet::horizon::Velocity;
 use serde::{Deserialize, Serialize};
 
 pub use trajectory::{Request, Trajectory};
 
+pub mod equations;
+pub mod mission;
+pub mod sample;
+pub mod summary;
+pub mod three_dof;
 pub mod trajectory;
 
 /// A largest value and where it occurs.
@@ -26,26 +32,15 @@ pub struct Peak {
     pub density_kg_m3: f64,
 }
 
-/// Speed, angle and azimuth of one velocity in the local geodetic horizon.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LocalVelocity {
-    /// Speed, m/s.
-    pub speed_m_s: f64,
-    /// Angle against the horizon, negative down, rad.
-    pub flight_path_angle_rad: f64,
-    /// Direction of the horizontal part from north, clockwise, rad.
-    pub azimuth_rad: f64,
-}
-
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
     /// Model that flew it: `three-dof` or `allen-eggers`.
     pub model: String,
     /// Entry state relative to the planet.
-    pub entry_relative: LocalVelocity,
+    pub entry_relative: Velocity<f64>,
     /// Inertial entry state.
-    pub entry_inertial: LocalVelocity,
+    pub entry_inertial: Velocity<f64>,
     /// Aerodynamic force over mass over 9.80665 m/s².
     pub peak_deceleration_earth_g: Peak,
     /// Dynamic pressure, Pa.
