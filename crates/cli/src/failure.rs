@@ -1,6 +1,5 @@
 //! What can go wrong, and the code to end with.
 
-use msape::InputError;
 use msape::library::DataError;
 use std::io;
 use std::process::ExitCode;
@@ -54,12 +53,6 @@ impl Failure {
             }
             Failure::ReaderGone => ExitCode::SUCCESS,
         }
-    }
-}
-
-impl From<Vec<InputError>> for Failure {
-    fn from(faults: Vec<InputError>) -> Failure {
-        Failure::Input(faults.iter().map(ToString::to_string).collect())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reads a case from a file or from standard input, with what the command line sets and the files it names.
 
 use crate::failure::Failure;
-use msape::Case;
+use msape::{Case, InputError};
 use msape::case::Value;
 use msape::planet::atmosphere::csv::{self, Kind};
 use std::fs::File;
@@ -13,7 +13,11 @@ const SIZE_MAX: u64 = 64 * 1024 * 1024;
 
 /// The case of `path` with `settings` applied, and faults found on the way that do not keep it from being checked.
 pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Failure> {
-    let mut case = Case::from_text(&text(path)?)?;
+    let unreadable = |faults: Vec<InputError>| {
+        let named = faults.iter().map(|fault| format!("{}: {fault}", display(path)));
+        Failure::Input(named.collect())
+    };
+    let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;
     let mut faults = Vec::new();
     let mut here = folder(path);
     for setting in settings {
@@ -57,13 +61,17 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// The text of a file, or of standard input for `-`.
-fn text(path: &Path) -> Result<String, Failure> {
-    let name = if is_standard_input(path) {
+fn display(path: &Path) -> String {
+    if is_standard_input(path) {
         "standard input".to_string()
     } else {
         path.display().to_string()
-    };
+    }
+}
+
+/// The text of a file, or of standard input for `-`.
+fn text(path: &Path) -> Result<String, Failure> {
+    let name = display(path);
     let fault = |message: String| Failure::input(format!("{name}: {message}"));
     let mut bytes = Vec::new();
     let read = if is_standard_input(path) {

@@ -90,10 +90,11 @@ fn section(name: &str, file: &File, rows: &[Row], paint: Paint) -> String {
     ];
     table.push(header.map(String::from).to_vec());
     let mut notes: Vec<String> = Vec::new();
+    let source = format!("{}, {}", file.source, file.place);
     for row in rows {
-        table.push(cells(row, &mut notes));
+        table.push(cells(row, &source, &mut notes));
     }
-    let mut text = format!("{}  {}\n", paint.heading(name), file.title);
+    let mut text = format!("{}  {} {}\n", paint.heading(name), file.title, paint.faint(&format!("[{source}]")));
     for (i, line) in table.lines().enumerate() {
         let line = match i
             .checked_sub(1)
@@ -119,13 +120,15 @@ fn section(name: &str, file: &File, rows: &[Row], paint: Paint) -> String {
     text
 }
 
-/// The cells of a row; source and reason go to a note that rows share.
-fn cells(row: &Row, notes: &mut Vec<String>) -> Vec<String> {
-    let fault = row
-        .fault
-        .as_ref()
-        .map_or_else(String::new, |fault| format!(" Refused: {fault}."));
-    let note = format!("{} [{}]{fault}", row.reason, row.source);
+/// The cells of a row; reason, and a source that is not that of the file, go to a note that rows share.
+fn cells(row: &Row, source: &str, notes: &mut Vec<String>) -> Vec<String> {
+    let mut note = row.reason.clone();
+    if row.source != source {
+        note.push_str(&format!(" [{}]", row.source));
+    }
+    if let Some(fault) = &row.fault {
+        note.push_str(&format!(" Refused: {fault}."));
+    }
     let number = match notes.iter().position(|other| *other == note) {
         Some(i) => i + 1,
         None => {

@@ -36,6 +36,12 @@ fn shipped_files_and_their_cases_can_be_read() {
 }
 
 #[test]
+fn the_shipped_run_page_is_the_one_of_the_core() {
+    let shipped = data_file("cases/run-page.toml").unwrap();
+    assert_eq!(shipped, Case::run_page().to_toml());
+}
+
+#[test]
 fn a_value_within_its_tolerance_is_within() {
     // 29.84381 - 29.83 = 0.01381, below 0.1 % of 29.83 = 0.02983.
     let file = File::parse(FILE).unwrap();
