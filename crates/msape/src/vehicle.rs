@@ -33,7 +33,7 @@ pub use mass::{Component, ComponentKind, MassProperties};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
-use crate::vehicle::close::{Closed, close};
+use crate::vehicle::close::{Closed, close, close_from};
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
 use crate::vehicle::profile::Profile;
@@ -222,12 +222,14 @@ fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed
             Ok(mut best) => {
                 while high - low > input.rules.diameter_resolution_m {
                     let middle = 0.5 * (low + high);
-                    match close(input, middle, foam) {
+                    match close_from(input, middle, foam, best.start()) {
                         Ok(closed) => (high, best) = (middle, closed),
                         Err(_) => low = middle,
                     }
                 }
-                return Ok((high, best));
+                // from the beginning, so that the vehicle does not depend on the search
+                let settled = close(input, high, foam).unwrap_or(best);
+                return Ok((high, settled));
             }
             Err(misfit) => (low, at_largest) = (high, misfit),
         }

@@ -38,19 +38,31 @@ pub struct Closed {
     pub iterations: u32,
 }
 
+impl Closed {
+    /// Start for a neighbouring diameter.
+    pub fn start(&self) -> Start {
+        Start {
+            cg_over_diameter: self.mass.cg_x_m / self.layout.outline.forebody.diameter_m,
+            structure: self.structure,
+        }
+    }
+}
+
 /// Turns after which the loop gives up.
 const MOST_TURNS: u32 = 200;
 
+/// Where the loop starts: a centre of gravity and walls.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// Centre of gravity over diameter.
+    pub cg_over_diameter: f64,
+    /// Walls.
+    pub structure: Structure,
+}
+
 /// The vehicle at the diameter `diameter_m`, with the impact foam `foam` or more of it.
 pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed, Misfit> {
-    let radius_m = diameter_m / 2.0;
-    let forebody = Forebody {
-        diameter_m,
-        nose_radius_m: input.nose_radius_ratio * radius_m,
-        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-        cone_half_angle_rad: input.cone_half_angle_rad,
-    };
-    let mut structure = Structure {
+    let structure = Structure {
         forebody: match input.forebody.carrier_thickness_m {
             Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
             None => input.forebody.carrier.at_minimum_gauge(),
@@ -58,11 +70,40 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
         aftbody: input.aftbody_carrier.at_minimum_gauge(),
         primary: input.primary_carrier.at_minimum_gauge(),
     };
+    let forebody = forebody(input, diameter_m);
+    let cg_x_m = first_cg_x_m(&forebody, input.payload_diameter_m() / 2.0);
+    let start = Start {
+        cg_over_diameter: cg_x_m / diameter_m,
+        structure,
+    };
+    close_from(input, diameter_m, foam, start)
+}
+
+fn forebody(input: &VehicleInput, diameter_m: f64) -> Forebody {
+    let radius_m = diameter_m / 2.0;
+    Forebody {
+        diameter_m,
+        nose_radius_m: input.nose_radius_ratio * radius_m,
+        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+        cone_half_angle_rad: input.cone_half_angle_rad,
+    }
+}
+
+/// The same from a neighbour's centre of gravity and walls, which takes fewer turns.
+pub fn close_from(
+    input: &VehicleInput,
+    diameter_m: f64,
+    foam: Foam,
+    start: Start,
+) -> Result<Closed, Misfit> {
+    let forebody = forebody(input, diameter_m);
     let rules = &input.rules;
     let payload_radius_m = input.payload_diameter_m() / 2.0;
-    let mut cg_x_m = first_cg_x_m(&forebody, payload_radius_m);
+    let mut structure = start.structure;
+    let mut cg_x_m = start.cg_over_diameter * diameter_m;
     let mut last_foot_x_m = f64::INFINITY;
     let mut moved = f64::INFINITY;
+    let mut last = None;
     for iterations in 1..=MOST_TURNS {
         let depths = Depths {
             forebody_tps_m: input.forebody.tps_thickness_m,
@@ -121,11 +162,26 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
                 iterations,
             });
         }
-        cg_x_m = mass.cg_x_m;
+        let next = secant_step(last, (cg_x_m, mass.cg_x_m));
+        last = Some((cg_x_m, mass.cg_x_m));
+        cg_x_m = next;
         last_foot_x_m = foot_x_m;
         structure = sized;
     }
     Err(Misfit::NotConverged { move_m: moved })
+}
+
+/// Next guess of x = g(x) from two pairs (x, g(x)) by the secant, from one by g(x) itself; never further than twice the way to g(x).
+fn secant_step(last: Option<(f64, f64)>, now: (f64, f64)) -> f64 {
+    let residual = now.1 - now.0;
+    let Some(last) = last else { return now.1 };
+    let change = residual - (last.1 - last.0);
+    let step = -residual * (now.0 - last.0) / change;
+    if step * residual > 0.0 && step.abs() <= 2.0 * residual.abs() {
+        now.0 + step
+    } else {
+        now.1
+    }
 }
 
 /// A first centre of gravity, ahead of where it will be: then the lid is wide and its foot is lifted, never too low.
@@ -206,5 +262,20 @@ fn size_walls(
         primary: input
             .primary_carrier
             .axial_wall(layout.primary_inner_r_m(), axial_n),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_secant_finds_the_fixed_point_of_a_line_at_once() {
+        // g(x) = 3 − x/2 has its fixed point at 2
+        let pair = |x: f64| (x, 3.0 - x / 2.0);
+        assert_eq!(secant_step(None, pair(0.0)), 3.0);
+        assert!((secant_step(Some(pair(0.0)), pair(3.0)) - 2.0).abs() < 1e-15);
+        // no slope to go by: g(x)
+        assert_eq!(secant_step(Some(pair(1.0)), pair(1.0)), 2.5);
     }
 }

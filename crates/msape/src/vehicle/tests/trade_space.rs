@@ -152,3 +152,38 @@ fn two_thousand_vehicles_close_or_say_why_and_fill_their_outline() {
     // more than nine in ten find a diameter up to 2 m
     assert!(closed > 1800, "{closed} of 2000 closed");
 }
+
+#[test]
+fn numbers_far_outside_the_trade_space_neither_panic_nor_give_nonsense() {
+    let mut sequence = Sequence(3);
+    let mut closed = 0;
+    for _ in 0..1000 {
+        let mut input = sampled(&mut sequence);
+        // each of these is up to a hundred times too large or too small
+        let mut spoil = |value: &mut f64| {
+            if sequence.next() < 0.3 {
+                *value *= numerics::math::exp(sequence.between(-4.6, 4.6));
+            }
+        };
+        spoil(&mut input.diameter_m);
+        spoil(&mut input.nose_radius_ratio);
+        spoil(&mut input.shoulder_radius_ratio);
+        spoil(&mut input.payload_mass_kg);
+        spoil(&mut input.forebody.tps_thickness_m);
+        spoil(&mut input.aftbody_tps_thickness_m);
+        spoil(&mut input.loads.entry_load_earth_g);
+        spoil(&mut input.loads.peak_stagnation_pressure_pa);
+        spoil(&mut input.loads.terminal_speed_m_s);
+        spoil(&mut input.impact.crush_load_limit_earth_g);
+        let Ok(vehicle) = build(&input) else { continue };
+        closed += 1;
+        assert!(vehicle.mass.mass_kg.is_finite() && vehicle.mass.mass_kg > input.payload_mass_kg);
+        let whole = vehicle.outline.solid().volume_m3;
+        let ratio = vehicle.mass.volume_m3 / whole;
+        assert!((ratio - 1.0).abs() < 1e-9, "{ratio}: {input:?}");
+        for c in &vehicle.components {
+            assert!(c.volume_m3 > 0.0, "{:?}: {input:?}", c.kind);
+        }
+    }
+    assert!(closed > 300, "{closed} of 1000 closed");
+}
