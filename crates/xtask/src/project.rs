@@ -1,0 +1,126 @@
+//! Where things are, and how other programs are called.
+
+use std::{
+    env,
+    ffi::{OsStr, OsString},
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use anyhow::{Context, Result, bail};
+
+/// The folders of the project.
+pub struct Project {
+    /// Root of the repository.
+    pub root: PathBuf,
+    /// The deployable app.
+    pub dist: PathBuf,
+    /// Programs that set-up installs for this project alone.
+    pub tools: PathBuf,
+    /// Where cargo puts this program, and so the workspace's other programs of the same profile.
+    pub workspace_programs: PathBuf,
+    /// Where cargo puts everything.
+    pub target: PathBuf,
+}
+
+impl Project {
+    /// The project that this program was built from.
+    pub fn find() -> Result<Self> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .ancestors()
+            .nth(2)
+            .context("crates/xtask is not in a repository")?
+            .to_path_buf();
+        let program = env::current_exe()?;
+        let workspace_programs = program
+            .parent()
+            .context("this program is in no folder")?
+            .to_path_buf();
+        let target = workspace_programs
+            .parent()
+            .context("no target folder")?
+            .to_path_buf();
+        Ok(Self {
+            dist: root.join("dist"),
+            tools: root.join(".tools"),
+            root,
+            workspace_programs,
+            target,
+        })
+    }
+
+    /// A program, to be run at the root with the project's own tools before others on the path.
+    pub fn command(&self, program: impl AsRef<OsStr>) -> Command {
+        let mut command = Command::new(program);
+        command.current_dir(&self.root).env("PATH", self.path());
+        command
+    }
+
+    /// The file that runs when `program` is called, if there is one.
+    pub fn locate(&self, program: &str) -> Option<PathBuf> {
+        let file = format!("{program}{}", env::consts::EXE_SUFFIX);
+        env::split_paths(&self.path())
+            .map(|folder| folder.join(&file))
+            .find(|path| path.is_file())
+    }
+
+    fn path(&self) -> OsString {
+        let own = [self.workspace_programs.clone(), self.tools.join("bin")];
+        let others = env::var_os("PATH").unwrap_or_default();
+        env::join_paths(own.into_iter().chain(env::split_paths(&others))).unwrap_or(others)
+    }
+}
+
+/// Says what begins.
+pub fn announce(what: impl std::fmt::Display) {
+    eprintln!("\n==> {what}");
+}
+
+/// Runs a command to its end; a failure names it.
+pub fn run(command: &mut Command) -> Result<()> {
+    let status = command
+        .status()
+        .with_context(|| format!("cannot start {}", line(command)))?;
+    if !status.success() {
+        bail!("{status}: {}", line(command));
+    }
+    Ok(())
+}
+
+/// What a command prints, if it succeeds.
+pub fn output(command: &mut Command) -> Option<String> {
+    let output = command
+        .output()
+        .ok()
+        .filter(|output| output.status.success())?;
+    String::from_utf8(output.stdout)
+        .ok()
+        .map(|text| text.trim().to_owned())
+}
+
+/// A command as one would type it.
+pub fn line(command: &Command) -> String {
+    let words: Vec<_> = std::iter::once(command.get_program())
+        .chain(command.get_args())
+        .map(OsStr::to_string_lossy)
+        .collect();
+    words.join(" ")
+}
+
+/// All files below a folder, in the order of their names.
+pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for entry in
+        fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?
+    {
+        let path = entry?.path();
+        if path.is_dir() {
+            files.extend(files_below(&path)?);
+        } else {
+            files.push(path);
+        }
+    }
+    files.sort();
+    Ok(files)
+}

@@ -1,0 +1,163 @@
+//! Installs what is missing, says what and why; where it may not, prints the command to run instead.
+
+use std::{fs, path::PathBuf, process::Command};
+
+use anyhow::{Context, Result, bail};
+
+use crate::project::{Project, announce, line, output, run};
+
+const TRUNK_VERSION: &str = "0.21.14";
+
+/// What building the app needs: rustup and a C linker are enough to start from.
+pub fn for_build(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    announce("Fetching the crates of Cargo.lock that are not here yet");
+    run(project.command("cargo").args(["fetch", "--locked"]))?;
+    wasm_bindgen(project)?;
+    trunk(project)
+}
+
+/// What the tests need beyond that: rustfmt, clippy, Node with two packages, Chromium and its driver.
+pub fn for_tests(project: &Project) -> Result<()> {
+    rust_components(project)?;
+    for (program, package, reason) in [
+        ("node", "nodejs", "it runs the end-to-end tests"),
+        (
+            "npm",
+            "npm",
+            "it installs the packages of the end-to-end tests",
+        ),
+        (
+            "chromium",
+            "chromium",
+            "the app is tested in a real browser",
+        ),
+        (
+            "chromedriver",
+            "chromium-driver",
+            "it runs the WebAssembly tests in Chromium",
+        ),
+    ] {
+        if program_of_tests(project, program).is_none() {
+            debian_package(project, program, package, reason)?;
+        }
+    }
+    node_packages(project)
+}
+
+/// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
+pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
+    std::env::var_os(program.to_uppercase())
+        .map(PathBuf::from)
+        .or_else(|| project.locate(program))
+}
+
+fn wasm_target(project: &Project) -> Result<()> {
+    let target = ["--target", "wasm32-unknown-unknown"];
+    let libraries = output(
+        project
+            .command("rustc")
+            .args(["--print", "target-libdir"])
+            .args(target),
+    );
+    if libraries.is_some_and(|folder| PathBuf::from(folder).is_dir()) {
+        return Ok(());
+    }
+    announce("Installing Rust's target wasm32-unknown-unknown: the app runs as WebAssembly");
+    run(project
+        .command("rustup")
+        .args(["target", "add", "wasm32-unknown-unknown"]))
+    .context("install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml")
+}
+
+fn rust_components(project: &Project) -> Result<()> {
+    let present =
+        |subcommand| output(project.command("cargo").args([subcommand, "--version"])).is_some();
+    if present("fmt") && present("clippy") {
+        return Ok(());
+    }
+    announce("Installing Rust's components rustfmt and clippy: the tests check format and lints");
+    run(project
+        .command("rustup")
+        .args(["component", "add", "rustfmt", "clippy"]))
+}
+
+fn wasm_bindgen(project: &Project) -> Result<()> {
+    announce(
+        "Building wasm-bindgen (crates/web-tools): it makes the app's WebAssembly callable from the page",
+    );
+    run(project
+        .command("cargo")
+        .args(["build", "--locked", "--package", "msape-web-tools"]))
+}
+
+fn trunk(project: &Project) -> Result<()> {
+    if output(project.command("trunk").arg("--version")) == Some(format!("trunk {TRUNK_VERSION}")) {
+        return Ok(());
+    }
+    announce(format_args!(
+        "Installing trunk {TRUNK_VERSION} into {}: it bundles the app; some minutes, once",
+        project.tools.display()
+    ));
+    let scratch = project.target.join("trunk");
+    let mut install = project.command("cargo");
+    install
+        .args([
+            "install",
+            "trunk",
+            "--locked",
+            "--no-default-features",
+            "--version",
+            TRUNK_VERSION,
+        ])
+        .arg("--root")
+        .arg(&project.tools)
+        .arg("--target-dir")
+        .arg(&scratch)
+        // A bundler need not be fast itself.
+        .env("CARGO_PROFILE_RELEASE_LTO", "off")
+        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
+        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
+    run(&mut install)?;
+    fs::remove_dir_all(&scratch).with_context(|| format!("cannot remove {}", scratch.display()))
+}
+
+fn node_packages(project: &Project) -> Result<()> {
+    let modified = |file: &str| {
+        fs::metadata(project.root.join(file))
+            .and_then(|data| data.modified())
+            .ok()
+    };
+    if modified("node_modules/.package-lock.json") >= modified("package-lock.json") {
+        return Ok(());
+    }
+    announce(
+        "Installing the packages of package-lock.json into node_modules: they drive and check the browser",
+    );
+    run(project
+        .command("npm")
+        .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
+}
+
+fn debian_package(project: &Project, program: &str, package: &str, reason: &str) -> Result<()> {
+    let mut update = project.command("apt-get");
+    update.arg("update");
+    let mut install = project.command("apt-get");
+    install.args(["install", "--yes", "--no-install-recommends", package]);
+    let lines = format!("sudo {} && sudo {}", line(&update), line(&install));
+    if project.locate("apt-get").is_none() {
+        let variable = program.to_uppercase();
+        bail!(
+            "{program} is missing: {reason}. Put it on the PATH, or its place in {variable}, and start again. \
+             On Debian it would be:\n\n    {lines}\n"
+        );
+    }
+    if output(Command::new("id").arg("-u")).as_deref() != Some("0") {
+        bail!(
+            "{program} is missing: {reason}. Only root may install it. Run this, and start again:\n\n    {lines}\n"
+        );
+    }
+    announce(format_args!("Installing Debian's {package}: {reason}"));
+    run(&mut update)?;
+    run(install.env("DEBIAN_FRONTEND", "noninteractive"))
+}
