@@ -44,7 +44,7 @@ fn run() -> Result<()> {
             })?;
             serve::run(&project, port)
         }
-        ["build"] => build::dist(&project),
+        ["build"] => build::dist(&project).map(|_| ()),
         ["test", stages @ ..] => test::run_stages(&project, stages),
         ["setup"] => {
             setup::for_build(&project)?;

@@ -6,15 +6,18 @@ use anyhow::{Context, Result, bail};
 
 use crate::project::{Project, announce, line, output, run};
 
-const TRUNK_VERSION: &str = "0.21.14";
+/// The target that the browser runs.
+pub const WASM: &str = "wasm32-unknown-unknown";
 
 /// What building the app needs: rustup and a C linker are enough to start from.
 pub fn for_build(project: &Project) -> Result<()> {
     wasm_target(project)?;
-    announce("Fetching the crates of Cargo.lock that are not here yet");
-    run(project.command("cargo").args(["fetch", "--locked"]))?;
-    wasm_bindgen(project)?;
-    trunk(project)
+    web_tool(
+        project,
+        "web-bindgen",
+        &[],
+        "it makes the JavaScript that loads the app's WebAssembly",
+    )
 }
 
 /// What the tests need beyond that: rustfmt, clippy, Node with two packages, Chromium and its driver.
@@ -42,7 +45,14 @@ pub fn for_tests(project: &Project) -> Result<()> {
             debian_package(project, program, package, reason)?;
         }
     }
-    node_packages(project)
+    node_packages(project)?;
+    let reason = "it runs the WebAssembly tests in the browser";
+    web_tool(
+        project,
+        "wasm-bindgen-test-runner",
+        &["--features", "test-runner"],
+        reason,
+    )
 }
 
 /// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
@@ -64,10 +74,9 @@ fn wasm_target(project: &Project) -> Result<()> {
         return Ok(());
     }
     announce("Installing Rust's target wasm32-unknown-unknown: the app runs as WebAssembly");
-    run(project
-        .command("rustup")
-        .args(["target", "add", "wasm32-unknown-unknown"]))
-    .context("install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml")
+    run(project.command("rustup").args(["target", "add", WASM])).context(
+        "install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml",
+    )
 }
 
 fn rust_components(project: &Project) -> Result<()> {
@@ -82,44 +91,24 @@ fn rust_components(project: &Project) -> Result<()> {
         .args(["component", "add", "rustfmt", "clippy"]))
 }
 
-fn wasm_bindgen(project: &Project) -> Result<()> {
-    announce(
-        "Building wasm-bindgen (crates/web-tools): it makes the app's WebAssembly callable from the page",
-    );
+/// Builds a program of crates/web-tools.
+fn web_tool(project: &Project, program: &str, features: &[&str], reason: &str) -> Result<()> {
+    announce(format_args!(
+        "Building {program} of crates/web-tools, if it has changed: {reason}"
+    ));
+    let package = [
+        "build",
+        "--locked",
+        "--profile",
+        "tools",
+        "--package",
+        "msape-web-tools",
+    ];
     run(project
         .command("cargo")
-        .args(["build", "--locked", "--package", "msape-web-tools"]))
-}
-
-fn trunk(project: &Project) -> Result<()> {
-    if output(project.command("trunk").arg("--version")) == Some(format!("trunk {TRUNK_VERSION}")) {
-        return Ok(());
-    }
-    announce(format_args!(
-        "Installing trunk {TRUNK_VERSION} into {}: it bundles the app; some minutes, once",
-        project.tools.display()
-    ));
-    let scratch = project.target.join("trunk");
-    let mut install = project.command("cargo");
-    install
-        .args([
-            "install",
-            "trunk",
-            "--locked",
-            "--no-default-features",
-            "--version",
-            TRUNK_VERSION,
-        ])
-        .arg("--root")
-        .arg(&project.tools)
-        .arg("--target-dir")
-        .arg(&scratch)
-        // A bundler need not be fast itself.
-        .env("CARGO_PROFILE_RELEASE_LTO", "off")
-        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
-        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
-    run(&mut install)?;
-    fs::remove_dir_all(&scratch).with_context(|| format!("cannot remove {}", scratch.display()))
+        .args(package)
+        .args(["--bin", program])
+        .args(features))
 }
 
 fn node_packages(project: &Project) -> Result<()> {

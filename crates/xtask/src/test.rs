@@ -7,7 +7,9 @@ use anyhow::{Context, Result, bail};
 use crate::{
     build,
     project::{Project, announce, files_below, run},
-    serve, setup,
+    serve,
+    setup::{self, WASM},
+    sizes,
 };
 
 type Stage = (&'static str, fn(&Project) -> Result<()>);
@@ -19,8 +21,6 @@ const STAGES: [Stage; 5] = [
     ("browser", browser),
     ("e2e", end_to_end),
 ];
-
-const WASM: &str = "wasm32-unknown-unknown";
 
 /// Runs the stages named, or all, and stops at the first that fails.
 pub fn run_stages(project: &Project, names: &[&str]) -> Result<()> {
@@ -99,12 +99,15 @@ fn browser(project: &Project) -> Result<()> {
 
 /// The tests in `tests/e2e`, against the app as it would be deployed.
 fn end_to_end(project: &Project) -> Result<()> {
-    build::dist(project)?;
+    sizes::check(build::dist(project)?)?;
     let address = serve::in_background(&project.dist)?;
     let chromium = setup::program_of_tests(project, "chromium").context("chromium is missing")?;
     let tests = files_below(&project.root.join("tests/e2e"))?
         .into_iter()
-        .filter(|file| file.to_string_lossy().ends_with(".test.mjs"));
+        .filter(|file| {
+            file.extension().is_some_and(|extension| extension == "mjs")
+                && !file.ends_with("harness.mjs")
+        });
     run(project
         .command("node")
         .arg("--test")
