@@ -20,32 +20,27 @@ pub fn for_build(project: &Project) -> Result<()> {
     )
 }
 
-/// What the tests need beyond that: rustfmt, clippy, Node with two packages, Chromium and its driver.
-pub fn for_tests(project: &Project) -> Result<()> {
-    rust_components(project)?;
-    for (program, package, reason) in [
-        ("node", "nodejs", "it runs the end-to-end tests"),
-        (
-            "npm",
-            "npm",
-            "it installs the packages of the end-to-end tests",
-        ),
-        (
-            "chromium",
-            "chromium",
-            "the app is tested in a real browser",
-        ),
-        (
-            "chromedriver",
-            "chromium-driver",
-            "it runs the WebAssembly tests in Chromium",
-        ),
-    ] {
-        if program_of_tests(project, program).is_none() {
-            debian_package(project, program, package, reason)?;
-        }
-    }
-    node_packages(project)?;
+/// What checking format and lints needs.
+pub fn for_lints(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    rust_components(project)
+}
+
+/// What the tests that are compiled for WebAssembly need.
+pub fn for_browser(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    debian_package(
+        project,
+        "chromium",
+        "chromium",
+        "the tests run in a real browser",
+    )?;
+    debian_package(
+        project,
+        "chromedriver",
+        "chromium-driver",
+        "it starts tests in Chromium",
+    )?;
     let reason = "it runs the WebAssembly tests in the browser";
     web_tool(
         project,
@@ -53,6 +48,25 @@ pub fn for_tests(project: &Project) -> Result<()> {
         &["--features", "test-runner"],
         reason,
     )
+}
+
+/// What the end-to-end tests need.
+pub fn for_end_to_end(project: &Project) -> Result<()> {
+    for_build(project)?;
+    debian_package(
+        project,
+        "chromium",
+        "chromium",
+        "the tests run in a real browser",
+    )?;
+    debian_package(project, "node", "nodejs", "it runs the end-to-end tests")?;
+    debian_package(
+        project,
+        "npm",
+        "npm",
+        "it installs the packages of the end-to-end tests",
+    )?;
+    node_packages(project)
 }
 
 /// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
@@ -128,7 +142,11 @@ fn node_packages(project: &Project) -> Result<()> {
         .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
 }
 
+/// Installs the Debian package of a program that is missing.
 fn debian_package(project: &Project, program: &str, package: &str, reason: &str) -> Result<()> {
+    if program_of_tests(project, program).is_some() {
+        return Ok(());
+    }
     let mut update = project.command("apt-get");
     update.arg("update");
     let mut install = project.command("apt-get");
