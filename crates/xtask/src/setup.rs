@@ -29,18 +29,7 @@ pub fn for_lints(project: &Project) -> Result<()> {
 /// What the tests that are compiled for WebAssembly need.
 pub fn for_browser(project: &Project) -> Result<()> {
     wasm_target(project)?;
-    debian_package(
-        project,
-        "chromium",
-        "chromium",
-        "the tests run in a real browser",
-    )?;
-    debian_package(
-        project,
-        "chromedriver",
-        "chromium-driver",
-        "it starts tests in Chromium",
-    )?;
+    debian_packages(project, &[CHROMIUM, CHROMEDRIVER])?;
     let reason = "it runs the WebAssembly tests in the browser";
     web_tool(
         project,
@@ -53,21 +42,37 @@ pub fn for_browser(project: &Project) -> Result<()> {
 /// What the end-to-end tests need.
 pub fn for_end_to_end(project: &Project) -> Result<()> {
     for_build(project)?;
-    debian_package(
-        project,
-        "chromium",
-        "chromium",
-        "the tests run in a real browser",
-    )?;
-    debian_package(project, "node", "nodejs", "it runs the end-to-end tests")?;
-    debian_package(
-        project,
-        "npm",
-        "npm",
-        "it installs the packages of the end-to-end tests",
-    )?;
+    debian_packages(project, &[CHROMIUM, NODE, NPM])?;
     node_packages(project)
 }
+
+/// A program that Debian has, and why it is needed.
+struct Needed {
+    program: &'static str,
+    package: &'static str,
+    reason: &'static str,
+}
+
+const CHROMIUM: Needed = Needed {
+    program: "chromium",
+    package: "chromium",
+    reason: "tests run in a real browser",
+};
+const CHROMEDRIVER: Needed = Needed {
+    program: "chromedriver",
+    package: "chromium-driver",
+    reason: "it starts tests in Chromium",
+};
+const NODE: Needed = Needed {
+    program: "node",
+    package: "nodejs",
+    reason: "it runs the end-to-end tests",
+};
+const NPM: Needed = Needed {
+    program: "npm",
+    package: "npm",
+    reason: "it installs the packages of the end-to-end tests",
+};
 
 /// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
 pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
@@ -142,29 +147,49 @@ fn node_packages(project: &Project) -> Result<()> {
         .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
 }
 
-/// Installs the Debian package of a program that is missing.
-fn debian_package(project: &Project, program: &str, package: &str, reason: &str) -> Result<()> {
-    if program_of_tests(project, program).is_some() {
+/// Installs the programs that are missing, all at once.
+fn debian_packages(project: &Project, needed: &[Needed]) -> Result<()> {
+    let missing = || {
+        needed
+            .iter()
+            .filter(|needed| program_of_tests(project, needed.program).is_none())
+    };
+    if missing().next().is_none() {
         return Ok(());
     }
+    let reasons: Vec<_> = missing()
+        .map(
+            |Needed {
+                 program, reason, ..
+             }| format!("{program} ({reason})"),
+        )
+        .collect();
+    let reasons = reasons.join(", ");
     let mut update = project.command("apt-get");
     update.arg("update");
     let mut install = project.command("apt-get");
-    install.args(["install", "--yes", "--no-install-recommends", package]);
-    let lines = format!("sudo {} && sudo {}", line(&update), line(&install));
+    install
+        .args(["install", "--yes", "--no-install-recommends"])
+        .args(missing().map(|needed| needed.package));
+    let by_hand = format!("sudo {} && sudo {}", line(&update), line(&install));
     if project.locate("apt-get").is_none() {
-        let variable = program.to_uppercase();
         bail!(
-            "{program} is missing: {reason}. Put it on the PATH, or its place in {variable}, and start again. \
-             On Debian it would be:\n\n    {lines}\n"
+            "missing: {reasons}. Put them on the PATH, or their places in CHROMIUM, CHROMEDRIVER, and start again. \
+             On Debian it would be:\n\n    {by_hand}\n"
         );
     }
     if output(Command::new("id").arg("-u")).as_deref() != Some("0") {
         bail!(
-            "{program} is missing: {reason}. Only root may install it. Run this, and start again:\n\n    {lines}\n"
+            "missing: {reasons}. Only root may install them. Run this, and start again:\n\n    {by_hand}\n"
         );
     }
-    announce(format_args!("Installing Debian's {package}: {reason}"));
+    announce(format_args!("Installing with apt-get: {reasons}"));
     run(&mut update)?;
-    run(install.env("DEBIAN_FRONTEND", "noninteractive"))
+    run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+    match missing().next() {
+        Some(Needed {
+            program, package, ..
+        }) => bail!("Debian's package {package} is installed, but {program} is not on the PATH"),
+        None => Ok(()),
+    }
 }
