@@ -1,4 +1,5 @@
 //! Embeds the folder `data` as a sorted list of (path, text).
+#![expect(clippy::disallowed_methods, clippy::disallowed_macros, reason = "runs on the builder's machine, not in the core")]
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
