@@ -1,2 +1,56 @@
-//! Set-up, serve, test, build.
-fn main() {}
+//! The commands of the project that are more than one line: `cargo xtask help`.
+
+mod build;
+mod project;
+mod serve;
+mod setup;
+mod sizes;
+mod test;
+
+use std::{num::NonZeroU16, process::ExitCode};
+
+use anyhow::{Context, Result, bail};
+
+use project::Project;
+
+const HELP: &str = "\
+Usage: cargo xtask COMMAND
+
+  serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
+  build              sets up what is missing, builds the deployable folder dist/, prints the sizes
+  test [STAGE...]    sets up what is missing, runs all checks or the stages named: fmt clippy native browser e2e
+  setup              sets up everything that the above need, and nothing else
+";
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("\nerror: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let project = Project::find()?;
+    match arguments.as_slice() {
+        ["serve"] => serve::run(&project, serve::DEFAULT_PORT),
+        ["serve", "--port", port] => {
+            let port: NonZeroU16 = port.parse().with_context(|| {
+                format!("--port: got {port:?}, must be a number from 1 to 65535")
+            })?;
+            serve::run(&project, port.get())
+        }
+        ["build"] => build::dist(&project).map(|_| ()),
+        ["test", stages @ ..] => test::run_stages(&project, stages),
+        ["setup"] => test::set_up(&project, &[]),
+        [] | ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            Ok(())
+        }
+        other => bail!("no such command: {}\n\n{HELP}", other.join(" ")),
+    }
+}

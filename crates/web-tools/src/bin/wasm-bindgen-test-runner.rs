@@ -1,0 +1,4 @@
+//! The command `wasm-bindgen-test-runner`: runs a test compiled for WebAssembly in a browser.
+fn main() -> anyhow::Result<()> {
+    wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(std::env::args_os())
+}

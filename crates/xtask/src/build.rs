@@ -1,0 +1,157 @@
+//! The deployable folder `dist/`: static files that work in any folder of any host.
+//!
+//! The page `index.html` refers to its code as `./name`. Code is what is in `web/page` and, for each binary of `web`, the
+//! pair `name.js` and `name_bg.wasm` that wasm-bindgen makes. In `dist/` all code is in one folder named by its content, so
+//! that a browser may keep it for ever and an app never meets the worker of another release.
+
+use std::{
+    env, fs,
+    hash::{DefaultHasher, Hasher},
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, Result, bail};
+
+use crate::{
+    project::{Project, announce, files_below, run},
+    setup, sizes,
+};
+
+/// Binaries of the package `msape-web`.
+const BINARIES: [&str; 2] = ["app", "worker"];
+
+/// Builds `dist/` and prints the sizes of what is in it; returns its size, compressed, bytes.
+pub fn dist(project: &Project) -> Result<usize> {
+    setup::for_build(project)?;
+    compile(project)?;
+    announce("Putting dist/ together");
+    let code = project.dist.join("code");
+    if project.dist.exists() {
+        fs::remove_dir_all(&project.dist).context("cannot replace dist/")?;
+    }
+    fs::create_dir_all(&code)?;
+    bind(project, &code)?;
+    shrink(project, &code)?;
+    copy(&project.root.join("web/page"), &code)?;
+    let named = format!("code-{:016x}", digest(&code)?);
+    let page = fs::read_to_string(project.root.join("index.html"))?;
+    fs::write(
+        project.dist.join("index.html"),
+        with_code_in(&named, &page, &code)?,
+    )?;
+    fs::rename(&code, project.dist.join(&named))?;
+    sizes::print(&project.dist)
+}
+
+/// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.
+fn compile(project: &Project) -> Result<()> {
+    announce("Building the app for the browser");
+    let crates = env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| Some(env::home_dir()?.join(".cargo")))
+        .context("no home folder")?;
+    let flags = [(&crates, "cargo"), (&project.root, "msape")]
+        .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()));
+    let arguments = [
+        "build",
+        "--locked",
+        "--profile",
+        "web",
+        "--package",
+        "msape-web",
+        "--target",
+        setup::WASM,
+    ];
+    // The flags are separated by the character for that, so that a path may hold a space.
+    run(project
+        .command("cargo")
+        .args(arguments)
+        .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}")))
+}
+
+/// Makes the pairs of JavaScript and WebAssembly.
+fn bind(project: &Project, code: &Path) -> Result<()> {
+    let modules = project.target.join(setup::WASM).join("web");
+    let modules = BINARIES.map(|binary| modules.join(binary).with_extension("wasm"));
+    run(project
+        .command(project.tools.join("web-bindgen"))
+        .arg(code)
+        .args(modules))
+}
+
+/// Makes the WebAssembly smaller, if wasm-opt happens to be installed.
+fn shrink(project: &Project, code: &Path) -> Result<()> {
+    let Some(wasm_opt) = project.locate("wasm-opt") else {
+        return Ok(());
+    };
+    announce("Making the WebAssembly smaller with wasm-opt");
+    for binary in BINARIES {
+        let module = code.join(format!("{binary}_bg.wasm"));
+        run(project
+            .command(&wasm_opt)
+            .arg("-Oz")
+            .arg(&module)
+            .arg("-o")
+            .arg(&module))?;
+    }
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    for file in files_below(from)? {
+        let copied = to.join(file.strip_prefix(from)?);
+        fs::create_dir_all(copied.parent().context("a file in no folder")?)?;
+        fs::copy(&file, copied)?;
+    }
+    Ok(())
+}
+
+/// A number that another name or content of any file would change.
+fn digest(folder: &Path) -> Result<u64> {
+    let mut hasher = DefaultHasher::new();
+    for file in files_below(folder)? {
+        hasher.write(slashed(file.strip_prefix(folder)?).as_bytes());
+        hasher.write(&fs::read(file)?);
+    }
+    Ok(hasher.finish())
+}
+
+/// The page with every `"./name"` leading into the folder `named`; a name that is not in `code` is an error.
+fn with_code_in(named: &str, page: &str, code: &Path) -> Result<String> {
+    for name in page
+        .split("\"./")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+    {
+        if !code.join(name).is_file() {
+            bail!(
+                "index.html refers to ./{name}, which is neither in web/page nor made by the build"
+            );
+        }
+    }
+    Ok(page.replace("\"./", &format!("\"./{named}/")))
+}
+
+fn slashed(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_leads_into_the_folder_and_an_unknown_name_is_an_error() {
+        let code = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let moved = with_code_in(
+            "code-1",
+            r#"<a href="./Cargo.toml"> <b c="./src/main.rs">"#,
+            code,
+        );
+        assert_eq!(
+            moved.unwrap(),
+            r#"<a href="./code-1/Cargo.toml"> <b c="./code-1/src/main.rs">"#
+        );
+        assert!(with_code_in("code-1", r#"<a href="./none.js">"#, code).is_err());
+    }
+}

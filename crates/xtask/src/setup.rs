@@ -1,0 +1,195 @@
+//! Installs what is missing, says what and why; where it may not, prints the command to run instead.
+
+use std::{fs, path::PathBuf, process::Command};
+
+use anyhow::{Context, Result, bail};
+
+use crate::project::{Project, announce, line, output, run};
+
+/// The target that the browser runs.
+pub const WASM: &str = "wasm32-unknown-unknown";
+
+/// What building the app needs: rustup and a C linker are enough to start from.
+pub fn for_build(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    web_tool(
+        project,
+        "web-bindgen",
+        &[],
+        "it makes the JavaScript that loads the app's WebAssembly",
+    )
+}
+
+/// What checking format and lints needs.
+pub fn for_lints(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    rust_components(project)
+}
+
+/// What the tests that are compiled for WebAssembly need.
+pub fn for_browser(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    debian_packages(project, &[CHROMIUM, CHROMEDRIVER])?;
+    let reason = "it runs the WebAssembly tests in the browser";
+    web_tool(
+        project,
+        "wasm-bindgen-test-runner",
+        &["--features", "test-runner"],
+        reason,
+    )
+}
+
+/// What the end-to-end tests need.
+pub fn for_end_to_end(project: &Project) -> Result<()> {
+    for_build(project)?;
+    debian_packages(project, &[CHROMIUM, NODE, NPM])?;
+    node_packages(project)
+}
+
+/// A program that Debian has, and why it is needed.
+struct Needed {
+    program: &'static str,
+    package: &'static str,
+    reason: &'static str,
+}
+
+const CHROMIUM: Needed = Needed {
+    program: "chromium",
+    package: "chromium",
+    reason: "tests run in a real browser",
+};
+const CHROMEDRIVER: Needed = Needed {
+    program: "chromedriver",
+    package: "chromium-driver",
+    reason: "it starts tests in Chromium",
+};
+const NODE: Needed = Needed {
+    program: "node",
+    package: "nodejs",
+    reason: "it runs the end-to-end tests",
+};
+const NPM: Needed = Needed {
+    program: "npm",
+    package: "npm",
+    reason: "it installs the packages of the end-to-end tests",
+};
+
+/// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
+pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
+    std::env::var_os(program.to_uppercase())
+        .map(PathBuf::from)
+        .or_else(|| project.locate(program))
+}
+
+fn wasm_target(project: &Project) -> Result<()> {
+    let target = ["--target", "wasm32-unknown-unknown"];
+    let libraries = output(
+        project
+            .command("rustc")
+            .args(["--print", "target-libdir"])
+            .args(target),
+    );
+    if libraries.is_some_and(|folder| PathBuf::from(folder).is_dir()) {
+        return Ok(());
+    }
+    announce("Installing Rust's target wasm32-unknown-unknown: the app runs as WebAssembly");
+    run(project.command("rustup").args(["target", "add", WASM])).context(
+        "install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml",
+    )
+}
+
+fn rust_components(project: &Project) -> Result<()> {
+    let present =
+        |subcommand| output(project.command("cargo").args([subcommand, "--version"])).is_some();
+    if present("fmt") && present("clippy") {
+        return Ok(());
+    }
+    announce("Installing Rust's components rustfmt and clippy: the tests check format and lints");
+    run(project
+        .command("rustup")
+        .args(["component", "add", "rustfmt", "clippy"]))
+}
+
+/// Builds a program of crates/web-tools.
+fn web_tool(project: &Project, program: &str, features: &[&str], reason: &str) -> Result<()> {
+    announce(format_args!(
+        "Building {program} of crates/web-tools, if it has changed: {reason}"
+    ));
+    let package = [
+        "build",
+        "--locked",
+        "--profile",
+        "tools",
+        "--package",
+        "msape-web-tools",
+    ];
+    run(project
+        .command("cargo")
+        .args(package)
+        .args(["--bin", program])
+        .args(features))
+}
+
+fn node_packages(project: &Project) -> Result<()> {
+    let modified = |file: &str| {
+        fs::metadata(project.root.join(file))
+            .and_then(|data| data.modified())
+            .ok()
+    };
+    if modified("node_modules/.package-lock.json") >= modified("package-lock.json") {
+        return Ok(());
+    }
+    announce(
+        "Installing the packages of package-lock.json into node_modules: they drive and check the browser",
+    );
+    run(project
+        .command("npm")
+        .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
+}
+
+/// Installs the programs that are missing, all at once.
+fn debian_packages(project: &Project, needed: &[Needed]) -> Result<()> {
+    let missing = || {
+        needed
+            .iter()
+            .filter(|needed| program_of_tests(project, needed.program).is_none())
+    };
+    if missing().next().is_none() {
+        return Ok(());
+    }
+    let reasons: Vec<_> = missing()
+        .map(
+            |Needed {
+                 program, reason, ..
+             }| format!("{program} ({reason})"),
+        )
+        .collect();
+    let reasons = reasons.join(", ");
+    let mut update = project.command("apt-get");
+    update.arg("update");
+    let mut install = project.command("apt-get");
+    install
+        .args(["install", "--yes", "--no-install-recommends"])
+        .args(missing().map(|needed| needed.package));
+    let by_hand = format!("sudo {} && sudo {}", line(&update), line(&install));
+    if project.locate("apt-get").is_none() {
+        bail!(
+            "missing: {reasons}. Put them on the PATH, or their places in CHROMIUM, CHROMEDRIVER, and start again. \
+             On Debian it would be:\n\n    {by_hand}\n"
+        );
+    }
+    if output(Command::new("id").arg("-u")).as_deref() != Some("0") {
+        bail!(
+            "missing: {reasons}. Only root may install them. Run this, and start again:\n\n    {by_hand}\n"
+        );
+    }
+    announce(format_args!("Installing with apt-get: {reasons}"));
+    run(&mut update)?;
+    run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+    match missing().next() {
+        Some(Needed {
+            program, package, ..
+        }) => bail!("Debian's package {package} is installed, but {program} is not on the PATH"),
+        None => Ok(()),
+    }
+}

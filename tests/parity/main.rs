@@ -1,0 +1,6 @@
+//! The same bits natively and in the browser: the same tests, against the same recorded bits, run in both.
+
+mod elementary;
+
+#[cfg(target_arch = "wasm32")]
+wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
