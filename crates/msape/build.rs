@@ -1,5 +1,9 @@
 //! Embeds the folder `data` as a sorted list of (path, text).
-#![expect(clippy::disallowed_methods, clippy::disallowed_macros, reason = "runs on the builder's machine, not in the core")]
+#![expect(
+    clippy::disallowed_methods,
+    clippy::disallowed_macros,
+    reason = "runs on the builder's machine, not in the core"
+)]
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
