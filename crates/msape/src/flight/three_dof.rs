@@ -90,6 +90,8 @@ enum Gate {
     Exit,
     /// Slows down to where radiative heating ends at once.
     Onset,
+    /// Slows down to a kink of radiative heating.
+    Kink,
 }
 
 /// Height and rate of climb at the ends of a step.
@@ -113,8 +115,8 @@ struct Integration<'a> {
     exit_m: Option<f64>,
     /// Whether the flight has turned from falling to rising.
     turned_up: bool,
-    /// Speed below which radiative heating is nothing, m/s.
-    onset_m_s: Option<f64>,
+    /// Speeds at which radiative heating has a kink, m/s, ascending; below the first it is nothing.
+    kinks_m_s: Vec<f64>,
     /// Where the integration stands.
     here: Place,
 }
@@ -145,7 +147,7 @@ impl<'a> Integration<'a> {
         let equations = Equations::new(mission, body, layer);
         Integration {
             here: place(&equations, &start),
-            onset_m_s: mission.heating.radiative.onset_m_s(),
+            kinks_m_s: mission.heating.radiative.kinks_m_s(),
             equations,
             integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start)
                 .with_maximum_steps(MOST_STEPS),
@@ -202,6 +204,7 @@ impl<'a> Integration<'a> {
                 Gate::Floor => self.equations.layer = equations.layer.saturating_sub(1),
                 Gate::Ceiling => self.equations.layer = equations.layer + 1,
                 Gate::Onset => self.equations.radiation = Radiation::Over,
+                Gate::Kink => continue,
             }
             if t <= step.t0 {
                 // The step began on the boundary: it is taken anew from there, in the other piece.
@@ -245,25 +248,30 @@ impl<'a> Integration<'a> {
                 self.gate_in(step, [t_turn, step.t1], ends_m, [floor_m, ceiling_m])
             })
         };
-        let onset = self.onset(step);
-        match (found, onset) {
-            (Some(gate), Some(onset)) if onset.0 < gate.0 => Some(onset),
+        match (found, self.kink(step)) {
+            (Some(gate), Some(kink)) if kink.0 < gate.0 => Some(kink),
             (Some(gate), _) => Some(gate),
-            (None, onset) => onset,
+            (None, kink) => kink,
         }
     }
 
-    /// Where a step slows down to where radiative heating ends; with it over, takes it up again when the speed rises.
-    fn onset(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
-        let level_m_s = self.onset_m_s? + ONSET_MARGIN_M_S;
+    /// Where a step slows down to a kink of the radiative relation; with radiation over, takes it up again when the speed
+    /// rises.
+    fn kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
+        let onset_m_s = *self.kinks_m_s.first()? + ONSET_MARGIN_M_S;
         let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
         if self.equations.radiation == Radiation::Over {
-            if after > level_m_s + ONSET_MARGIN_M_S {
+            if after > onset_m_s + ONSET_MARGIN_M_S {
                 self.equations.radiation = Radiation::Computed;
                 self.integrator.renew();
             }
             return None;
         }
+        let below = self.kinks_m_s.partition_point(|kink| *kink < before - ONSET_MARGIN_M_S);
+        let (level_m_s, gate) = match below.checked_sub(1) {
+            None | Some(0) => (onset_m_s, Gate::Onset),
+            Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
+        };
         if after >= level_m_s {
             return None;
         }
@@ -273,7 +281,7 @@ impl<'a> Integration<'a> {
         } else {
             self.when(step, [step.t0, step.t1], gap, 0.1 * ONSET_MARGIN_M_S)
         };
-        Some((t, Gate::Onset))
+        Some((t, gate))
     }
 
     /// The gate of a part of a step in which the altitude only rises or only falls.
