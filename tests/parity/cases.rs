@@ -1,8 +1,8 @@
 //! The shipped cases: every quantity, time histories included.
 
 use msape::Library;
-use msape_tests::snapshot::{self, RECORDED};
 use msape_tests::shipped;
+use msape_tests::snapshot::{self, RECORDED};
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

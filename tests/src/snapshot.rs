@@ -108,7 +108,10 @@ fn compare(path: &str, recorded: &Value, now: &Value, lines: &mut Vec<String>) {
         }
         // As text, so that zero and negative zero differ.
         _ if recorded.to_string() == now.to_string() => {}
-        _ => lines.push(format!("{path}: {recorded}, now {now}{}", part(recorded, now))),
+        _ => lines.push(format!(
+            "{path}: {recorded}, now {now}{}",
+            part(recorded, now)
+        )),
     }
 }
 
@@ -154,6 +157,9 @@ mod tests {
     #[test]
     fn the_digest_is_that_of_the_published_example() {
         // FNV-1a, 64 bit, of "a" is af63dc4c8601ec8c.
-        assert_eq!(hexadecimal(digest(b"a".iter().copied())), "af63dc4c8601ec8c");
+        assert_eq!(
+            hexadecimal(digest(b"a".iter().copied())),
+            "af63dc4c8601ec8c"
+        );
     }
 }
