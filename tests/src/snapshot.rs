@@ -106,8 +106,7 @@ fn compare(path: &str, recorded: &Value, now: &Value, lines: &mut Vec<String>) {
                 compare(&join(path, &i.to_string()), was, is, lines);
             }
         }
-        // As text, so that zero and negative zero differ.
-        _ if recorded.to_string() == now.to_string() => {}
+        _ if same(recorded, now) => {}
         _ => lines.push(format!(
             "{path}: {recorded}, now {now}{}",
             part(recorded, now)
@@ -121,6 +120,12 @@ fn join(path: &str, key: &str) -> String {
     } else {
         format!("{path}.{key}")
     }
+}
+
+/// Whether two values are the same to the bit: zero and negative zero are not.
+fn same(recorded: &Value, now: &Value) -> bool {
+    let bits = |value: &Value| value.as_f64().map(f64::to_bits);
+    recorded == now && bits(recorded) == bits(now)
 }
 
 /// The change as a part of what was recorded.
