@@ -28,7 +28,8 @@ pub use library::Library;
 /// # Errors
 /// Every fault of the case at once.
 pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::fly(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::FlightProblem::check(case, library)?.solve(&case.name, request))
 }
 
 /// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.
@@ -36,5 +37,6 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
 /// # Errors
 /// Every fault of the case at once.
 pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::design(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::DesignProblem::check(case, library)?.solve(&case.name, request))
 }
