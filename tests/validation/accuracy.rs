@@ -30,13 +30,17 @@ fn sampled(count: u32) -> impl Iterator<Item = Entry> {
 enum Radiation {
     None,
     TauberSutton,
+    BrandisJohnston,
 }
 
 fn case_of(entry: &Entry, drag: Drag, radiation: Radiation) -> Case {
     let mut case = entry.case();
-    if radiation == Radiation::None {
-        case.set("heating.radiative", "none");
-    }
+    let radiative = match radiation {
+        Radiation::None => "none",
+        Radiation::TauberSutton => "tauber-sutton",
+        Radiation::BrandisJohnston => "brandis-johnston",
+    };
+    case.set("heating.radiative", radiative);
     if drag == Drag::Table {
         case.set("vehicle.drag_coefficient", "");
         case.set("vehicle.aerodynamics", "mmeev-60");
@@ -124,17 +128,19 @@ fn three_methods_agree_where_the_models_are_smooth() {
     }
 }
 
-/// What the default promises, where the models are smooth.
+/// What the default promises.
 #[test]
-fn default_accuracy_is_1e_5_where_the_models_are_smooth() {
+fn default_accuracy_is_1e_5() {
     default_accuracy(60, Drag::Constant, Radiation::None);
+    default_accuracy(60, Drag::Constant, Radiation::TauberSutton);
+    default_accuracy(60, Drag::Constant, Radiation::BrandisJohnston);
 }
 
-/// The same with radiation and the table of drag, both linear between rows: kinks within steps.
+/// The same with drag that is linear between rows: kinks within steps.
 #[test]
-#[ignore = "radiative heat load is off by up to 8e-4, peak deceleration with a drag table by up to 6e-5"]
-fn default_accuracy_is_1e_5_with_radiation_and_a_table_of_drag() {
-    default_accuracy(60, Drag::Constant, Radiation::TauberSutton);
+#[ignore = "steps do not end at the rows of a drag table: peak deceleration is off by up to 6e-5"]
+fn default_accuracy_is_1e_5_with_a_table_of_drag() {
+    default_accuracy(60, Drag::Table, Radiation::None);
     default_accuracy(60, Drag::Table, Radiation::TauberSutton);
 }
 
@@ -176,5 +182,5 @@ fn default_accuracy(count: u32, drag: Drag, radiation: Radiation) {
             &["peak_deceleration_earth_g", "total_heat_load_j_m2"],
         );
     }
-    worst.assert_below(1e-5, "default accuracy");
+    worst.assert_below(1e-5, &format!("drag {drag:?}, radiation {radiation:?}"));
 }
