@@ -57,7 +57,7 @@ pub struct Pass {
     pub number: u32,
     /// Model of flight used: `allen-eggers` or `three-dof`.
     pub flight_model: String,
-    /// Values that cross between the modules, by key of [`crate::design::coupling::CROSSINGS`].
+    /// Values that cross between the modules, by key of [`crate::design::crossings::CROSSINGS`].
     pub crossings: Vec<f64>,
     /// Entry mass, kg.
     pub mass_kg: f64,
