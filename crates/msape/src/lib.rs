@@ -92,7 +92,8 @@ pub use library::Library;
 /// assert!((peak.value - 32.07).abs() < 0.15);
 /// ```
 pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::fly(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::FlightProblem::check(case, library)?.solve(&case.name, request))
 }
 
 /// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.
@@ -112,5 +113,6 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
 /// assert!(mass.mass_kg > 3.0);
 /// ```
 pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::design(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::DesignProblem::check(case, library)?.solve(&case.name, request))
 }

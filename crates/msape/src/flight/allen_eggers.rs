@@ -355,11 +355,7 @@ impl<'a> Sum<'a> {
                 .local([state[0], state[1], state[2]])
                 .altitude_m;
             let layer = self.mission.atmosphere.layer(altitude_m);
-            let equations = Equations {
-                mission: self.mission,
-                body: self.body,
-                layer,
-            };
+            let equations = Equations::new(self.mission, self.body, layer);
             sample::record(&mut history, &equations, *t, state, &self.place);
         }
         Some(history)

@@ -13,7 +13,9 @@ use numerics::root;
 pub const MACH_MARKS: [f64; 4] = [5.0, 2.0, 1.4, 0.8];
 
 /// A peak is placed within this part of a step.
-const PEAK_TOLERANCE: f64 = 1e-6;
+const PEAK_TOLERANCE: f64 = 1e-4;
+/// Part of a step after which a value is looked at to see whether it rises.
+const NUDGE: f64 = 0.01;
 
 /// Summarizes a record.
 pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Request) -> Flight {
@@ -82,11 +84,7 @@ struct Reading<'a> {
 
 impl<'a> Reading<'a> {
     fn equations(&self, layer: usize) -> Equations<'a> {
-        Equations {
-            mission: self.mission,
-            body: self.body,
-            layer,
-        }
+        Equations::new(self.mission, self.body, layer)
     }
 
     fn end(&self) -> (f64, [f64; STATES], usize) {
@@ -152,10 +150,18 @@ impl<'a> Reading<'a> {
         along: &dyn Fn(&Equations, &[f64; STATES]) -> f64,
     ) -> Peak {
         let (mut t, mut y, mut layer, mut highest) = (node.t, node.y, node.layer, value);
-        for i in [index.wrapping_sub(1), index] {
-            let Some(Leg { step, layer: here }) = self.record.legs.get(i) else {
-                continue;
-            };
+        let legs = &self.record.legs;
+        // The larger value lies on the side to which it rises from the node.
+        let rises_after = legs.get(index).is_some_and(|leg| {
+            let t = leg.step.t0 + NUDGE * (leg.step.t1 - leg.step.t0);
+            along(&self.equations(leg.layer), &leg.step.at(t)) > value
+        });
+        let side = if rises_after {
+            index
+        } else {
+            index.wrapping_sub(1)
+        };
+        if let Some(Leg { step, layer: here }) = legs.get(side) {
             let equations = self.equations(*here);
             let tolerance = PEAK_TOLERANCE * (step.t1 - step.t0);
             let (t_top, top) = root::maximum(

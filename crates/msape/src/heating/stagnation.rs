@@ -117,6 +117,20 @@ impl StagnationHeating {
         }
     }
 
+    /// Nominal heat fluxes where radiation is known to be nothing.
+    #[inline]
+    pub fn without_radiation<S: Scalar>(&self, flow: &Flow<S>) -> HeatFlux<S> {
+        let cold = ColdWall {
+            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
+            radiative_w_m2: S::constant(0.0),
+            speed_m_s: flow.speed_m_s,
+        };
+        HeatFlux {
+            convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
+            radiative_w_m2: cold.radiative_w_m2,
+        }
+    }
+
     /// Heat fluxes with margins.
     #[inline]
     pub fn margined<S: Scalar>(&self, nominal: &HeatFlux<S>) -> HeatFlux<S> {
