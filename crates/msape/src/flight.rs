@@ -18,6 +18,7 @@ pub use trajectory::{Request, Trajectory};
 pub mod allen_eggers;
 pub mod equations;
 pub mod mission;
+pub mod peaks;
 pub mod sample;
 pub mod summary;
 pub mod three_dof;

@@ -34,6 +34,9 @@ const SPEED_SCALE_M_S: f64 = 10.0;
 /// Heat load below which the error of a step does not shrink any more, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
+/// Part of the tolerance that a heat load is integrated with.
+const HEAT_LOAD_SHARE: f64 = 0.2;
+
 /// A step of a flight, and the piece of the atmosphere in which it was taken.
 #[derive(Clone, Debug)]
 pub struct Leg {
@@ -126,10 +129,12 @@ impl<'a> Integration<'a> {
         let tolerance = mission.solver.tolerance;
         let speed = tolerance * SPEED_SCALE_M_S;
         let position = tolerance * POSITION_SCALE_M;
-        let load = tolerance * HEAT_LOAD_SCALE_J_M2;
+        // A heat load adds up over the steps of the pulse, the state forgets its errors.
+        let of_load = tolerance * HEAT_LOAD_SHARE;
+        let load = of_load * HEAT_LOAD_SCALE_J_M2;
         let tolerance = Tolerance {
             relative: [
-                0.0, 0.0, 0.0, tolerance, tolerance, tolerance, tolerance, tolerance,
+                0.0, 0.0, 0.0, tolerance, tolerance, tolerance, of_load, of_load,
             ],
             absolute: [
                 position, position, position, speed, speed, speed, load, load,
@@ -267,7 +272,9 @@ impl<'a> Integration<'a> {
             }
             return None;
         }
-        let below = self.kinks_m_s.partition_point(|kink| *kink < before - ONSET_MARGIN_M_S);
+        let below = self
+            .kinks_m_s
+            .partition_point(|kink| *kink < before - ONSET_MARGIN_M_S);
         let (level_m_s, gate) = match below.checked_sub(1) {
             None | Some(0) => (onset_m_s, Gate::Onset),
             Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
