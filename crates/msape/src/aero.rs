@@ -1,1 +1,176 @@
-//! (being written)
+//! Aerodynamic coefficients: drag against Mach number.
+//!
+//! ```text
+//! C_D(M) linear between rows, ends held
+//! ```
+//!
+//! with M the Mach number relative to the air and C_D referred to the area of the largest diameter; both without unit.
+//! At zero angle of attack drag and axial force are the same.
+//!
+//! # Valid
+//! Ballistic flight at zero angle of attack. Free-molecular effects are not in the table.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.3 and equation 7; \[mitcheltree-1997\] Table 4.
+
+use numerics::scalar::Scalar;
+use serde::Deserialize;
+
+/// Mach number below which the case's terminal drag coefficient holds; the validity of equation 7.
+pub const SUBSONIC_MACH_MAX: f64 = 0.5;
+
+/// Drag of a vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drag {
+    /// The same at every Mach number.
+    Constant(f64),
+    /// Against Mach number.
+    Table(DragTable),
+}
+
+/// Drag coefficient against Mach number, ascending.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DragTable {
+    mach: Vec<f64>,
+    coefficient: Vec<f64>,
+}
+
+impl DragTable {
+    /// A table from rows of Mach number and drag coefficient.
+    ///
+    /// # Errors
+    /// Every faulty row, with its number and value.
+    pub fn try_new(rows: &[(f64, f64)]) -> Result<DragTable, Vec<String>> {
+        let mut faults = Vec::new();
+        if rows.is_empty() {
+            faults.push("got no rows, must be one or more".to_string());
+        }
+        for (i, &(mach, coefficient)) in rows.iter().enumerate() {
+            if !(0.0..=1e3).contains(&mach) {
+                faults.push(format!("row {}: Mach number {mach}, must be 0 to 1000", i + 1));
+            }
+            if !(0.0..=100.0).contains(&coefficient) {
+                faults.push(format!("row {}: drag coefficient {coefficient}, must be 0 to 100", i + 1));
+            }
+            if i > 0 && mach <= rows[i - 1].0 {
+                faults.push(format!(
+                    "row {}: Mach number {mach} is not above {} of the row before",
+                    i + 1,
+                    rows[i - 1].0
+                ));
+            }
+        }
+        if faults.is_empty() {
+            let (mach, coefficient) = rows.iter().copied().unzip();
+            Ok(DragTable { mach, coefficient })
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// Drag coefficient at a Mach number.
+    #[inline]
+    pub fn at<S: Scalar>(&self, mach: S) -> S {
+        let [base, slope, start] = mach.lookup(|mach| self.row(mach));
+        base + (mach - start) * slope
+    }
+
+    fn row(&self, mach: f64) -> [f64; 3] {
+        let last = self.mach.len() - 1;
+        let upper = self.mach.partition_point(|&m| m <= mach);
+        if upper == 0 {
+            return [self.coefficient[0], 0.0, 0.0];
+        }
+        if upper > last {
+            return [self.coefficient[last], 0.0, 0.0];
+        }
+        let (m0, m1) = (self.mach[upper - 1], self.mach[upper]);
+        let (c0, c1) = (self.coefficient[upper - 1], self.coefficient[upper]);
+        [c0, (c1 - c0) / (m1 - m0), m0]
+    }
+
+    /// Rows of Mach number and drag coefficient.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.mach.iter().copied().zip(self.coefficient.iter().copied())
+    }
+}
+
+/// A named database of axial force, from `data/aerodynamics`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxialForce {
+    /// What it describes.
+    pub title: String,
+    /// Half-angle of the cone to which it belongs, deg.
+    pub cone_half_angle_deg: f64,
+    /// Axial force coefficient against Mach number.
+    pub table: DragTable,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    mach: f64,
+    axial_force_coefficient: f64,
+    #[serde(rename = "provenance")]
+    _provenance: String,
+}
+
+impl AxialForce {
+    /// Reads a CSV file of `data/aerodynamics`.
+    ///
+    /// # Errors
+    /// What is wrong with the file.
+    pub fn parse(text: &str) -> Result<AxialForce, String> {
+        let header = |name: &str| {
+            text.lines()
+                .filter_map(|line| line.strip_prefix('#'))
+                .find_map(|line| line.trim().strip_prefix(name)?.strip_prefix(':'))
+                .map(|value| value.trim().to_string())
+                .ok_or_else(|| format!("no header line \"# {name}:\""))
+        };
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+        let mut rows = Vec::new();
+        for row in reader.deserialize() {
+            let row: Row = row.map_err(|e| e.to_string())?;
+            rows.push((row.mach, row.axial_force_coefficient));
+        }
+        Ok(AxialForce {
+            title: header("title")?,
+            cone_half_angle_deg: header("cone_half_angle_deg")?.parse().map_err(|e| format!("{e}"))?,
+            table: DragTable::try_new(&rows).map_err(|faults| faults.join("; "))?,
+        })
+    }
+
+    /// The database with another coefficient below Mach 0.5.
+    pub fn with_subsonic(&self, coefficient: f64) -> DragTable {
+        let replaced = |(mach, c)| (mach, if mach <= SUBSONIC_MACH_MAX { coefficient } else { c });
+        let (mach, coefficient) = self.table.rows().map(replaced).unzip();
+        DragTable { mach, coefficient }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn linear_between_rows_and_held_outside() {
+        let table = DragTable::try_new(&[(0.5, 1.0), (1.5, 2.0)]).unwrap();
+        assert_eq!([table.at(0.0), table.at(1.0), table.at(1.5), table.at(9.0)], [1.0, 1.5, 2.0, 2.0]);
+    }
+
+    #[test]
+    fn every_fault_is_reported() {
+        let faults = DragTable::try_new(&[(1.0, 1.0), (0.5, -1.0), (2.0, f64::NAN)]).unwrap_err();
+        assert_eq!(faults.len(), 3, "{faults:?}");
+    }
+
+    #[test]
+    fn the_built_in_database_reads() {
+        let database = AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
+        assert_eq!(database.cone_half_angle_deg, 60.0);
+        assert_eq!(database.table.at(24.7), 1.4816);
+        let table = database.with_subsonic(0.73);
+        assert_eq!((table.at(0.3), table.at(0.6)), (0.73, 0.965));
+    }
+}

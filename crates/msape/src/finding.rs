@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+pub mod range;
+
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

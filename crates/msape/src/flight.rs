@@ -5,10 +5,20 @@
 //! - [`entry`]: entry states, inertial and relative.
 //! - [`trajectory`]: the time history.
 
+use crate::answer::Outcome;
+use crate::finding::{Finding, Severity};
+use crate::heating::PeakConditions;
+use crate::planet::horizon::Velocity;
+use mission::{Body, Mission};
 use serde::{Deserialize, Serialize};
 
 pub use trajectory::{Request, Trajectory};
 
+pub mod equations;
+pub mod mission;
+pub mod sample;
+pub mod summary;
+pub mod three_dof;
 pub mod trajectory;
 
 /// A largest value and where it occurs.
@@ -26,26 +36,15 @@ pub struct Peak {
     pub density_kg_m3: f64,
 }
 
-/// Speed, angle and azimuth of one velocity in the local geodetic horizon.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LocalVelocity {
-    /// Speed, m/s.
-    pub speed_m_s: f64,
-    /// Angle against the horizon, negative down, rad.
-    pub flight_path_angle_rad: f64,
-    /// Direction of the horizontal part from north, clockwise, rad.
-    pub azimuth_rad: f64,
-}
-
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
     /// Model that flew it: `three-dof` or `allen-eggers`.
     pub model: String,
     /// Entry state relative to the planet.
-    pub entry_relative: LocalVelocity,
+    pub entry_relative: Velocity<f64>,
     /// Inertial entry state.
-    pub entry_inertial: LocalVelocity,
+    pub entry_inertial: Velocity<f64>,
     /// Aerodynamic force over mass over 9.80665 m/s².
     pub peak_deceleration_earth_g: Peak,
     /// Dynamic pressure, Pa.
@@ -100,4 +99,36 @@ impl Flight {
         self.convective_heat_load_j_m2 * self.convective_margin
             + self.radiative_heat_load_j_m2 * self.radiative_margin
     }
+}
+
+/// Flies a vehicle: the flight, how it ended, and why.
+pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome, Option<String>) {
+    let record = three_dof::integrate(mission, body);
+    let flight = summary::summarize(mission, body, &record, request);
+    (flight, record.outcome, record.reason)
+}
+
+/// What a reader of a flight must know: ranges of the heating models and of the atmosphere.
+pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding> {
+    let peak = flight.peak_total_heat_flux_w_m2;
+    let mut findings = mission.heating.findings(&PeakConditions {
+        density_kg_m3: peak.density_kg_m3,
+        speed_m_s: peak.speed_m_s,
+        nose_radius_m: body.nose_radius_m,
+    });
+    let (lowest_m, highest_m) = mission.atmosphere.valid_m();
+    let start_m = mission.planet.local(mission.start.position_m).altitude_m;
+    if !(lowest_m..=highest_m).contains(&start_m) {
+        findings.push(Finding {
+            severity: Severity::Extrapolated,
+            model: "atmosphere".to_string(),
+            key: "entry.altitude_m".to_string(),
+            value: Some(start_m),
+            valid: (Some(lowest_m), Some(highest_m)),
+            message: format!("The flight starts at {start_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
+            source: "convention of this program".to_string(),
+            field: Some("entry.altitude_m".to_string()),
+        });
+    }
+    findings
 }

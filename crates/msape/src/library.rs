@@ -2,7 +2,22 @@
 //!
 //! A library is always passed, never global.
 
+use crate::aero::AxialForce;
+use crate::heating::afterbody::Afterbody;
+use crate::heating::brandis_johnston::BrandisJohnston;
+use crate::heating::shoulder::Shoulder;
+use crate::heating::sutton_graves::SuttonGraves;
+use crate::heating::tauber_sutton::TauberSutton;
+use crate::heating::wall::WallGas;
+use crate::planet::Planet;
+use crate::planet::atmosphere::Atmosphere;
+use crate::planet::atmosphere::us_1976::UsStandard1976;
 use crate::quantity::input::Choices;
+use crate::soak::SoakCorrelation;
+use crate::tps::concept::Concept;
+use crate::tps::fit_space::FitSpace;
+use crate::tps::material::TpsMaterial;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// The files of the folder `data`: path and text.
@@ -18,37 +33,115 @@ pub struct DataError {
     pub message: String,
 }
 
+/// A thing of the library and the name by which a case calls it.
+pub type Named<T> = Vec<(String, T)>;
+
+/// Heating models and what goes with them.
+#[derive(Clone, Debug)]
+pub struct HeatingModels {
+    /// Sutton-Graves constants by planet.
+    pub sutton_graves: Named<SuttonGraves>,
+    /// Tauber-Sutton relations by planet.
+    pub tauber_sutton: Named<TauberSutton>,
+    /// Brandis-Johnston relations, for the Earth.
+    pub brandis_johnston: BrandisJohnston,
+    /// Gas at a hot wall.
+    pub wall_gas: WallGas,
+    /// Fractions of the aftbody.
+    pub afterbody: Afterbody,
+    /// Shoulder factor.
+    pub shoulder: Shoulder,
+}
+
 /// Everything a case may name.
-#[derive(Clone, Debug, Default)]
-pub struct Library {}
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// Planets by name.
+    pub planets: Named<Planet>,
+    /// Atmospheres by name, with a title.
+    pub atmospheres: Named<(String, Atmosphere)>,
+    /// The U.S. Standard Atmosphere 1976, whose temperature other atmospheres take.
+    pub us_1976: Arc<UsStandard1976>,
+    /// Heating models.
+    pub heating: HeatingModels,
+    /// Heat-shield materials by name.
+    pub materials: Named<TpsMaterial>,
+    /// Forebody concepts by name.
+    pub concepts: Named<Concept>,
+    /// Soak correlations by the name of the heat-shield material.
+    pub soak: Named<SoakCorrelation>,
+    /// Trajectory space of the mass-estimating relations.
+    pub fit_space: FitSpace,
+    /// Aerodynamic databases by name.
+    pub aerodynamics: Named<AxialForce>,
+}
 
 impl Library {
     /// The library that ships with the program.
     ///
     /// # Errors
     /// A data file that cannot be read, which a test excludes.
+    ///
+    /// ```
+    /// let library = msape::Library::builtin().unwrap();
+    /// assert!(library.planets.iter().any(|(name, _)| name == "earth-msape"));
+    /// ```
     pub fn builtin() -> Result<Library, DataError> {
-        Ok(Library {})
+        let us_1976 = Arc::new(parsed("atmospheres/us-1976.toml", UsStandard1976::parse)?);
+        let standard = Atmosphere::UsStandard1976(us_1976.clone());
+        let planets = folder("planets", Planet::parse)?;
+        let earth = parsed("heating/tauber-sutton.toml", TauberSutton::parse)?;
+        Ok(Library {
+            atmospheres: vec![("us-1976".to_string(), ("U.S. Standard Atmosphere 1976".to_string(), standard))],
+            us_1976,
+            heating: HeatingModels {
+                sutton_graves: sutton_graves(&planets)?,
+                tauber_sutton: vec![
+                    ("earth".to_string(), earth.clone()),
+                    ("earth-msape".to_string(), earth),
+                    ("mars".to_string(), parsed("heating/tauber-sutton-mars.toml", TauberSutton::parse)?),
+                ],
+                brandis_johnston: parsed("heating/brandis-johnston.toml", BrandisJohnston::parse)?,
+                wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
+                afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
+                shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
+            },
+            materials: folder("materials", TpsMaterial::parse)?,
+            concepts: folder("concepts", Concept::parse)?,
+            planets,
+            soak: folder("soak", SoakCorrelation::parse)?,
+            fit_space: parsed("tps/mer-fit-space.toml", FitSpace::parse)?,
+            aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+        })
     }
 
     /// Names and titles of what can be chosen.
     pub fn choices(&self, choices: Choices) -> Vec<(String, String)> {
+        fn titles<T>(list: &Named<T>, title: impl Fn(&T) -> &str) -> Vec<(String, String)> {
+            list.iter().map(|(name, thing)| (name.clone(), title(thing).to_string())).collect()
+        }
         match choices {
-            Choices::Fixed(fixed) => fixed
-                .iter()
-                .map(|(name, label)| (name.to_string(), label.to_string()))
-                .collect(),
-            _ => Vec::new(),
+            Choices::Fixed(fixed) => {
+                fixed.iter().map(|(name, label)| (name.to_string(), label.to_string())).collect()
+            }
+            Choices::Planets => titles(&self.planets, |planet| &planet.title),
+            Choices::Atmospheres => titles(&self.atmospheres, |(title, _)| title),
+            Choices::ForebodyConcepts => titles(&self.concepts, |concept| &concept.name),
+            Choices::AftbodyMaterials => titles(&self.materials, |material| &material.name),
+            Choices::Grounds => Vec::new(),
+            Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
         }
     }
 }
 
+/// The thing with this name.
+pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
+    list.iter().find(|(known, _)| known == name).map(|(_, thing)| thing)
+}
+
 /// Text of a data file by its path below `data`, such as `planets/earth.toml`.
 pub fn data_file(path: &str) -> Option<&'static str> {
-    FILES
-        .iter()
-        .find(|(name, _)| *name == path)
-        .map(|(_, text)| *text)
+    FILES.iter().find(|(name, _)| *name == path).map(|(_, text)| *text)
 }
 
 /// Paths and texts of the data files in one folder, such as `planets`.
@@ -58,4 +151,37 @@ pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static
         .iter()
         .filter(move |(name, _)| name.starts_with(&prefix))
         .map(|(name, text)| (*name, *text))
+}
+
+fn text(path: &str) -> Result<&'static str, DataError> {
+    data_file(path).ok_or_else(|| DataError {
+        file: path.to_string(),
+        message: "is not there".to_string(),
+    })
+}
+
+fn parsed<T>(path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<T, DataError> {
+    parse(text(path)?).map_err(|message| DataError {
+        file: path.to_string(),
+        message,
+    })
+}
+
+fn sutton_graves(planets: &Named<Planet>) -> Result<Named<SuttonGraves>, DataError> {
+    let file = "heating/sutton-graves.toml";
+    planets
+        .iter()
+        .map(|(name, _)| Ok((name.clone(), parsed(file, |text| SuttonGraves::parse(text, name))?)))
+        .collect()
+}
+
+/// Every file of a folder, by its name without the ending.
+fn folder<T>(name: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<Named<T>, DataError> {
+    data_folder(name)
+        .map(|(path, _)| {
+            let file = path.rsplit('/').next().unwrap_or(path);
+            let stem = file.split('.').next().unwrap_or(file);
+            Ok((stem.to_string(), parsed(path, &parse)?))
+        })
+        .collect()
 }

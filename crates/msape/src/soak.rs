@@ -1,1 +1,240 @@
-//! (being written)
+//! Peak temperature of the payload container, hours after landing.
+//!
+//! ```text
+//! X = d q̇^e HL^f D^g
+//! T = a X² + b X + c,   X no smaller than −b/(2a)
+//! ```
+//!
+//! with q̇ the peak stagnation heat flux in W/cm², HL the stagnation heat load in J/cm², D the diameter in m, T in °C
+//! (arguments and result converted).
+//!
+//! The form is **deduced**: the equation is missing from the available copy of the report, its coefficients are there
+//! (Tables 12 and 13). Of 60 candidates it alone meets every temperature that the text states.
+//! Below its vertex the parabola would turn up: X is held there.
+//!
+//! # Valid
+//! 100 to 1500 W/cm², 3000 to 38000 J/cm², 0.8 to 1.4 m; start at 17 °C; no ablation, no crushed foam, one heat-shield
+//! thickness (4.02 cm). The report does not say whether its fluxes carry margins: with margins the result is
+//! conservative, and the callers pass margined cold-wall values.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.6.4, Tables 12 and 13.
+
+use crate::finding::range::{Check, Range};
+use crate::finding::{Finding, Severity};
+use crate::heating::PER_CM2;
+use numerics::math;
+use serde::{Deserialize, Serialize};
+
+/// Kelvin at 0 °C.
+const ZERO_CELSIUS_K: f64 = 273.15;
+
+/// The correlation of one heat-shield material, as its file has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SoakCorrelation {
+    /// Key of the reference.
+    pub source: String,
+    /// Place in it.
+    pub place: String,
+    /// How the form was found.
+    pub note: String,
+    /// What is seen and what deduced.
+    pub provenance: String,
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+    e: f64,
+    f: f64,
+    g: f64,
+    valid: Valid,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Valid {
+    heat_flux_w_cm2: Range,
+    heat_load_j_cm2: Range,
+    diameter_m: Range,
+}
+
+/// What the correlation asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SoakInput {
+    /// Peak stagnation heat flux, cold wall, with margins, W/m².
+    pub peak_heat_flux_w_m2: f64,
+    /// Stagnation heat load, cold wall, with margins, J/m².
+    pub heat_load_j_m2: f64,
+    /// Vehicle diameter, m.
+    pub diameter_m: f64,
+}
+
+impl SoakCorrelation {
+    /// Reads a correlation from the text of its file.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let correlation: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+        if correlation.a > 0.0 {
+            Ok(correlation)
+        } else {
+            Err(format!("a: got {}, must be above 0", correlation.a))
+        }
+    }
+
+    /// Peak temperature of the payload container, K.
+    pub fn peak_temperature_k(&self, input: &SoakInput) -> f64 {
+        let Self { a, b, c, .. } = *self;
+        // below the vertex the parabola would turn up
+        let x = self.x(input).max(self.vertex());
+        // T = a X² + b X + c
+        (a * x + b) * x + c + ZERO_CELSIUS_K
+    }
+
+    fn x(&self, input: &SoakInput) -> f64 {
+        let Self { d, e, f, g, .. } = *self;
+        let (q, hl) = (
+            input.peak_heat_flux_w_m2 / PER_CM2,
+            input.heat_load_j_m2 / PER_CM2,
+        );
+        // X = d q̇^e HL^f D^g
+        d * math::pow(q, e) * math::pow(hl, f) * math::pow(input.diameter_m, g)
+    }
+
+    fn vertex(&self) -> f64 {
+        -self.b / (2.0 * self.a)
+    }
+
+    /// What a reader must know: that the form is deduced, and where the correlation is used beyond its data.
+    pub fn findings(&self, input: &SoakInput) -> Vec<Finding> {
+        const MODEL: &str = "soak correlation";
+        const SOURCE: &str = "NASA/TM-2014-218507, section 3.6";
+        const KEY: &str = "peak_payload_temperature_k";
+        let temperature = Some(self.peak_temperature_k(input));
+        let note = |message: &str| Finding {
+            severity: Severity::Note,
+            model: MODEL.into(),
+            key: KEY.into(),
+            value: temperature,
+            valid: (None, None),
+            message: message.into(),
+            source: "NASA/TM-2014-218507, Tables 12 and 13".into(),
+            field: None,
+        };
+        let mut findings = vec![note(
+            "The form of the soak correlation is deduced: the report prints its coefficients, its equation is missing.",
+        )];
+        if self.x(input) < self.vertex() {
+            findings.push(note("Heating is so mild that the correlation would turn up: its least temperature is given."));
+        }
+        let load = Check {
+            severity: Severity::Extrapolated,
+            model: MODEL,
+            key: "total_margined_heat_load_j_m2",
+            quantity: "Heat load",
+            value: input.heat_load_j_m2 / PER_CM2,
+            range: self.valid.heat_load_j_cm2,
+            unit: "J/cm²",
+            si_per_unit: PER_CM2,
+            meaning: "the soak correlation was not fitted there",
+            source: SOURCE,
+            field: Some("entry.flight_path_angle_deg"),
+        };
+        let flux = Check {
+            key: "peak_total_margined_heat_flux_w_m2",
+            quantity: "Peak heat flux",
+            value: input.peak_heat_flux_w_m2 / PER_CM2,
+            range: self.valid.heat_flux_w_cm2,
+            unit: "W/cm²",
+            ..load
+        };
+        let diameter = Check {
+            key: "diameter_m",
+            quantity: "Diameter",
+            value: input.diameter_m,
+            range: self.valid.diameter_m,
+            unit: "m",
+            si_per_unit: 1.0,
+            field: Some("design.diameter_m"),
+            ..load
+        };
+        findings.extend([flux, load, diameter].iter().filter_map(Check::finding));
+        findings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pica() -> SoakCorrelation {
+        SoakCorrelation::parse(include_str!("../data/soak/pica.toml")).unwrap()
+    }
+
+    fn carbon_phenolic() -> SoakCorrelation {
+        SoakCorrelation::parse(include_str!("../data/soak/carbon-phenolic.toml")).unwrap()
+    }
+
+    fn input(q_w_cm2: f64, hl_j_cm2: f64, diameter_m: f64) -> SoakInput {
+        SoakInput {
+            peak_heat_flux_w_m2: q_w_cm2 * 1e4,
+            heat_load_j_m2: hl_j_cm2 * 1e4,
+            diameter_m,
+        }
+    }
+
+    #[test]
+    fn both_trajectories_of_section_3_6_give_the_independently_computed_temperatures() {
+        // three printed decimals
+        let cases = [
+            (pica(), 692.0, 3000.0, 18.835),
+            (pica(), 1000.0, 38000.0, 28.296),
+            (carbon_phenolic(), 692.0, 3000.0, 24.663),
+            (carbon_phenolic(), 1000.0, 38000.0, 53.807),
+        ];
+        for (model, q, hl, celsius) in cases {
+            let ours = model.peak_temperature_k(&input(q, hl, 1.05)) - 273.15;
+            assert!(
+                (ours - celsius).abs() < 5.1e-4,
+                "{q} {hl}: {ours} against {celsius}"
+            );
+        }
+    }
+
+    #[test]
+    fn temperatures_stated_in_the_text_are_met() {
+        // PICA stays below 30 °C; carbon phenolic below 25 °C at 3000 J/cm² and beyond 50 °C at 38000 J/cm²
+        let celsius =
+            |model: SoakCorrelation, q, hl| model.peak_temperature_k(&input(q, hl, 1.05)) - 273.15;
+        assert!(celsius(pica(), 1000.0, 38000.0) < 30.0);
+        assert!(celsius(carbon_phenolic(), 692.0, 3000.0) < 25.0);
+        assert!(celsius(carbon_phenolic(), 1000.0, 38000.0) > 50.0);
+    }
+
+    #[test]
+    fn below_its_vertex_pica_is_held_at_18_49_degrees() {
+        // c − b²/(4a) = 44.0988662 − 9.471745/0.3698164 = 18.4869 °C
+        let mild = input(1500.0, 200.0, 1.4);
+        assert!((pica().peak_temperature_k(&mild) - 273.15 - 18.4869).abs() < 1e-3);
+        assert!(
+            pica()
+                .findings(&mild)
+                .iter()
+                .any(|finding| finding.message.contains("least temperature"))
+        );
+    }
+
+    #[test]
+    fn smaller_vehicles_are_hotter_inside() {
+        let [small, large] =
+            [0.9, 1.2].map(|d| carbon_phenolic().peak_temperature_k(&input(1000.0, 20000.0, d)));
+        assert!(small > large);
+    }
+
+    #[test]
+    fn deduction_is_always_said_and_each_range_when_left() {
+        assert_eq!(pica().findings(&input(1000.0, 20000.0, 1.0)).len(), 1);
+        let findings = pica().findings(&input(1600.0, 40000.0, 1.5));
+        assert_eq!(findings.len(), 4);
+        assert!(findings[0].message.contains("deduced"));
+    }
+}

@@ -45,6 +45,12 @@ pub trait Scalar:
     /// The row of a table that belongs to the value of `self`.
     fn lookup<const K: usize>(self, row: impl Fn(f64) -> [f64; K]) -> [Self; K];
 
+    /// Whether `mask` holds in every lane: a shortcut past work whose outcome is not selected. `false` is always safe.
+    #[inline]
+    fn all(_mask: Self::Mask) -> bool {
+        false
+    }
+
     /// The smaller of two numbers.
     #[inline]
     fn min(self, other: Self) -> Self {
@@ -100,6 +106,10 @@ impl Scalar for f64 {
     #[inline]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
+    }
+    #[inline]
+    fn all(mask: bool) -> bool {
+        mask
     }
     #[inline]
     fn lookup<const K: usize>(self, row: impl Fn(f64) -> [f64; K]) -> [Self; K] {

@@ -193,6 +193,17 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .preset(Preset::Name("dormand-prince-54"))
     .help("Method that integrates the equations of motion.", "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I"),
+    Input::new(
+        "solver.flight_model",
+        "Flight Model",
+        Group::Solver,
+        Kind::Choice(Choices::Fixed(&[
+            ("three-dof", "Three degrees of freedom, integrated"),
+            ("allen-eggers", "Closed form of Allen and Eggers"),
+        ])),
+    )
+    .preset(Preset::Name("three-dof"))
+    .help("High- or low-fidelity model of the flight.", "NASA/TM-2014-218507, section 2.2"),
     Input::number("solver.step_s", "Integration Step", Group::Solver, Dimension::Time, Range::closed(1e-4, 10.0))
         .unit("s")
         .preset(Preset::Number(0.05))

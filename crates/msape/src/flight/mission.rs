@@ -1,0 +1,88 @@
+//! What is flown, through what, from where, until when, how exactly.
+
+use crate::aero::Drag;
+use crate::heating::StagnationHeating;
+use crate::planet::Planet;
+use crate::planet::atmosphere::Atmosphere;
+use crate::planet::horizon::Velocity;
+use crate::planet::wind::Wind;
+use numerics::ode::Method;
+
+/// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
+pub const DEFAULT_TOLERANCE: f64 = 2e-6;
+
+/// A vehicle as flight sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Area to which the drag coefficient belongs, m².
+    pub reference_area_m2: f64,
+    /// Nose radius, m.
+    pub nose_radius_m: f64,
+    /// Drag coefficient.
+    pub drag: Drag,
+}
+
+/// Entry state in planet-fixed axes, and the same in words.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// Position, planet-fixed axes with z along the pole, m.
+    pub position_m: [f64; 3],
+    /// Velocity relative to the rotating planet, same axes, m/s.
+    pub velocity_m_s: [f64; 3],
+    /// Velocity relative to the planet in the local horizon.
+    pub relative: Velocity<f64>,
+    /// Inertial velocity in the local horizon.
+    pub inertial: Velocity<f64>,
+}
+
+/// Where a flight ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// Geodetic altitude that ends a fall, m.
+    pub altitude_m: Option<f64>,
+    /// Time after the start, s.
+    pub time_s: Option<f64>,
+}
+
+/// Which model flies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// Three degrees of freedom, integrated.
+    ThreeDof,
+    /// The closed form of Allen and Eggers.
+    AllenEggers,
+}
+
+/// How the flight is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solver {
+    /// Model.
+    pub model: Model,
+    /// Method of integration.
+    pub method: Method,
+    /// Relative error of a step.
+    pub tolerance: f64,
+}
+
+/// Everything about a flight but the vehicle.
+#[derive(Clone, Debug)]
+pub struct Mission {
+    /// The planet.
+    pub planet: Planet,
+    /// Its air.
+    pub atmosphere: Atmosphere,
+    /// Its wind.
+    pub wind: Wind,
+    /// Entry state.
+    pub start: Start,
+    /// Heating at the stagnation point.
+    pub heating: StagnationHeating,
+    /// Emissivity of the wall for its radiative-equilibrium temperature.
+    pub wall_emissivity: f64,
+    /// End of the flight.
+    pub stop: Stop,
+    /// How it is computed.
+    pub solver: Solver,
+}

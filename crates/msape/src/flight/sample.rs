@@ -1,0 +1,125 @@
+//! What a state means: the numbers of one instant of a flight.
+
+use super::equations::{Equations, STATES};
+use super::mission::Mission;
+use super::trajectory::Trajectory;
+use crate::heating::HeatFlux;
+use crate::heating::pressure::{Stream, stagnation_pressure_pa};
+use crate::heating::wall::{ColdWall, Wall, radiating_temperature_k};
+use crate::planet::geodetic::{Geodetic, great_circle_m};
+use crate::planet::horizon::Horizon;
+use numerics::math::RADIANS_PER_DEGREE;
+
+/// Standard acceleration of gravity, m/s²: the Earth g of loads.
+pub const EARTH_G_M_S2: f64 = 9.80665;
+/// Ratio of specific heats of cold air, for the stagnation pressure.
+pub const GAMMA: f64 = 1.4;
+
+/// What changes fast and is looked for at every step.
+#[derive(Clone, Copy, Debug)]
+pub struct Loads {
+    /// Aerodynamic force over mass, Earth g.
+    pub deceleration_earth_g: f64,
+    /// Dynamic pressure, Pa.
+    pub dynamic_pressure_pa: f64,
+    /// Heat fluxes without margins.
+    pub heat_flux: HeatFlux<f64>,
+}
+
+/// The loads at one state.
+pub fn loads(equations: &Equations, y: &[f64; STATES]) -> Loads {
+    let around = equations.surroundings(y);
+    let rate = equations.drag_rate(&around);
+    Loads {
+        deceleration_earth_g: rate * around.air_speed_m_s / EARTH_G_M_S2,
+        dynamic_pressure_pa: 0.5 * around.density_kg_m3 * around.air_speed_m_s * around.air_speed_m_s,
+        heat_flux: equations.heat_flux(&around),
+    }
+}
+
+/// Pressure at the stagnation point at one state, Pa.
+pub fn stagnation_pressure(equations: &Equations, y: &[f64; STATES]) -> f64 {
+    let around = equations.surroundings(y);
+    let air = equations.mission.atmosphere.air_in(equations.layer, around.altitude_m);
+    let stream = Stream {
+        pressure_pa: air.pressure_pa,
+        dynamic_pressure_pa: 0.5 * around.density_kg_m3 * around.air_speed_m_s * around.air_speed_m_s,
+        mach: around.air_speed_m_s / air.speed_of_sound_m_s,
+    };
+    stagnation_pressure_pa(&stream, GAMMA)
+}
+
+/// Mach number relative to the air at one state.
+pub fn mach(equations: &Equations, y: &[f64; STATES]) -> f64 {
+    let around = equations.surroundings(y);
+    around.air_speed_m_s / equations.mission.atmosphere.speed_of_sound_in(equations.layer, around.altitude_m)
+}
+
+/// Temperature at which the stagnation point radiates away heat fluxes that carry their margins, K.
+pub fn wall_temperature_k(mission: &Mission, margined: &HeatFlux<f64>, air_speed_m_s: f64) -> f64 {
+    match mission.heating.options.wall {
+        Wall::Cold => {
+            radiating_temperature_k(margined.total_w_m2(), mission.wall_emissivity)
+        }
+        _ => mission.heating.gas.radiative_equilibrium_temperature_k(
+            &ColdWall {
+                convective_w_m2: margined.convective_w_m2,
+                radiative_w_m2: margined.radiative_w_m2,
+                speed_m_s: air_speed_m_s,
+            },
+            mission.wall_emissivity,
+        ),
+    }
+}
+
+/// Geodetic position of a state.
+pub fn position(mission: &Mission, y: &[f64; STATES]) -> Geodetic<f64> {
+    mission.planet.geodetic([y[0], y[1], y[2]])
+}
+
+/// Appends the row of one instant to a time history.
+pub fn record(trajectory: &mut Trajectory, equations: &Equations, t: f64, y: &[f64; STATES], start: &Geodetic<f64>) {
+    let mission = equations.mission;
+    let around = equations.surroundings(y);
+    let air = mission.atmosphere.air_in(equations.layer, around.altitude_m);
+    let Loads { deceleration_earth_g, dynamic_pressure_pa, heat_flux } = loads(equations, y);
+    let margined = mission.heating.margined(&heat_flux);
+    let place = position(mission, y);
+    let velocity = [y[3], y[4], y[5]];
+    let horizon = Horizon::new(around.up);
+    let [north_m_s, east_m_s, up_m_s] = horizon.parts(velocity);
+    let relative = horizon.velocity(velocity);
+    let [vx, vy, vz] = mission.planet.inertial_m_s([y[0], y[1], y[2]], velocity);
+    let row = [
+        t,
+        around.altitude_m,
+        place.latitude_rad / RADIANS_PER_DEGREE,
+        place.longitude_rad / RADIANS_PER_DEGREE,
+        relative.speed_m_s,
+        relative.flight_path_angle_rad / RADIANS_PER_DEGREE,
+        relative.azimuth_rad / RADIANS_PER_DEGREE,
+        (vx * vx + vy * vy + vz * vz).sqrt(),
+        east_m_s,
+        north_m_s,
+        -up_m_s,
+        great_circle_m(start, &place),
+        around.air_speed_m_s / air.speed_of_sound_m_s,
+        around.density_kg_m3,
+        air.temperature_k,
+        air.pressure_pa,
+        around.drag_coefficient,
+        dynamic_pressure_pa,
+        stagnation_pressure(equations, y),
+        deceleration_earth_g,
+        heat_flux.convective_w_m2,
+        heat_flux.radiative_w_m2,
+        heat_flux.total_w_m2(),
+        margined.total_w_m2(),
+        y[super::equations::CONVECTIVE],
+        y[super::equations::RADIATIVE],
+        wall_temperature_k(mission, &margined, around.air_speed_m_s),
+    ];
+    for (column, value) in trajectory.values.iter_mut().zip(row) {
+        column.push(value);
+    }
+}

@@ -1,0 +1,95 @@
+//! The radiative models.
+//!
+//! ```text
+//! q̇ʳ = q̇(ρ, V, Rₙ),   0 below the onset speed
+//! ```
+//!
+//! with q̇ʳ in W/m², ρ in kg/m³, V in m/s, Rₙ in m; each model in its own file.
+//!
+//! # Valid
+//! As each model says in its findings. At the onset speed the flux jumps: a few W/cm² at most in flight.
+//!
+//! # References
+//! - \[tauber-sutton-1991\]; \[brandis-johnston-2014\].
+
+use super::brandis_johnston::{BrandisJohnston, BrandisJohnstonRadiative};
+use super::tauber_sutton::TauberSutton;
+use super::{Flow, PeakConditions};
+use crate::finding::Finding;
+use numerics::scalar::Scalar;
+
+/// A model of radiative heating.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Radiative {
+    /// No radiation.
+    None,
+    /// Tauber and Sutton: Earth or Mars.
+    TauberSutton(TauberSutton),
+    /// Brandis and Johnston: Earth.
+    BrandisJohnston(BrandisJohnstonRadiative),
+}
+
+impl Radiative {
+    /// Tauber-Sutton, from the text of `heating/tauber-sutton.toml`.
+    pub fn tauber_sutton(text: &str) -> Result<Self, String> {
+        TauberSutton::parse(text).map(Self::TauberSutton)
+    }
+
+    /// Brandis-Johnston, from the text of `heating/brandis-johnston.toml`.
+    pub fn brandis_johnston(text: &str) -> Result<Self, String> {
+        BrandisJohnston::parse(text).map(|both| Self::BrandisJohnston(both.radiative))
+    }
+
+    /// Name as in case files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::TauberSutton(_) => "tauber-sutton",
+            Self::BrandisJohnston(_) => "brandis-johnston",
+        }
+    }
+
+    /// Speed below which there is no radiation and at which the flux jumps, m/s.
+    pub fn onset_m_s(&self) -> Option<f64> {
+        match self {
+            Self::None => None,
+            Self::TauberSutton(model) => Some(model.onset_m_s()),
+            Self::BrandisJohnston(model) => Some(model.onset_m_s()),
+        }
+    }
+
+    /// Heat flux, W/m².
+    #[inline]
+    pub fn heat_flux_w_m2<S: Scalar>(&self, flow: &Flow<S>) -> S {
+        match self {
+            Self::None => S::constant(0.0),
+            Self::TauberSutton(model) => model.heat_flux_w_m2(flow),
+            Self::BrandisJohnston(model) => model.heat_flux_w_m2(flow),
+        }
+    }
+
+    /// What a reader must know when the peak is outside the ranges.
+    pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
+        match self {
+            Self::None => Vec::new(),
+            Self::TauberSutton(model) => model.findings(peak),
+            Self::BrandisJohnston(model) => model.findings(peak),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_radiation_is_zero_and_has_no_onset() {
+        let flow = Flow {
+            density_kg_m3: 1e-3,
+            speed_m_s: 1.4e4,
+            nose_radius_m: 1.0,
+        };
+        assert_eq!(Radiative::None.heat_flux_w_m2(&flow), 0.0);
+        assert_eq!(Radiative::None.onset_m_s(), None);
+    }
+}

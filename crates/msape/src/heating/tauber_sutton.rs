@@ -1,0 +1,213 @@
+//! Radiative heat flux at the stagnation point after Tauber and Sutton.
+//!
+//! ```text
+//! q̇ = C Rₙ^a ρ^b f(V)
+//! ```
+//!
+//! with q̇ in W/cm² (converted), Rₙ in m, ρ in kg/m³, f a table over V in m/s, and the capped exponent a of
+//! [`NoseExponent`]. f is 0 below its table and held above it.
+//!
+//! # Valid
+//! Earth: 10 to 16 km/s, 6.66e-5 to 6.31e-4 kg/m³, 0.3 to 3 m. Mars: 6.5 to 9 km/s, 1e-4 to 1e-3 kg/m³.
+//! f jumps from 0 to its first value where the table begins ([`TauberSutton::onset_m_s`]).
+//!
+//! # References
+//! - \[tauber-sutton-1991\], Table 1.
+
+use super::nose_exponent::NoseExponent;
+use super::{Flow, FlowRange, PER_CM2, PeakConditions};
+use crate::finding::Finding;
+use numerics::math;
+use numerics::scalar::Scalar;
+use serde::Deserialize;
+
+/// The correlation for one planet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TauberSutton {
+    c: f64,
+    density_exponent: f64,
+    /// Exponent of the nose radius.
+    pub exponent: NoseExponent,
+    /// Ranges of the correlation.
+    pub valid: FlowRange,
+    /// Velocity function: speed, m/s; f; slope of f, s/m.
+    rows: Vec<[f64; 3]>,
+    onset_m_s: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(rename = "source")]
+    _source: String,
+    #[serde(rename = "place")]
+    _place: String,
+    #[serde(rename = "note")]
+    _note: String,
+    c: f64,
+    density_exponent: f64,
+    exponent: NoseExponent,
+    valid: FlowRange,
+    velocity_function: VelocityFunction,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VelocityFunction {
+    table: Vec<[f64; 2]>,
+}
+
+impl TauberSutton {
+    /// Reads the correlation from the text of `heating/tauber-sutton.toml` or its sister for another planet.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let table = file.velocity_function.table;
+        let mut rows = Vec::with_capacity(table.len());
+        for pair in table.windows(2) {
+            let [[v0, f0], [v1, f1]] = [pair[0], pair[1]];
+            if v1 <= v0 || !(v1 - v0).is_finite() {
+                return Err(format!(
+                    "velocity_function.table: {v1} m/s must be above {v0} m/s"
+                ));
+            }
+            rows.push([v0, f0, (f1 - f0) / (v1 - v0)]);
+        }
+        let (Some(first), Some(last)) = (table.first(), table.last()) else {
+            return Err("velocity_function.table: at least two rows are needed".into());
+        };
+        rows.push([last[0], last[1], 0.0]);
+        Ok(Self {
+            c: file.c,
+            density_exponent: file.density_exponent,
+            exponent: file.exponent,
+            valid: file.valid,
+            rows,
+            onset_m_s: first[0],
+        })
+    }
+
+    /// Speed at which the correlation sets in, m/s.
+    pub fn onset_m_s(&self) -> f64 {
+        self.onset_m_s
+    }
+
+    /// Velocity function f(V).
+    #[inline]
+    pub fn velocity_function<S: Scalar>(&self, v: S) -> S {
+        let [v0, f0, slope] = v.lookup(|v| {
+            let above = self.rows.partition_point(|row| row[0] <= v);
+            above
+                .checked_sub(1)
+                .and_then(|row| self.rows.get(row))
+                .copied()
+                .unwrap_or([0.0; 3])
+        });
+        f0 + slope * (v - v0)
+    }
+
+    /// Heat flux, W/m².
+    #[inline]
+    pub fn heat_flux_w_m2<S: Scalar>(&self, flow: &Flow<S>) -> S {
+        let Flow {
+            density_kg_m3: rho,
+            speed_m_s: v,
+            nose_radius_m: r_n,
+        } = *flow;
+        if S::all(v.less(S::constant(self.onset_m_s))) {
+            return S::constant(0.0);
+        }
+        let f = self.velocity_function(v);
+        let ln_rho = rho.ln();
+        let a = self.exponent.value(v.ln(), ln_rho, r_n);
+        // q̇ = C Rₙ^a ρ^b f(V)
+        (a * math::ln(r_n) + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
+    }
+
+    /// What a reader must know when the peak is outside the ranges.
+    pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
+        if peak.speed_m_s < self.onset_m_s {
+            return Vec::new();
+        }
+        self.valid.findings(
+            "tauber-sutton",
+            "Tauber & Sutton 1991, J. Spacecraft and Rockets 28(1)",
+            peak,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn earth() -> TauberSutton {
+        TauberSutton::parse(include_str!("../../data/heating/tauber-sutton.toml")).unwrap()
+    }
+
+    #[test]
+    fn velocity_function_is_zero_linear_and_held() {
+        // between 359 at 12 km/s and 495 at 12.5 km/s: 427
+        let speeds = [8999.9, 9000.0, 12250.0, 16000.0, 17000.0];
+        assert_eq!(
+            speeds.map(|v| earth().velocity_function(v)),
+            [0.0, 1.5, 427.0, 2040.0, 2040.0]
+        );
+    }
+
+    #[test]
+    fn one_metre_nose_leaves_c_rho_to_b_f() {
+        // 1 m: R^a = 1; 4.736e4 × (1e-4)^1.22 × 35 × 1e4 = 4.736e4 × 10^-4.88 × 3.5e5 = 2.18512e5 W/m²
+        let q = earth().heat_flux_w_m2(&Flow {
+            density_kg_m3: 1e-4,
+            speed_m_s: 1e4,
+            nose_radius_m: 1.0,
+        });
+        let by_hand = 4.736e4 * 3.5e5 * 1.318_256_738_556_407e-5;
+        assert!((q / by_hand - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn ranges_speak_only_where_there_is_radiation() {
+        let peak = PeakConditions {
+            density_kg_m3: 3e-4,
+            speed_m_s: 1.2e4,
+            nose_radius_m: 0.35,
+        };
+        assert!(earth().findings(&peak).is_empty());
+        assert_eq!(
+            earth()
+                .findings(&PeakConditions {
+                    nose_radius_m: 0.1125,
+                    ..peak
+                })
+                .len(),
+            1
+        );
+        assert_eq!(
+            earth()
+                .findings(&PeakConditions {
+                    speed_m_s: 1.7e4,
+                    density_kg_m3: 1e-3,
+                    ..peak
+                })
+                .len(),
+            2
+        );
+        assert!(
+            earth()
+                .findings(&PeakConditions {
+                    speed_m_s: 8e3,
+                    density_kg_m3: 1e-3,
+                    ..peak
+                })
+                .is_empty()
+        );
+    }
+
+    #[test]
+    fn unsorted_table_is_refused() {
+        let text =
+            include_str!("../../data/heating/tauber-sutton.toml").replace("[9250.0,", "[8250.0,");
+        assert!(TauberSutton::parse(&text).unwrap_err().contains("8250"));
+    }
+}

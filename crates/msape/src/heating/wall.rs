@@ -1,0 +1,244 @@
+//! Temperature of the wall and its effect on convective heating.
+//!
+//! ```text
+//! q̇ = q̇ᶜ (1 − h_w/h₀) + q̇ʳ = ε σ T_w⁴        h₀ = V²/2 + h(T∞)
+//! h(T) = R [7/2 T + Σ xᵢ θᵢ / (exp(θᵢ/T) − 1)]
+//! ```
+//!
+//! with q̇ᶜ cold-wall convective and q̇ʳ radiative heat flux in W/m², h in J/kg, T in K, V in m/s, ε the emissivity,
+//! σ = 5.670374419e-8 W/(m² K⁴), R in J/(kg K), xᵢ and θᵢ mole fraction and vibrational temperature (K) of N₂ and O₂.
+//!
+//! # Valid
+//! Air that does not dissociate at the wall (below about 2500 K at an atmosphere; a hotter wall understates h_w, which
+//! is conservative). The wall emits all it receives: no conduction, no ablation. A flux below 0 (a wall hotter than
+//! the flow) is given as 0.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.4.2 (radiative-equilibrium wall, emissivity 0.85); \[sutton-graves-1972\].
+
+use numerics::scalar::Scalar;
+use serde::{Deserialize, Serialize};
+
+/// Stefan-Boltzmann constant, W/(m² K⁴).
+pub const STEFAN_BOLTZMANN_W_M2_K4: f64 = 5.670_374_419e-8;
+
+/// Free-stream temperature in the total enthalpy, K: within 60 K everywhere below 100 km, where heating occurs.
+const FREE_STREAM_TEMPERATURE_K: f64 = 250.0;
+
+/// Newton steps of the radiative-equilibrium temperature; each gains more than a factor of twenty.
+const STEPS: usize = 8;
+
+/// How the wall enters convective heating.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Wall {
+    /// Cold wall: h_w = 0, as the correlations and the mass-estimating relations have it.
+    #[default]
+    Cold,
+    /// A wall of given temperature.
+    Hot {
+        /// Wall temperature, K.
+        temperature_k: f64,
+    },
+    /// A wall that radiates what it receives.
+    RadiativeEquilibrium {
+        /// Emissivity of the wall.
+        emissivity: f64,
+    },
+}
+
+/// The gas at the wall, from `heating/hot-wall.toml`.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WallGas {
+    /// Key of the reference.
+    pub source: String,
+    /// Place in it.
+    pub place: String,
+    /// What is doubtful about the numbers.
+    pub note: String,
+    /// Emissivity of the wall where none is given.
+    pub wall_emissivity: f64,
+    gas_constant_j_kg_k: f64,
+    nitrogen: Species,
+    oxygen: Species,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Species {
+    mole_fraction: f64,
+    vibrational_temperature_k: f64,
+}
+
+/// Stagnation-point heating on a cold wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColdWall<S> {
+    /// Convective heat flux, W/m².
+    pub convective_w_m2: S,
+    /// Radiative heat flux, W/m².
+    pub radiative_w_m2: S,
+    /// Speed relative to the air, m/s.
+    pub speed_m_s: S,
+}
+
+/// Temperature at which a wall of `emissivity` radiates `heat_flux_w_m2`, K.
+#[inline]
+pub fn radiating_temperature_k<S: Scalar>(heat_flux_w_m2: S, emissivity: f64) -> S {
+    (heat_flux_w_m2 / (emissivity * STEFAN_BOLTZMANN_W_M2_K4))
+        .sqrt()
+        .sqrt()
+}
+
+impl WallGas {
+    /// Reads the gas from the text of `heating/hot-wall.toml`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        toml::from_str(text).map_err(|error| error.to_string())
+    }
+
+    /// Enthalpy at a temperature in K, J/kg.
+    #[inline]
+    pub fn enthalpy_j_kg<S: Scalar>(&self, temperature_k: S) -> S {
+        let t = temperature_k;
+        let vibration = |species: &Species| {
+            let theta = S::constant(species.vibrational_temperature_k);
+            theta * species.mole_fraction / ((theta / t).exp() - 1.0)
+        };
+        (t * 3.5 + vibration(&self.nitrogen) + vibration(&self.oxygen)) * self.gas_constant_j_kg_k
+    }
+
+    /// Total enthalpy of the flow at a speed in m/s, J/kg.
+    #[inline]
+    pub fn total_enthalpy_j_kg<S: Scalar>(&self, speed_m_s: S) -> S {
+        speed_m_s * speed_m_s * 0.5 + self.enthalpy_j_kg(S::constant(FREE_STREAM_TEMPERATURE_K))
+    }
+
+    /// Temperature of a wall that radiates what it receives, K; 1 K where it receives nothing.
+    pub fn radiative_equilibrium_temperature_k<S: Scalar>(
+        &self,
+        heating: &ColdWall<S>,
+        emissivity: f64,
+    ) -> S {
+        let ColdWall {
+            convective_w_m2: q_c,
+            radiative_w_m2: q_r,
+            speed_m_s,
+        } = *heating;
+        let h_0 = self.total_enthalpy_j_kg(speed_m_s);
+        let emission = emissivity * STEFAN_BOLTZMANN_W_M2_K4;
+        let floor = S::constant(1.0);
+        let mut t = radiating_temperature_k(q_c + q_r, emissivity).max(floor);
+        for _ in 0..STEPS {
+            // F(T) = ε σ T⁴ + q̇ᶜ h_w/h₀ − q̇ᶜ − q̇ʳ, with 9/2 R ≥ dh/dT for its slope: descends to the root from above
+            let cubed = t * t * t;
+            let excess = cubed * t * emission + q_c * (self.enthalpy_j_kg(t) / h_0) - q_c - q_r;
+            let slope = cubed * (4.0 * emission) + q_c * (4.5 * self.gas_constant_j_kg_k) / h_0;
+            t = (t - excess / slope).max(floor);
+        }
+        t
+    }
+
+    /// Convective heat flux to the wall, W/m².
+    #[inline]
+    pub fn convective_w_m2<S: Scalar>(&self, wall: Wall, heating: &ColdWall<S>) -> S {
+        let t_w = match wall {
+            Wall::Cold => return heating.convective_w_m2,
+            Wall::Hot { temperature_k } => S::constant(temperature_k),
+            Wall::RadiativeEquilibrium { emissivity } => {
+                self.radiative_equilibrium_temperature_k(heating, emissivity)
+            }
+        };
+        // q̇ᶜ (1 − h_w/h₀)
+        let ratio = self.enthalpy_j_kg(t_w) / self.total_enthalpy_j_kg(heating.speed_m_s);
+        heating.convective_w_m2 * (S::constant(1.0) - ratio).max(S::constant(0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn air() -> WallGas {
+        WallGas::parse(include_str!("../../data/heating/hot-wall.toml")).unwrap()
+    }
+
+    #[test]
+    fn black_wall_at_1000_k_radiates_56704_w_m2() {
+        assert!((radiating_temperature_k(56_703.744_19, 1.0) - 1000.0_f64).abs() < 1e-9);
+    }
+
+    #[test]
+    fn enthalpy_of_air_is_that_of_the_gas_tables() {
+        // Keenan & Kaye: 300 K 300.19 kJ/kg, 1000 K 1046.04 kJ/kg, 2000 K 2252.1 kJ/kg; 0.5 % is the harmonic oscillator's
+        for (t, h) in [(300.0, 300.19e3), (1000.0, 1046.04e3), (2000.0, 2252.1e3)] {
+            let ours: f64 = air().enthalpy_j_kg(t);
+            assert!((ours / h - 1.0).abs() < 5e-3, "{t} K: {ours} against {h}");
+        }
+    }
+
+    #[test]
+    fn equilibrium_wall_emits_what_it_receives() {
+        for (q_c, q_r, v) in [
+            (1e7, 2e6, 12e3),
+            (5e5, 0.0, 4e3),
+            (1e4, 0.0, 1.5e3),
+            (6e7, 5e7, 16e3),
+        ] {
+            let heating = ColdWall {
+                convective_w_m2: q_c,
+                radiative_w_m2: q_r,
+                speed_m_s: v,
+            };
+            let t: f64 = air().radiative_equilibrium_temperature_k(&heating, 0.85);
+            let received = air()
+                .convective_w_m2(Wall::RadiativeEquilibrium { emissivity: 0.85 }, &heating)
+                + q_r;
+            let emitted = 0.85 * STEFAN_BOLTZMANN_W_M2_K4 * t * t * t * t;
+            assert!(
+                (emitted / received - 1.0).abs() < 1e-10,
+                "{v} m/s: {emitted} against {received}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_wall_without_heating_is_at_the_floor_and_a_hotter_wall_takes_nothing() {
+        let none = ColdWall {
+            convective_w_m2: 0.0,
+            radiative_w_m2: 0.0,
+            speed_m_s: 0.0,
+        };
+        assert_eq!(air().radiative_equilibrium_temperature_k(&none, 0.85), 1.0);
+        let slow = ColdWall {
+            convective_w_m2: 100.0,
+            radiative_w_m2: 0.0,
+            speed_m_s: 300.0,
+        };
+        assert_eq!(
+            air().convective_w_m2(
+                Wall::Hot {
+                    temperature_k: 2000.0
+                },
+                &slow
+            ),
+            0.0
+        );
+    }
+
+    #[test]
+    fn wall_of_300_k_at_10_km_s_takes_a_little_over_half_a_percent_off() {
+        // h_w = 0.3012 MJ/kg, h₀ = 50 + 0.251 = 50.251 MJ/kg: factor 1 − 0.00599
+        let heating = ColdWall {
+            convective_w_m2: 1.0,
+            radiative_w_m2: 0.0,
+            speed_m_s: 1e4,
+        };
+        let factor: f64 = air().convective_w_m2(
+            Wall::Hot {
+                temperature_k: 300.0,
+            },
+            &heating,
+        );
+        assert!((1.0 - factor - 0.005_995).abs() < 1e-5, "{factor}");
+    }
+}

@@ -1,0 +1,493 @@
+//! Number densities of the U.S. Standard Atmosphere 1976 above 86 km, where the gases separate.
+//!
+//! ```text
+//! d ln(nᵢ T)/dz = −(fᵢ + vᵢ)
+//! f(N₂) = M g / (R* T)
+//! fᵢ = g/(R* T) · D/(D + K) · (Mᵢ + M K/D + αᵢ (R*/g) dT/dz)          O, O₂, Ar, He below 115 km
+//! fᵢ = g/(R* T) · (Mᵢ + αᵢ (R*/g) dT/dz)                                above
+//! D = aᵢ/N (T/273.15)^bᵢ,   K = 120 exp(1 − 400/(400 − (z − 95)²)) above 95 km
+//! vᵢ = Q (z − U)² exp(−W (z − U)³) + q (u − z)² exp(−w (u − z)³)
+//! n(H) = [n₁₁ + ∫_z^500 φ/D (T/T₁₁)^(1+α) e^τ dz] (T₁₁/T)^(1+α) e^(−τ),   τ = ∫_500^z g M_H/(R* T) dz
+//! ```
+//!
+//! with n in 1/m³, T in K, z in m (km where the data are), g in m/s², M in kg/kmol, R* in J/(kmol K), D and K in
+//! m²/s, φ in 1/(m² s). N is N₂ for O and O₂, N₂ + O + O₂ for Ar and He, everything for H. M is that of sea level to
+//! 100 km, above it that of the gases in N (the reading that gives the printed Ar and He at 120 km). v has an integral in closed form, and so has g/T above 120 km:
+//!
+//! ```text
+//! ∫ g/(R* T) dz = g₁₀/(R* T∞) · (ξ + ln(T/T₁₀)/λ)
+//! ```
+//!
+//! What is left, 86 to 120 km, is integrated by classical Runge-Kutta in half cells of 125 m (error below 1e-9).
+//!
+//! # Valid
+//! 86 to 1000 km. Atomic hydrogen is present above 150 km only, as defined, so density there steps up by 3e-7.
+//!
+//! # References
+//! - \[coesa-1976\] equations 5 to 7, 10, 32 to 41, Tables 5 to 7.
+
+use super::definition::{Definition, Species};
+use super::hermite::Knot;
+use super::temperature::{Segment, Upper, Z10_M};
+use numerics::math;
+
+/// Gases that are followed from 86 km: N₂, O, O₂, Ar, He.
+const HEAVY: usize = 5;
+/// Above this K and v vanish or nearly so, km.
+const EDDY_TOP_KM: f64 = 115.0;
+const FLUX_TOP_KM: f64 = 150.0;
+/// z₁₁, m.
+const Z11_M: f64 = 500_000.0;
+const CELL_86_TO_120_M: f64 = 250.0;
+
+/// One smooth piece of the heterosphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Lower end, m.
+    pub from_m: f64,
+    /// Upper end, m.
+    pub to_m: f64,
+    /// Formula of the temperature.
+    pub segment: Segment,
+    /// Distance of the knots, m.
+    pub cell_m: f64,
+}
+
+/// The smooth pieces, upwards.
+pub const SPANS: [Span; 7] = [
+    Span {
+        from_m: 86e3,
+        to_m: 91e3,
+        segment: Segment::Isothermal,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 91e3,
+        to_m: 100e3,
+        segment: Segment::Ellipse,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 100e3,
+        to_m: 110e3,
+        segment: Segment::Ellipse,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: 110e3,
+        to_m: Z10_M,
+        segment: Segment::Linear,
+        cell_m: CELL_86_TO_120_M,
+    },
+    Span {
+        from_m: Z10_M,
+        to_m: 150e3,
+        segment: Segment::Exponential,
+        cell_m: 500.0,
+    },
+    Span {
+        from_m: 150e3,
+        to_m: Z11_M,
+        segment: Segment::Exponential,
+        cell_m: 2000.0,
+    },
+    Span {
+        from_m: Z11_M,
+        to_m: 1e6,
+        segment: Segment::Exponential,
+        cell_m: 5000.0,
+    },
+];
+
+/// ln(nᵢ T), nᵢ in 1/m³ and T in K, without the part of v.
+type Logs = [f64; HEAVY];
+
+/// The equations with their data.
+pub struct Heterosphere<'a> {
+    definition: &'a Definition,
+    upper: &'a Upper,
+    r_0: f64,
+    start: Logs,
+    at_120_km: Logs,
+}
+
+/// Density, kg/m³, and molar mass, kg/kmol, at the knots of one span.
+pub struct SpanKnots {
+    /// ln ρ and its slope.
+    pub ln_density: Vec<Knot>,
+    /// M and its slope.
+    pub molar_mass: Vec<Knot>,
+}
+
+impl<'a> Heterosphere<'a> {
+    /// The equations, from the state at 86 km.
+    pub fn new(definition: &'a Definition, upper: &'a Upper) -> Self {
+        let t_7 = upper.temperature_k(Segment::Isothermal, 86e3);
+        let mut start = [0.0; HEAVY];
+        for (log, species) in start.iter_mut().zip(&definition.species) {
+            *log = math::ln(species.at_86_km_per_m3 * t_7);
+        }
+        let r_0 = definition.constants.earth_radius_km * 1000.0;
+        Self {
+            definition,
+            upper,
+            r_0,
+            start,
+            at_120_km: start,
+        }
+    }
+
+    /// The knots of all spans, upwards.
+    pub fn knots(&mut self) -> Vec<SpanKnots> {
+        self.knots_of(&SPANS)
+    }
+
+    /// The knots of spans that follow each other from 86 km.
+    pub fn knots_of(&mut self, all: &[Span]) -> Vec<SpanKnots> {
+        let mut spans = Vec::with_capacity(all.len());
+        let mut logs = self.start;
+        for span in all.iter().filter(|s| s.to_m <= Z10_M) {
+            spans.push(self.integrate(span, &mut logs));
+        }
+        self.at_120_km = logs;
+        for span in all.iter().filter(|s| s.to_m > Z10_M) {
+            spans.push(self.closed_form(span));
+        }
+        spans
+    }
+
+    fn gravity_m_s2(&self, z: f64) -> f64 {
+        let ratio = self.r_0 / (self.r_0 + z);
+        self.definition.constants.gravity_m_s2 * ratio * ratio
+    }
+
+    /// d ln(nᵢ T)/dz without v, 1/m.
+    fn slopes(&self, span: &Span, z: f64, logs: &Logs) -> Logs {
+        let t = self.upper.temperature_k(span.segment, z);
+        let gradient = self.upper.gradient_k_m(span.segment, z);
+        let r_star = self.definition.constants.gas_constant_j_kmol_k;
+        let g = self.gravity_m_s2(z);
+        let k = self.eddy_m2_s(z);
+        let species = &self.definition.species;
+        let m_n2 = species.first().map_or(0.0, |s| s.molar_mass_kg_kmol);
+        let m = if span.to_m <= 100e3 {
+            self.definition.constants.sea_level_molar_mass_kg_kmol
+        } else {
+            m_n2
+        };
+        let [n2, o, o2] = [logs[0], logs[1], logs[2]];
+        let with_flux = |i: usize, log: f64| {
+            species
+                .get(i)
+                .map_or(0.0, |s| math::exp(log - flux_integral(s, z)) / t)
+        };
+        let [mut n_n2, mut n_major, mut m_major] = [0.0, 0.0, m];
+        if k > 0.0 {
+            let n = [with_flux(0, n2), with_flux(1, o), with_flux(2, o2)];
+            n_n2 = n[0];
+            n_major = n[0] + n[1] + n[2];
+            if span.from_m >= 100e3 {
+                let mass = |i: usize| species.get(i).map_or(0.0, |s| s.molar_mass_kg_kmol);
+                m_major = (n[0] * mass(0) + n[1] * mass(1) + n[2] * mass(2)) / n_major;
+            }
+        }
+        let ln_t = math::ln(t / 273.15);
+        let mut slopes = [0.0; HEAVY];
+        for (i, (slope, s)) in slopes.iter_mut().zip(species).enumerate() {
+            let mass = s.molar_mass_kg_kmol + s.thermal_diffusion * r_star / g * gradient;
+            let mean = if i == 0 {
+                m
+            } else if k > 0.0 {
+                let (background, m) = if i < 3 { (n_n2, m) } else { (n_major, m_major) };
+                let d = s.diffusion_a_per_m_s / background * math::exp(s.diffusion_b * ln_t);
+                (mass * d + m * k) / (d + k)
+            } else {
+                mass
+            };
+            *slope = -g / (r_star * t) * mean;
+        }
+        slopes
+    }
+
+    fn eddy_m2_s(&self, z: f64) -> f64 {
+        let k = self.definition.diffusion.eddy_m2_s;
+        let above = z / 1000.0 - 95.0;
+        if above <= 0.0 {
+            k
+        } else if above < EDDY_TOP_KM - 95.0 {
+            k * math::exp(1.0 - 400.0 / (400.0 - above * above))
+        } else {
+            0.0
+        }
+    }
+
+    /// Runge-Kutta through one span; `logs` goes from its lower to its upper end.
+    fn integrate(&self, span: &Span, logs: &mut Logs) -> SpanKnots {
+        let h = span.cell_m / 2.0;
+        let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
+        let mut knots = SpanKnots {
+            ln_density: Vec::new(),
+            molar_mass: Vec::new(),
+        };
+        for i in 0..=cells {
+            let z = span.from_m + i as f64 * span.cell_m;
+            self.push_knot(span, z, logs, &mut knots);
+            for z in [z, z + h] {
+                if i < cells {
+                    let k_1 = self.slopes(span, z, logs);
+                    let k_2 = self.slopes(span, z + h / 2.0, &along(logs, &k_1, h / 2.0));
+                    let k_3 = self.slopes(span, z + h / 2.0, &along(logs, &k_2, h / 2.0));
+                    let k_4 = self.slopes(span, z + h, &along(logs, &k_3, h));
+                    for (i, log) in logs.iter_mut().enumerate() {
+                        *log += h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]);
+                    }
+                }
+            }
+        }
+        knots
+    }
+
+    /// ∫ g/(R* T) dz from 120 km, kmol/kg.
+    fn gravity_integral(&self, z: f64, t: f64) -> f64 {
+        let t_10 = self.upper.temperature_k(Segment::Exponential, Z10_M);
+        let Upper {
+            exosphere_k: t_inf,
+            rate_per_m: lambda,
+            ..
+        } = *self.upper;
+        let r_star = self.definition.constants.gas_constant_j_kmol_k;
+        self.gravity_m_s2(Z10_M) / (r_star * t_inf)
+            * (self.upper.xi_m(z) + math::ln(t / t_10) / lambda)
+    }
+
+    /// ln(nᵢ T) above 120 km without v.
+    fn logs_above_120_km(&self, z: f64, t: f64) -> Logs {
+        let t_10 = self.upper.temperature_k(Segment::Exponential, Z10_M);
+        let integral = self.gravity_integral(z, t);
+        let mut logs = self.at_120_km;
+        for (log, s) in logs.iter_mut().zip(&self.definition.species) {
+            *log -= s.molar_mass_kg_kmol * integral + s.thermal_diffusion * math::ln(t / t_10);
+        }
+        logs
+    }
+
+    fn closed_form(&self, span: &Span) -> SpanKnots {
+        let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
+        let mut knots = SpanKnots {
+            ln_density: Vec::new(),
+            molar_mass: Vec::new(),
+        };
+        let hydrogen = self.hydrogen(span, cells);
+        for i in 0..=cells {
+            let z = span.from_m + i as f64 * span.cell_m;
+            let t = self.upper.temperature_k(span.segment, z);
+            let mut sums = self.sums(span, z, &self.logs_above_120_km(z, t));
+            if let Some((n, slope)) = hydrogen.get(i) {
+                let m = self
+                    .definition
+                    .species
+                    .get(HEAVY)
+                    .map_or(0.0, |s| s.molar_mass_kg_kmol);
+                sums.add(*n, *slope, m);
+            }
+            sums.push(self.definition.constants.avogadro_per_kmol, &mut knots);
+        }
+        knots
+    }
+
+    /// Number density of atomic hydrogen, 1/m³, and its slope, 1/m⁴, at the knots; nothing below 150 km.
+    fn hydrogen(&self, span: &Span, cells: usize) -> Vec<(f64, f64)> {
+        let Some(h) = self.definition.species.get(HEAVY) else {
+            return Vec::new();
+        };
+        if span.from_m < FLUX_TOP_KM * 1000.0 {
+            return Vec::new();
+        }
+        let Definition {
+            diffusion,
+            constants,
+            ..
+        } = self.definition;
+        let temperature = |z: f64| self.upper.temperature_k(Segment::Exponential, z);
+        let t_11 = temperature(Z11_M);
+        let at_11 = self.gravity_integral(Z11_M, t_11);
+        // (T/T₁₁)^(1+α) e^τ
+        let weight = |z: f64, t: f64| {
+            let tau = h.molar_mass_kg_kmol * (self.gravity_integral(z, t) - at_11);
+            math::exp((1.0 + h.thermal_diffusion) * math::ln(t / t_11) + tau)
+        };
+        let flux = if span.from_m < Z11_M {
+            diffusion.flux_of_h_per_m2_s
+        } else {
+            0.0
+        };
+        // φ/D
+        let source = |z: f64, t: f64| {
+            let mut n = 0.0;
+            for (log, s) in self
+                .logs_above_120_km(z, t)
+                .iter()
+                .zip(&self.definition.species)
+            {
+                n += math::exp(log - flux_integral(s, z)) / t;
+            }
+            flux * n / h.diffusion_a_per_m_s / math::exp(h.diffusion_b * math::ln(t / 273.15))
+        };
+        let integrand = |z: f64| {
+            let t = temperature(z);
+            source(z, t) * weight(z, t)
+        };
+        let mut from_above = diffusion.h_at_500_km_per_m3;
+        let mut knots = Vec::with_capacity(cells + 1);
+        for i in (0..=cells).rev() {
+            let z = span.from_m + i as f64 * span.cell_m;
+            if flux > 0.0 && i < cells {
+                from_above += gauss_3(&integrand, z, span.cell_m);
+            }
+            let t = temperature(z);
+            let n = if flux > 0.0 {
+                from_above
+            } else {
+                diffusion.h_at_500_km_per_m3
+            } / weight(z, t);
+            let fall =
+                (1.0 + h.thermal_diffusion) * self.upper.gradient_k_m(Segment::Exponential, z) / t
+                    + h.molar_mass_kg_kmol * self.gravity_m_s2(z)
+                        / (constants.gas_constant_j_kmol_k * t);
+            knots.push((n, -source(z, t) - n * fall));
+        }
+        knots.reverse();
+        knots
+    }
+
+    fn push_knot(&self, span: &Span, z: f64, logs: &Logs, knots: &mut SpanKnots) {
+        self.sums(span, z, logs)
+            .push(self.definition.constants.avogadro_per_kmol, knots);
+    }
+
+    fn sums(&self, span: &Span, z: f64, logs: &Logs) -> Sums {
+        let t = self.upper.temperature_k(span.segment, z);
+        let ln_t_slope = self.upper.gradient_k_m(span.segment, z) / t;
+        let mut sums = Sums::default();
+        for ((log, slope), s) in logs
+            .iter()
+            .zip(self.slopes(span, z, logs))
+            .zip(&self.definition.species)
+        {
+            let n = math::exp(log - flux_integral(s, z)) / t;
+            sums.add(
+                n,
+                n * (slope - flux_per_m(s, z) - ln_t_slope),
+                s.molar_mass_kg_kmol,
+            );
+        }
+        sums
+    }
+}
+
+/// Sums over the gases: n, n M and their slopes.
+#[derive(Default)]
+struct Sums {
+    n: f64,
+    n_slope: f64,
+    mass: f64,
+    mass_slope: f64,
+}
+
+impl Sums {
+    fn add(&mut self, n: f64, slope: f64, molar_mass_kg_kmol: f64) {
+        self.n += n;
+        self.n_slope += slope;
+        self.mass += n * molar_mass_kg_kmol;
+        self.mass_slope += slope * molar_mass_kg_kmol;
+    }
+
+    fn push(&self, avogadro_per_kmol: f64, knots: &mut SpanKnots) {
+        let Self {
+            n,
+            n_slope,
+            mass,
+            mass_slope,
+        } = self;
+        let m = mass / n;
+        knots.ln_density.push(Knot {
+            value: math::ln(mass / avogadro_per_kmol),
+            slope_per_m: mass_slope / mass,
+        });
+        knots.molar_mass.push(Knot {
+            value: m,
+            slope_per_m: m * (mass_slope / mass - n_slope / n),
+        });
+    }
+}
+
+fn along(logs: &Logs, slopes: &Logs, step_m: f64) -> Logs {
+    let mut moved = *logs;
+    for (log, slope) in moved.iter_mut().zip(slopes) {
+        *log += slope * step_m;
+    }
+    moved
+}
+
+/// v, 1/m.
+fn flux_per_m(species: &Species, z_m: f64) -> f64 {
+    let Species {
+        q_capital_per_km3: q1,
+        u_capital_km: u1,
+        w_capital_per_km3: w1,
+        ..
+    } = *species;
+    let Species {
+        q_small_per_km3: q2,
+        u_small_km: u2,
+        w_small_per_km3: w2,
+        ..
+    } = *species;
+    let z = z_m / 1000.0;
+    if z >= FLUX_TOP_KM {
+        return 0.0;
+    }
+    let a = z - u1;
+    let b = (u2 - z).max(0.0);
+    (q1 * a * a * math::exp(-w1 * a * a * a) + q2 * b * b * math::exp(-w2 * b * b * b)) / 1000.0
+}
+
+/// ∫ v dz from 86 km.
+fn flux_integral(species: &Species, z_m: f64) -> f64 {
+    let Species {
+        q_capital_per_km3: q1,
+        u_capital_km: u1,
+        w_capital_per_km3: w1,
+        ..
+    } = *species;
+    let Species {
+        q_small_per_km3: q2,
+        u_small_km: u2,
+        w_small_per_km3: w2,
+        ..
+    } = *species;
+    let z = (z_m / 1000.0).min(FLUX_TOP_KM);
+    let falling = |x: f64| {
+        let a = x - u1;
+        math::exp(-w1 * a * a * a)
+    };
+    let rising = |x: f64| {
+        let b = (u2 - x).max(0.0);
+        math::exp(-w2 * b * b * b)
+    };
+    let mut integral = 0.0;
+    if w1 > 0.0 {
+        integral += q1 / (3.0 * w1) * (falling(86.0) - falling(z));
+    }
+    if w2 > 0.0 {
+        integral += q2 / (3.0 * w2) * (rising(z) - rising(86.0));
+    }
+    integral
+}
+
+/// Gauss-Legendre of three points over one cell.
+fn gauss_3(f: impl Fn(f64) -> f64, from: f64, width: f64) -> f64 {
+    let (middle, half) = (from + width / 2.0, width / 2.0);
+    let x = 0.6_f64.sqrt() * half;
+    half / 9.0 * (5.0 * f(middle - x) + 8.0 * f(middle) + 5.0 * f(middle + x))
+}

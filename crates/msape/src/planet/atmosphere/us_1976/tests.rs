@@ -1,0 +1,148 @@
+//! The standard atmosphere against printed and independently computed figures.
+
+use crate::planet::atmosphere::Atmosphere;
+
+const COMPUTED: &str = include_str!("../../../../../../tests/data/us_1976_0_200_km.csv");
+const PRINTED: &str = include_str!("../../../../../../tests/data/us_1976_printed.csv");
+
+fn us_1976() -> Atmosphere {
+    Atmosphere::us_1976(include_str!("../../../../data/atmospheres/us-1976.toml")).unwrap()
+}
+
+/// Rows of a file of reference; an empty field is not a number.
+fn rows(text: &str) -> Vec<Vec<f64>> {
+    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    lines
+        .map(|line| {
+            line.split(',')
+                .map(|field| field.parse().unwrap_or(f64::NAN))
+                .collect()
+        })
+        .collect()
+}
+
+#[test]
+fn every_kilometre_to_200_km() {
+    // The reference integrates across the step of the molar mass at 100 km (9e-6), takes that of N2 for the gases that
+    // Ar and He diffuse through (1e-5), and leaves out hydrogen above 150 km (3e-5 in pressure and mean free path).
+    let air = us_1976();
+    let rows = rows(COMPUTED);
+    assert_eq!(rows.len(), 201);
+    for row in rows {
+        let a = air.air(row[0] * 1000.0);
+        let ours = [
+            a.temperature_k,
+            a.pressure_pa,
+            a.density_kg_m3,
+            a.speed_of_sound_m_s,
+            a.mean_free_path_m,
+        ];
+        for (i, (ours, theirs)) in ours.iter().zip(&row[1..]).enumerate() {
+            assert!(
+                (ours / theirs - 1.0).abs() < 5e-5,
+                "{} km, column {i}: {ours:e} {theirs:e}",
+                row[0]
+            );
+        }
+        assert!(
+            (a.density_kg_m3 / row[3] - 1.0).abs() < 2.5e-5,
+            "{} km: {:e}",
+            row[0],
+            a.density_kg_m3
+        );
+    }
+}
+
+#[test]
+fn printed_table() {
+    // Four digits are printed: half a unit of the last is up to 5e-4 (of 1.000) in density.
+    let air = us_1976();
+    for row in rows(PRINTED) {
+        let a = air.air(row[0] * 1000.0);
+        assert!(
+            (a.density_kg_m3 / row[3] - 1.0).abs() < 5e-4,
+            "{} km: {:e} {:e}",
+            row[0],
+            a.density_kg_m3,
+            row[3]
+        );
+        if row[2].is_finite() {
+            assert!(
+                (a.pressure_pa / row[2] - 1.0).abs() < 1e-4,
+                "{} km: {} Pa",
+                row[0],
+                a.pressure_pa
+            );
+            assert!(
+                (a.temperature_k / row[1] - 1.0).abs() < 3e-5,
+                "{} km: {} K",
+                row[0],
+                a.temperature_k
+            );
+        }
+    }
+}
+
+#[test]
+fn pieces_meet_at_their_boundaries() {
+    // To rounding where the definition is continuous. The two regimes differ by 8e-6 at 86 km; the printed ellipse
+    // ends 1.1e-6 beside 240 K at 110 km; hydrogen begins with 3e-7 of the density at 150 km.
+    let air = us_1976();
+    for (i, z) in air.boundaries_m().iter().enumerate() {
+        let (below, above) = (air.density_in(i, *z), air.density_in(i + 1, *z));
+        let step = (above / below - 1.0).abs();
+        let allowed = match *z {
+            86e3 => 1e-5,
+            110e3 => 2e-6,
+            150e3 => 1e-6,
+            _ => 1e-13,
+        };
+        assert!(step < allowed, "{z} m: {step:e}");
+        assert_eq!(air.layer(*z), i + 1);
+    }
+    assert_eq!(air.layer(-1000.0), 0);
+    assert_eq!(air.boundaries_m().len(), 14);
+}
+
+#[test]
+fn interpolation_between_knots_meets_the_definition() {
+    // Halving the cells is the reference: knots of the fine grid lie in the middle of our cells. The fourth
+    // derivative is largest at the lower ends of the spans.
+    use super::{definition::Definition, heterosphere::*, temperature::Upper};
+    let definition =
+        Definition::parse(include_str!("../../../../data/atmospheres/us-1976.toml")).unwrap();
+    let upper = Upper::new(&definition);
+    let air = us_1976();
+    for (i, span) in SPANS.iter().enumerate() {
+        let fine: Vec<Span> = SPANS
+            .iter()
+            .map(|s| Span {
+                cell_m: s.cell_m / 2.0,
+                ..*s
+            })
+            .collect();
+        let knots = &Heterosphere::new(&definition, &upper).knots_of(&fine)[i];
+        for (j, knot) in knots.ln_density.iter().enumerate() {
+            let z = span.from_m + j as f64 * span.cell_m / 2.0;
+            let error = numerics::math::ln(air.density_in(7 + i, z)) - knot.value;
+            assert!(error.abs() < 2e-7, "{z} m: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn above_1000_km_the_density_keeps_falling_at_the_same_rate() {
+    let air = us_1976();
+    let ratio = |z: f64| air.density_kg_m3(z + 10e3) / air.density_kg_m3(z);
+    assert!((ratio(1.2e6) / ratio(1.5e6) - 1.0).abs() < 1e-12);
+    assert!((ratio(1e6) / ratio(0.99e6) - 1.0).abs() < 2e-3);
+}
+
+#[test]
+fn sea_level_is_that_of_the_document() {
+    // Table I and the text: 1.2250 kg/m³, 340.294 m/s, 6.6328e-8 m.
+    let a = us_1976().air(0.0);
+    assert!((a.density_kg_m3 - 1.2250).abs() < 5e-5);
+    assert!((a.speed_of_sound_m_s - 340.294).abs() < 5e-4);
+    assert!((a.mean_free_path_m / 6.6328e-8 - 1.0).abs() < 1e-4);
+}

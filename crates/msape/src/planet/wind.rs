@@ -1,0 +1,168 @@
+//! Wind: where the air goes, relative to the planet, against altitude.
+//!
+//! ```text
+//! w = wᵢ + (z − zᵢ) (wᵢ₊₁ − wᵢ)/(zᵢ₊₁ − zᵢ)
+//! ```
+//!
+//! with w = (eastward, northward) in m/s and z in m; beyond the ends w is held.
+//!
+//! # Valid
+//! Horizontal winds only.
+//!
+//! # References
+//! - Own convention.
+
+use super::rows::{self, Column, RowFault, Rule, Shape};
+use numerics::scalar::Scalar;
+
+/// Columns of a row, in order.
+pub const COLUMNS: [Column; 3] = [
+    Column {
+        name: "altitude_m",
+        unit: "m",
+        rule: Rule::Ascending,
+    },
+    Column {
+        name: "eastward_m_s",
+        unit: "m/s",
+        rule: Rule::Finite,
+    },
+    Column {
+        name: "northward_m_s",
+        unit: "m/s",
+        rule: Rule::Finite,
+    },
+];
+
+/// A model of the wind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wind {
+    /// The air turns with the planet.
+    Calm,
+    /// The same at every altitude.
+    Constant {
+        /// Eastward, m/s.
+        eastward_m_s: f64,
+        /// Northward, m/s.
+        northward_m_s: f64,
+    },
+    /// Rows of altitude.
+    Table(WindTable),
+}
+
+/// Rows of wind, checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindTable {
+    /// Altitude, m, eastward and northward, m/s, and their slopes, 1/s, one row an interval.
+    intervals: Vec<[f64; 5]>,
+    altitudes_m: Vec<f64>,
+}
+
+impl WindTable {
+    /// The table of rows of altitude, m, eastward, m/s, northward, m/s; or all that is wrong with them.
+    pub fn try_new(rows: &[Vec<f64>]) -> Result<Self, Vec<RowFault>> {
+        rows::check(
+            rows,
+            &COLUMNS,
+            Shape {
+                fewest_rows: 1,
+                fewest_columns: COLUMNS.len(),
+            },
+        )?;
+        let points = || {
+            rows.iter()
+                .filter_map(|row| <[f64; 3]>::try_from(row.as_slice()).ok())
+        };
+        let mut intervals = Vec::with_capacity(rows.len());
+        for ([z, east, north], [z_1, east_1, north_1]) in points().zip(points().skip(1)) {
+            let dz = z_1 - z;
+            intervals.push([z, east, north, (east_1 - east) / dz, (north_1 - north) / dz]);
+        }
+        if let (true, Some([z, east, north])) = (intervals.is_empty(), points().last()) {
+            intervals.push([z, east, north, 0.0, 0.0]);
+        }
+        Ok(Self {
+            intervals,
+            altitudes_m: points().map(|[z, ..]| z).collect(),
+        })
+    }
+
+    #[inline]
+    fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {
+        let (first, last) = (self.altitudes_m.first(), self.altitudes_m.last());
+        let (Some(first), Some(last)) = (first, last) else {
+            return [S::constant(0.0); 2];
+        };
+        let held_m = altitude_m.max(S::constant(*first)).min(S::constant(*last));
+        let [z, east, north, east_slope, north_slope] = held_m.lookup(|z| {
+            let i = self
+                .intervals
+                .partition_point(|interval| interval[0] <= z)
+                .saturating_sub(1);
+            self.intervals.get(i).copied().unwrap_or_default()
+        });
+        let above = held_m - z;
+        [east + above * east_slope, north + above * north_slope]
+    }
+}
+
+impl Wind {
+    /// Eastward and northward wind at an altitude, m, in m/s.
+    #[inline]
+    pub fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {
+        match self {
+            Self::Calm => [S::constant(0.0); 2],
+            Self::Constant {
+                eastward_m_s,
+                northward_m_s,
+            } => [S::constant(*eastward_m_s), S::constant(*northward_m_s)],
+            Self::Table(table) => table.east_north_m_s(altitude_m),
+        }
+    }
+
+    /// Altitudes at which the wind has a kink, m, ascending.
+    pub fn boundaries_m(&self) -> &[f64] {
+        match self {
+            Self::Table(table) => &table.altitudes_m,
+            Self::Calm | Self::Constant { .. } => &[],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(rows: &[[f64; 3]]) -> Result<Wind, Vec<RowFault>> {
+        let rows: Vec<Vec<f64>> = rows.iter().map(|r| r.to_vec()).collect();
+        Ok(Wind::Table(WindTable::try_new(&rows)?))
+    }
+
+    #[test]
+    fn linear_within_and_held_beyond() {
+        let wind = table(&[[0.0, 5.0, 0.0], [1000.0, 15.0, -2.0], [2000.0, 10.0, 0.0]]).unwrap();
+        // 250 m: 5 + 10/4, −2/4
+        assert_eq!(wind.east_north_m_s(250.0), [7.5, -0.5]);
+        assert_eq!(wind.east_north_m_s(1500.0), [12.5, -1.0]);
+        assert_eq!(wind.east_north_m_s(-100.0), [5.0, 0.0]);
+        assert_eq!(wind.east_north_m_s(9e4), [10.0, 0.0]);
+    }
+
+    #[test]
+    fn one_row_is_a_constant_wind() {
+        let wind = table(&[[0.0, 5.0, 1.0]]).unwrap();
+        assert_eq!(wind.east_north_m_s(12345.0), [5.0, 1.0]);
+        assert_eq!(Wind::Calm.east_north_m_s(0.0), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn faults_name_row_and_column() {
+        let faults = table(&[[1000.0, 5.0, 0.0], [0.0, f64::INFINITY, 0.0]]).unwrap_err();
+        let text: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            text[0],
+            "row 2: altitude_m: got 0 m, must be above 1000 m of the row before"
+        );
+        assert_eq!(text[1], "row 2: eastward_m_s: got inf m/s, must be finite");
+    }
+}

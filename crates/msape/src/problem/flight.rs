@@ -1,0 +1,194 @@
+//! Checks the mission, and the vehicle that is flown as it is.
+
+use super::heating::{choice, heating};
+use super::planet::{atmosphere, planet, wind};
+use crate::aero::{Drag, DragTable};
+use crate::case::Reader;
+use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
+use crate::library::{Library, named};
+use crate::planet::Planet;
+use crate::planet::geodetic::Geodetic;
+use crate::planet::horizon::Velocity;
+use numerics::math::{PI, RADIANS_PER_DEGREE};
+use numerics::ode::Method;
+use numerics::root;
+
+/// Which flight-path angles a command takes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Angle {
+    /// Any.
+    Any,
+    /// Below the horizon: a design enters.
+    Descending,
+}
+
+/// Everything about a flight but the vehicle.
+pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> Option<Mission> {
+    let planet = planet(reader, library);
+    let atmosphere = atmosphere(reader, library);
+    let wind = wind(reader);
+    let start = start(reader, planet.as_ref().map(|(planet, _)| planet), angle);
+    let heating_planet = planet.as_ref().map_or("earth-msape", |(_, name)| name.as_str());
+    let heating = heating(reader, library, heating_planet);
+    let stop = stop(reader);
+    let solver = solver(reader);
+    let (heating, wall_emissivity) = heating?;
+    Some(Mission {
+        planet: planet?.0,
+        atmosphere: atmosphere?,
+        wind: wind?,
+        start: start?,
+        heating,
+        wall_emissivity,
+        stop,
+        solver: solver?,
+    })
+}
+
+fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<Start> {
+    let [altitude, radius] = ["entry.altitude_m", "entry.radius_m"].map(|key| reader.given(key));
+    let altitude_m = altitude.then(|| reader.number("entry.altitude_m"));
+    let radius_m = radius.then(|| reader.number("entry.radius_m"));
+    match (altitude, radius) {
+        (true, true) => reader.fault("entry.radius_m", "given together with entry.altitude_m; give one of them"),
+        (false, false) => reader.missing("entry.altitude_m"),
+        _ => {}
+    }
+    let mut angle_of = |key: &str| Some(reader.required_number(key)? * RADIANS_PER_DEGREE);
+    let latitude_rad = angle_of("entry.latitude_deg");
+    let longitude_rad = angle_of("entry.longitude_deg");
+    let flight_path_angle_rad = angle_of("entry.flight_path_angle_deg");
+    let azimuth_rad = angle_of("entry.azimuth_deg");
+    let speed_m_s = reader.required_number("entry.speed_m_s");
+    let frame = choice(reader, "entry.frame");
+    if let (Angle::Descending, Some(gamma)) = (angle, flight_path_angle_rad)
+        && gamma >= 0.0
+    {
+        let got = gamma / RADIANS_PER_DEGREE;
+        let message = format!("got {got} deg, must be -90 to below 0 deg: a design enters, so its angle points below the horizon");
+        reader.fault("entry.flight_path_angle_deg", message);
+    }
+    let planet = planet?;
+    let (latitude_rad, longitude_rad) = (latitude_rad?, longitude_rad?);
+    let altitude_m = match (altitude_m.flatten(), radius_m.flatten()) {
+        (Some(altitude_m), _) => altitude_m,
+        (None, Some(radius_m)) => altitude_at(planet, radius_m, latitude_rad),
+        (None, None) => return None,
+    };
+    if radius && altitude_m < LOWEST_START_M {
+        let message = format!("gives an altitude of {altitude_m:.0} m, must be at least {LOWEST_START_M} m");
+        reader.fault("entry.radius_m", message);
+    }
+    let place = Geodetic { altitude_m, latitude_rad, longitude_rad };
+    let position_m = planet.cartesian_m(&place);
+    let horizon = planet.horizon(position_m);
+    let given = Velocity {
+        speed_m_s: speed_m_s?,
+        flight_path_angle_rad: flight_path_angle_rad?,
+        azimuth_rad: azimuth_rad?.rem_euclid(2.0 * PI),
+    };
+    let (relative, inertial) = match frame? {
+        "inertial" => (planet.relative_from_inertial(position_m, &given), given),
+        _ => (given, planet.inertial_from_relative(position_m, &given)),
+    };
+    Some(Start {
+        position_m,
+        velocity_m_s: horizon.cartesian_m_s(&relative),
+        relative,
+        inertial,
+    })
+}
+
+/// Lowest start, m; that of the altitude's range.
+const LOWEST_START_M: f64 = -5_000.0;
+
+/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
+fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
+    let excess = |altitude_m: f64| {
+        let [x, y, z] = planet.cartesian_m(&Geodetic { altitude_m, latitude_rad, longitude_rad: 0.0 });
+        (x * x + y * y + z * z).sqrt() - radius_m
+    };
+    // The distance is within the flattening of altitude plus equatorial radius.
+    let guess_m = radius_m - planet.equatorial_radius_m;
+    let reach_m = 2.0 * (planet.equatorial_radius_m - planet.polar_radius_m) + 1.0;
+    root::brent(excess, guess_m - reach_m, guess_m + reach_m, 1e-9).unwrap_or(guess_m)
+}
+
+fn stop(reader: &mut Reader) -> Stop {
+    let altitude_m = reader.number("stop.altitude_m");
+    let time_s = reader.number("stop.time_s");
+    let nothing_given = !reader.given("stop.altitude_m") && !reader.given("stop.time_s");
+    Stop {
+        altitude_m: if nothing_given { Some(0.0) } else { altitude_m },
+        time_s,
+    }
+}
+
+fn solver(reader: &mut Reader) -> Option<Solver> {
+    let tolerance = reader.number("solver.tolerance").unwrap_or(DEFAULT_TOLERANCE);
+    let step = reader.number("solver.step_s");
+    let method = match choice(reader, "solver.method")? {
+        "dormand-prince-853" => Method::DormandPrince853,
+        "rk4" => Method::Rk4 { step: step? },
+        _ => Method::DormandPrince54,
+    };
+    let model = match choice(reader, "solver.flight_model")? {
+        "allen-eggers" => Model::AllenEggers,
+        _ => Model::ThreeDof,
+    };
+    Some(Solver { model, method, tolerance })
+}
+
+/// The vehicle that is flown as it is.
+pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
+    let mass_kg = reader.required_number("vehicle.mass_kg");
+    let nose_radius_m = reader.required_number("vehicle.nose_radius_m");
+    let area_m2 = reader.number("vehicle.reference_area_m2");
+    let diameter_m = reader.number("vehicle.diameter_m");
+    let given = ["vehicle.reference_area_m2", "vehicle.diameter_m"].map(|key| reader.given(key));
+    match given {
+        [true, true] => reader.fault("vehicle.diameter_m", "given together with vehicle.reference_area_m2; give one of them"),
+        [false, false] => reader.fault("vehicle.reference_area_m2", "missing; give it, in m^2, or vehicle.diameter_m, in m"),
+        _ => {}
+    }
+    let drag = drag(reader, library);
+    Some(Body {
+        mass_kg: mass_kg?,
+        reference_area_m2: area_m2.or(diameter_m.map(|d| 0.25 * PI * d * d))?,
+        nose_radius_m: nose_radius_m?,
+        drag: drag?,
+    })
+}
+
+fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+    let keys = ["vehicle.drag_coefficient", "vehicle.drag_table", "vehicle.aerodynamics"];
+    let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
+    match given.as_slice() {
+        [only] if *only == keys[0] => reader.number("vehicle.drag_coefficient").map(Drag::Constant),
+        [only] if *only == keys[1] => {
+            let rows: Vec<(f64, f64)> =
+                reader.rows("vehicle.drag_table")?.iter().filter_map(|row| Some((*row.first()?, *row.get(1)?))).collect();
+            match DragTable::try_new(&rows) {
+                Ok(table) => Some(Drag::Table(table)),
+                Err(faults) => {
+                    faults.iter().for_each(|fault| reader.fault("vehicle.drag_table", fault.as_str()));
+                    None
+                }
+            }
+        }
+        [_] => {
+            let names: Vec<&str> = library.aerodynamics.iter().map(|(name, _)| name.as_str()).collect();
+            let name = reader.choice("vehicle.aerodynamics", &names)?;
+            named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
+        }
+        [] => {
+            let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics";
+            reader.fault("vehicle.drag_coefficient", message);
+            None
+        }
+        [_, second, ..] => {
+            reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");
+            None
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! The closing loop at one diameter: geometry, masses and walls until nothing moves any more.
+//!
+//! ```text
+//! geometry(x_cg, walls) → masses → x_cg → loads → walls → geometry
+//! ```
+//!
+//! with x_cg the centre of gravity in m. It stops when x_cg, the attached structure and every wall move less than the rules say.
+//!
+//! # Valid
+//! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`].
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it).
+
+use crate::vehicle::forebody::Forebody;
+use crate::vehicle::impact::{EARTH_G_M_S2, Foam};
+use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
+use crate::vehicle::mass::{Component, ComponentKind, Densities, MassProperties, components, total};
+use crate::vehicle::structure::{PressureShell, Structure, Wall};
+use crate::vehicle::{msr, non_msr};
+use numerics::math::PI;
+
+/// A vehicle that closes at a diameter.
+#[derive(Clone, Debug)]
+pub struct Closed {
+    /// Where everything stands.
+    pub layout: Layout,
+    /// Components.
+    pub components: Vec<Component>,
+    /// Their sum.
+    pub mass: MassProperties,
+    /// Walls.
+    pub structure: Structure,
+    /// Turns of the loop.
+    pub iterations: u32,
+}
+
+/// Turns after which the loop gives up.
+const MOST_TURNS: u32 = 200;
+
+/// The vehicle at the diameter `diameter_m`, with the impact foam `foam` or more of it.
+pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed, Misfit> {
+    let radius_m = diameter_m / 2.0;
+    let forebody = Forebody {
+        diameter_m,
+        nose_radius_m: input.nose_radius_ratio * radius_m,
+        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+        cone_half_angle_rad: input.cone_half_angle_rad,
+    };
+    let mut structure = Structure {
+        forebody: match input.forebody.carrier_thickness_m {
+            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
+            None => input.forebody.carrier.at_minimum_gauge(),
+        },
+        aftbody: input.aftbody_carrier.at_minimum_gauge(),
+        primary: input.primary_carrier.at_minimum_gauge(),
+    };
+    let rules = &input.rules;
+    let payload_radius_m = input.payload_diameter_m() / 2.0;
+    let mut cg_x_m = first_cg_x_m(&forebody, payload_radius_m);
+    let mut last_foot_x_m = f64::INFINITY;
+    let mut moved = f64::INFINITY;
+    for iterations in 1..=MOST_TURNS {
+        let depths = Depths {
+            forebody_tps_m: input.forebody.tps_thickness_m,
+            bond_m: input.forebody.bond_thickness_m,
+            forebody_carrier_m: structure.forebody.thickness_m,
+            aftbody_tps_m: input.aftbody_tps_thickness_m,
+            aftbody_carrier_m: structure.aftbody.thickness_m,
+            primary_m: structure.primary.thickness_m,
+        };
+        let frame = Frame { forebody, depths, payload_radius_m, foam_thickness_m: foam.thickness_m, cg_x_m, rules };
+        let layout = match input.concept {
+            Concept::Msr => msr::layout(&frame)?,
+            Concept::NonMsr => non_msr::layout(&frame)?,
+        };
+        let components = components(input, &layout, &Densities { structure: &structure, foam });
+        let mass = total(&components);
+        let sized = size_walls(input, &layout, &components, &mass);
+        let foot_x_m = layout.outline.attached_structure_x_m;
+        moved = (mass.cg_x_m - cg_x_m).abs();
+        let settled = moved < rules.convergence_m
+            && (foot_x_m - last_foot_x_m).abs() < rules.convergence_m
+            && [
+                (sized.forebody, structure.forebody),
+                (sized.aftbody, structure.aftbody),
+                (sized.primary, structure.primary),
+            ]
+            .iter()
+            .all(|(new, old)| (new.thickness_m - old.thickness_m).abs() < rules.convergence_m);
+        if settled {
+            let slope_rad = layout.outline.wing_slope_rad;
+            if slope_rad < rules.wing_slope_min_rad.min(frame.steepest_rad()) {
+                return Err(Misfit::WingTooShallow { slope_rad, least_rad: rules.wing_slope_min_rad });
+            }
+            return Ok(Closed { layout, components, mass, structure: sized_labels(structure, sized), iterations });
+        }
+        cg_x_m = mass.cg_x_m;
+        last_foot_x_m = foot_x_m;
+        structure = sized;
+    }
+    Err(Misfit::NotConverged { move_m: moved })
+}
+
+/// A first centre of gravity, ahead of where it will be: then the lid is wide and its foot is lifted, never too low.
+fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
+    0.8 * forebody.resting_ball_x_m(0.0, payload_radius_m).max(0.5 * forebody.shoulder_center().x_m)
+}
+
+/// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
+fn sized_labels(used: Structure, sized: Structure) -> Structure {
+    let label = |used: Wall, sized: Wall| Wall {
+        thickness_m: used.thickness_m,
+        density_kg_m3: used.density_kg_m3,
+        ..sized
+    };
+    Structure {
+        forebody: label(used.forebody, sized.forebody),
+        aftbody: label(used.aftbody, sized.aftbody),
+        primary: label(used.primary, sized.primary),
+    }
+}
+
+/// Walls for the loads that these masses make.
+fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], mass: &MassProperties) -> Structure {
+    let outline = &layout.outline;
+    let forebody = &outline.forebody;
+    let load = &input.structure_loads;
+    let entry_g = input.loads.entry_load_earth_g;
+    let area_m2 = PI * forebody.diameter_m * forebody.diameter_m / 4.0;
+    let inertial_pa = mass.mass_kg * entry_g * EARTH_G_M_S2 / area_m2;
+    let pressure_pa = load.safety_factor * inertial_pa.max(input.loads.peak_stagnation_pressure_pa);
+    let (theta_sin, theta_cos) = forebody.sin_cos();
+    let (inner_r, outer_r) = (layout.primary_outer_r_m(), forebody.shoulder_tangent(0.0).r_m);
+    let fore_shell = PressureShell {
+        pressure_pa,
+        slant_length_m: ((outer_r - inner_r) / theta_sin).max(0.0),
+        cone_curvature_radius_m: (inner_r + outer_r) / 2.0 / theta_cos,
+        largest_curvature_radius_m: outer_r / theta_cos,
+        cap_radius_m: forebody.nose_radius_m,
+    };
+    let aft_pa = load.aftbody_pressure_fraction * pressure_pa;
+    let aft_shell = PressureShell {
+        pressure_pa: aft_pa,
+        slant_length_m: 0.0,
+        cone_curvature_radius_m: 0.0,
+        largest_curvature_radius_m: 0.0,
+        cap_radius_m: outline.lid_radius_m,
+    };
+    // in entry the forebody carries itself; the rest hangs on the primary structure
+    let carried_kg: f64 = components
+        .iter()
+        .filter(|c| !matches!(c.kind, ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier))
+        .map(|c| c.mass_with_margin_kg)
+        .sum();
+    let axial_n = load.safety_factor
+        * EARTH_G_M_S2
+        * (carried_kg * entry_g).max(mass.mass_kg * load.launch_axial_load_earth_g);
+    Structure {
+        forebody: match input.forebody.carrier_thickness_m {
+            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
+            None => input.forebody.carrier.pressure_wall(&fore_shell),
+        },
+        aftbody: input.aftbody_carrier.pressure_wall(&aft_shell),
+        primary: input.primary_carrier.axial_wall(layout.primary_inner_r_m(), axial_n),
+    }
+}

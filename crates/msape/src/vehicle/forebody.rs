@@ -1,0 +1,185 @@
+//! Sphere-cone forebody: nose sphere, cone, shoulder arc, and its inner offsets.
+//!
+//! ```text
+//! x_n = Rₙ / sin θ                                  centre of the nose sphere
+//! x_s = (r_s + R_s cos θ) / tan θ + R_s sin θ        centre of the shoulder arc, r_s = D/2 − R_s
+//! r   = (x − t / sin θ) tan θ                       cone at the depth t under the surface
+//! ```
+//!
+//! with x from the virtual apex in m, aft positive; r from the axis in m; θ the cone half-angle in rad.
+//!
+//! # Valid
+//! 0 < θ < π/2 and a nose that ends before the shoulder: Rₙ cos θ ≤ r_s + R_s cos θ.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.4, Figures 14-17 (coordinate system at the virtual apex).
+
+use crate::vehicle::profile::Profile;
+use crate::vehicle::segment::{Point, Segment};
+use numerics::math::{FRAC_PI_2, PI, sin_cos};
+use serde::{Deserialize, Serialize};
+
+/// The forebody's outer mould line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Forebody {
+    /// Largest diameter, m.
+    pub diameter_m: f64,
+    /// Radius of the nose sphere, m.
+    pub nose_radius_m: f64,
+    /// Radius of the shoulder arc, m.
+    pub shoulder_radius_m: f64,
+    /// Angle between the axis and the cone, rad.
+    pub cone_half_angle_rad: f64,
+}
+
+impl Forebody {
+    /// Sine and cosine of the cone half-angle.
+    pub fn sin_cos(&self) -> (f64, f64) {
+        sin_cos(self.cone_half_angle_rad)
+    }
+
+    /// Axial position of the centre of the nose sphere, m.
+    pub fn nose_center_x_m(&self) -> f64 {
+        self.nose_radius_m / self.sin_cos().0
+    }
+
+    /// Axial position of the nose tip: distance of the virtual apex ahead of it, m.
+    pub fn nose_tip_x_m(&self) -> f64 {
+        self.nose_center_x_m() - self.nose_radius_m
+    }
+
+    /// Centre of the shoulder arc; its x is that of the largest diameter.
+    pub fn shoulder_center(&self) -> Point {
+        let (sin, cos) = self.sin_cos();
+        let Self { shoulder_radius_m: r_s, .. } = *self;
+        let r_m = self.diameter_m / 2.0 - r_s;
+        Point { x_m: (r_m + r_s * cos) * cos / sin + r_s * sin, r_m }
+    }
+
+    /// Point at depth `depth_m` where the nose sphere goes over into the cone; on the axis when the sphere is used up.
+    pub fn nose_tangent(&self, depth_m: f64) -> Point {
+        let (sin, cos) = self.sin_cos();
+        let radius = self.nose_radius_m - depth_m;
+        if radius > 0.0 {
+            Point { x_m: self.nose_center_x_m() - radius * sin, r_m: radius * cos }
+        } else {
+            Point::on_axis(depth_m / sin)
+        }
+    }
+
+    /// Point at depth `depth_m`, less than the shoulder radius, where the cone goes over into the shoulder arc.
+    pub fn shoulder_tangent(&self, depth_m: f64) -> Point {
+        let (sin, cos) = self.sin_cos();
+        let (center, radius) = (self.shoulder_center(), self.shoulder_radius_m - depth_m);
+        Point { x_m: center.x_m - radius * sin, r_m: center.r_m + radius * cos }
+    }
+
+    /// Axial position of the surface at depth `depth_m` (nose or cone) at the distance `r_m` from the axis, m.
+    pub fn depth_x_m(&self, depth_m: f64, r_m: f64) -> f64 {
+        let (sin, cos) = self.sin_cos();
+        let radius = self.nose_radius_m - depth_m;
+        if r_m < radius * cos {
+            self.nose_center_x_m() - (radius * radius - r_m * r_m).sqrt()
+        } else {
+            r_m * cos / sin + depth_m / sin
+        }
+    }
+
+    /// Nose arc and the start of the cone at depth `depth_m`, from the axis outwards.
+    pub fn nose(&self, depth_m: f64) -> Profile {
+        let radius = self.nose_radius_m - depth_m;
+        if radius > 0.0 {
+            let center = Point::on_axis(self.nose_center_x_m());
+            Profile { segments: vec![Segment::arc(center, radius, PI, -(FRAC_PI_2 - self.cone_half_angle_rad))] }
+        } else {
+            Profile::default()
+        }
+    }
+
+    /// The surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
+    pub fn between(&self, depth_m: f64, inner_r_m: f64, outer_r_m: f64) -> Profile {
+        let radius = self.nose_radius_m - depth_m;
+        let at = |r_m: f64| Point { x_m: self.depth_x_m(depth_m, r_m), r_m };
+        let tangent = self.nose_tangent(depth_m);
+        let mut segments = Vec::with_capacity(2);
+        let mut from = at(inner_r_m);
+        if radius > 0.0 && inner_r_m < tangent.r_m {
+            let center = Point::on_axis(self.nose_center_x_m());
+            let angle = |p: Point| numerics::math::atan2(p.r_m, p.x_m - center.x_m);
+            let to = if outer_r_m < tangent.r_m { at(outer_r_m) } else { tangent };
+            let start_angle_rad = angle(from);
+            segments.push(Segment::Arc {
+                start: from,
+                end: to,
+                center,
+                radius_m: radius,
+                start_angle_rad,
+                sweep_rad: angle(to) - start_angle_rad,
+            });
+            from = to;
+        }
+        if outer_r_m > from.r_m {
+            segments.push(Segment::Line { start: from, end: at(outer_r_m) });
+        }
+        Profile { segments }
+    }
+
+    /// Axial position of the centre of a ball of radius `radius_m` that rests on the surface at depth `depth_m`, m.
+    pub fn resting_ball_x_m(&self, depth_m: f64, radius_m: f64) -> f64 {
+        let nose = self.nose_radius_m - depth_m;
+        if radius_m < nose {
+            self.nose_center_x_m() - nose + radius_m
+        } else {
+            (radius_m + depth_m) / self.sin_cos().0
+        }
+    }
+
+    /// Nose, cone and shoulder up to the largest diameter.
+    pub fn profile(&self) -> Profile {
+        let theta = self.cone_half_angle_rad;
+        let shoulder =
+            Segment::arc(self.shoulder_center(), self.shoulder_radius_m, FRAC_PI_2 + theta, -theta);
+        self.nose(0.0).then(&Profile { segments: vec![shoulder] })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sphere_cone_of_1_m_as_computed_independently() {
+        let body = Forebody {
+            diameter_m: 1.0,
+            nose_radius_m: 0.375,
+            shoulder_radius_m: 0.025,
+            cone_half_angle_rad: PI / 3.0,
+        };
+        let tip = body.nose_tip_x_m();
+        let solid = body.profile().line_to(Point::on_axis(body.shoulder_center().x_m)).closed().solid();
+        // printed to eight decimals, hence half a unit of the last
+        let rows = [
+            (body.nose_tangent(0.0).x_m - tip, 0.050_240_47),
+            (body.nose_tangent(0.0).r_m, 0.187_5),
+            (body.shoulder_tangent(0.0).x_m - tip, 0.223_445_55),
+            (body.shoulder_tangent(0.0).r_m, 0.487_5),
+            (body.shoulder_center().x_m - tip, 0.245_096_19),
+            (tip, 0.058_012_7),
+            (body.profile().wetted_area_m2(), 0.934_500_31),
+            (solid.volume_m3, 0.085_661_68),
+            (solid.centroid_x_m() - tip, 0.171_052_67),
+        ];
+        for (got, want) in rows {
+            assert!((got - want).abs() <= 5.001e-9, "{got} against {want}");
+        }
+    }
+
+    #[test]
+    fn ball_rests_on_the_nose_or_in_the_cone() {
+        let body =
+            Forebody { diameter_m: 1.0, nose_radius_m: 0.3, shoulder_radius_m: 0.05, cone_half_angle_rad: PI / 6.0 };
+        // centre of the nose at 0.3 / 0.5 = 0.6; a ball of 0.1 rests at 0.6 − 0.3 + 0.1, one of 0.4 at 0.4 / 0.5
+        assert!((body.resting_ball_x_m(0.0, 0.1) - 0.4).abs() < 1e-15);
+        assert!((body.resting_ball_x_m(0.0, 0.4) - 0.8).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,188 @@
+//! Landing without parachute: load of ground penetration, stroke and strength of the impact foam on a rigid surface.
+//!
+//! ```text
+//! G = α Dₙ V_t² / M                      (1)
+//! Stroke = k V_t² / (2 Ḡ g)              (4), k = 2 for MSR (triangular pulse), 1 for non-MSR
+//! FS = M_PL V_t² / (2 A_p Stroke)        (6)
+//! foam thickness = Stroke / η
+//! ```
+//!
+//! with G in Earth g, α the empirical constant of the ground, Dₙ the nose diameter in m (twice the nose radius), V_t the
+//! speed at impact in m/s, M the mass in kg, Ḡ the design load in Earth g, g = 9.80665 m/s², FS in Pa, M_PL the payload's
+//! mass in kg, A_p its cross-section in m², η the usable fraction of the foam's thickness.
+//!
+//! # Valid
+//! Vertical fall, one dimension, rigid payload. Equation 1: soft clay for which α was measured.
+//! The printed 456 g of Table 16 needs Dₙ = 0.70-0.76 m; twice the nose radius of a 1.0 m vehicle with the ratio 0.75 is 0.75 m.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.5, equations 1, 4 and 6.
+
+use crate::vehicle::input::Concept;
+use crate::vehicle::rules::FoamGrade;
+use numerics::math::PI;
+use serde::{Deserialize, Serialize};
+
+/// Standard gravity, m/s².
+pub const EARTH_G_M_S2: f64 = 9.80665;
+
+/// A ground and its penetration constant.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ground {
+    /// Key of the source in the list of references.
+    pub source: String,
+    /// Where in the source.
+    pub place: String,
+    /// What a reader must know.
+    pub note: String,
+    /// Name.
+    pub name: String,
+    /// Empirical penetration constant.
+    pub penetration: Penetration,
+}
+
+/// The empirical constant α of equation 1 and the range in which it was measured.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Penetration {
+    /// Value used.
+    pub alpha: f64,
+    /// Least value measured.
+    pub alpha_min: f64,
+    /// Largest value measured.
+    pub alpha_max: f64,
+}
+
+impl Ground {
+    /// Reads a file of `data/grounds`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        toml::from_str(text).map_err(|e| e.to_string())
+    }
+}
+
+/// What the landing is designed for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ImpactInput {
+    /// Design load of the payload, Earth g.
+    pub crush_load_limit_earth_g: f64,
+    /// Usable fraction of the foam's thickness.
+    pub stroke_efficiency: f64,
+    /// The ground.
+    pub ground: Ground,
+}
+
+/// Loads and foam of the landing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Impact {
+    /// Load of ground penetration, equation 1, Earth g.
+    pub ground_penetration_load_earth_g: f64,
+    /// The same with the least and the largest constant measured, Earth g.
+    pub ground_penetration_range_earth_g: (f64, f64),
+    /// Load on a rigid surface, which the foam is made for, Earth g.
+    pub crush_load_limit_earth_g: f64,
+    /// Nose diameter in equation 1, m.
+    pub nose_diameter_m: f64,
+    /// Stroke of the payload, m.
+    pub required_stroke_m: f64,
+    /// Foam thickness that gives this stroke, m.
+    pub required_foam_thickness_m: f64,
+    /// Compressive strength of the foam, Pa.
+    pub foam_strength_pa: f64,
+    /// Density of the foam, kg/m³.
+    pub foam_density_kg_m3: f64,
+    /// Energy of the vehicle at impact, J.
+    pub impact_energy_j: f64,
+}
+
+/// Impact foam as equations 4 and 6 ask for it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Foam {
+    /// Thickness, m.
+    pub thickness_m: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³.
+pub fn foam_density_kg_m3(grades: &[FoamGrade], strength_pa: f64) -> Option<f64> {
+    let first = grades.first()?;
+    if strength_pa <= first.compressive_strength_pa {
+        return Some(first.density_kg_m3);
+    }
+    let pairs = grades.iter().zip(grades.iter().skip(1));
+    let (low, high) = pairs.clone().find(|(_, high)| strength_pa <= high.compressive_strength_pa).or(pairs.last())?;
+    let share =
+        (strength_pa - low.compressive_strength_pa) / (high.compressive_strength_pa - low.compressive_strength_pa);
+    Some(low.density_kg_m3 + share * (high.density_kg_m3 - low.density_kg_m3))
+}
+
+/// Peak load of ground penetration, Earth g.
+pub fn penetration_load_earth_g(alpha: f64, nose_diameter_m: f64, speed_m_s: f64, mass_kg: f64) -> f64 {
+    alpha * nose_diameter_m * speed_m_s * speed_m_s / mass_kg
+}
+
+/// Stroke of the payload on a rigid surface, m.
+pub fn required_stroke_m(concept: Concept, speed_m_s: f64, design_load_earth_g: f64) -> f64 {
+    let pulse = match concept {
+        Concept::Msr => 2.0,
+        Concept::NonMsr => 1.0,
+    };
+    pulse * speed_m_s * speed_m_s / (2.0 * design_load_earth_g * EARTH_G_M_S2)
+}
+
+/// Compressive strength of the foam, Pa.
+pub fn foam_strength_pa(payload_mass_kg: f64, payload_diameter_m: f64, speed_m_s: f64, stroke_m: f64) -> f64 {
+    let area_m2 = PI * payload_diameter_m * payload_diameter_m / 4.0;
+    payload_mass_kg * speed_m_s * speed_m_s / (2.0 * area_m2 * stroke_m)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn table_16_stroke_of_2_4_cm_is_26_7_m_s_at_1500_g() {
+        // 26.7² / (2 · 1500 · 9.80665) = 712.89 / 29419.95 = 0.024231
+        let stroke = required_stroke_m(Concept::NonMsr, 26.7, 1500.0);
+        assert!((stroke - 0.024_231).abs() < 1e-6);
+        assert_eq!(required_stroke_m(Concept::Msr, 26.7, 1500.0), 2.0 * stroke);
+    }
+
+    #[test]
+    fn penetration_load_of_28_by_half_a_metre_at_20_m_s_with_40_kg_is_140_g() {
+        // 28 · 0.5 · 400 / 40
+        assert_eq!(penetration_load_earth_g(28.0, 0.5, 20.0, 40.0), 140.0);
+    }
+
+    #[test]
+    fn foam_strength_is_payload_weight_at_the_design_load_over_its_area() {
+        // with eq. 4 in eq. 6 the speed drops out: FS = M G g / A
+        let stroke = required_stroke_m(Concept::NonMsr, 31.0, 1000.0);
+        let area = PI * 0.2 * 0.2 / 4.0;
+        let strength = foam_strength_pa(10.0, 0.2, 31.0, stroke);
+        assert!((strength - 10.0 * 1000.0 * EARTH_G_M_S2 / area).abs() < 1e-6);
+    }
+
+    #[test]
+    fn foam_of_3_mpa_between_2_and_4_has_the_mean_density() {
+        let grade = |density_kg_m3, compressive_strength_pa| FoamGrade {
+            name: String::new(),
+            density_kg_m3,
+            compressive_strength_pa,
+            source: String::new(),
+        };
+        let grades = [grade(50.0, 1.0e6), grade(100.0, 2.0e6), grade(200.0, 4.0e6)];
+        assert_eq!(foam_density_kg_m3(&grades, 3.0e6), Some(150.0));
+        assert_eq!(foam_density_kg_m3(&grades, 6.0e6), Some(300.0)); // beyond: 50 kg/m³ a MPa further
+        assert_eq!(foam_density_kg_m3(&grades, 0.5e6), Some(50.0));
+        assert_eq!(foam_density_kg_m3(&[], 1.0e6), None);
+    }
+
+    #[test]
+    fn the_clay_of_utah_is_28_within_27_and_29() {
+        let ground = Ground::parse(include_str!("../../data/grounds/uttr-clay.toml")).unwrap();
+        assert_eq!(ground.penetration, Penetration { alpha: 28.0, alpha_min: 27.0, alpha_max: 29.0 });
+        assert!(Ground::parse("name = 'x'\nalpha = 1").is_err());
+    }
+}

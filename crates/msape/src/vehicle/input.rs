@@ -1,0 +1,161 @@
+//! What a vehicle is made from: the inputs of section 3.1.1 of the report and the data that the rules need.
+
+use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::rules::{FoamGrade, Rules};
+use crate::vehicle::structure::{Carrier, StructureLoads};
+use numerics::math::{PI, cbrt};
+use serde::{Deserialize, Serialize};
+
+/// The two concepts of section 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Concept {
+    /// Payload in a foam-filled impact sphere with a shell.
+    Msr,
+    /// Payload nested in impact foam.
+    NonMsr,
+}
+
+/// How the size of the payload, a ball, is given.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PayloadSize {
+    /// Mean density, kg/m³.
+    DensityKgM3(f64),
+    /// Diameter, m.
+    DiameterM(f64),
+    /// Diameter as a fraction of the vehicle diameter asked for.
+    DiameterRatio(f64),
+}
+
+/// Heat shield, bond and carrier of the forebody.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LayerStack {
+    /// Thickness of the heat shield, m.
+    pub tps_thickness_m: f64,
+    /// Density of the heat shield, kg/m³.
+    pub tps_density_kg_m3: f64,
+    /// Thickness of the bond, m.
+    pub bond_thickness_m: f64,
+    /// Density of the bond, kg/m³.
+    pub bond_density_kg_m3: f64,
+    /// Thickness of the carrier structure, m; `None` has it sized by the structural rules.
+    pub carrier_thickness_m: Option<f64>,
+    /// Material and build of the carrier structure.
+    pub carrier: Carrier,
+}
+
+/// Densities of what fills the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ComponentDensities {
+    /// Impact foam, kg/m³; `None` takes the grade that has the strength of equation 6.
+    pub impact_foam_kg_m3: Option<f64>,
+    /// Impact shell, kg/m³.
+    pub impact_shell_kg_m3: f64,
+    /// Body foam, kg/m³.
+    pub body_foam_kg_m3: f64,
+    /// Lid insulation, kg/m³.
+    pub lid_insulation_kg_m3: f64,
+    /// Wing insulation, kg/m³.
+    pub wing_insulation_kg_m3: f64,
+}
+
+/// What the flight says about loads.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Loads {
+    /// Peak deceleration in flight, Earth g.
+    pub entry_load_earth_g: f64,
+    /// Peak stagnation pressure, Pa.
+    pub peak_stagnation_pressure_pa: f64,
+    /// Speed at impact, m/s.
+    pub terminal_speed_m_s: f64,
+}
+
+/// Everything that determines a vehicle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct VehicleInput {
+    /// Concept.
+    pub concept: Concept,
+    /// Diameter asked for, m.
+    pub diameter_m: f64,
+    /// Nose radius over vehicle radius.
+    pub nose_radius_ratio: f64,
+    /// Shoulder radius over vehicle radius.
+    pub shoulder_radius_ratio: f64,
+    /// Angle between axis and cone, rad.
+    pub cone_half_angle_rad: f64,
+    /// Mass of the payload, kg.
+    pub payload_mass_kg: f64,
+    /// Size of the payload.
+    pub payload_size: PayloadSize,
+    /// Margin on the mass of everything but the payload, as a fraction.
+    pub mass_margin: f64,
+    /// Layers of the forebody.
+    pub forebody: LayerStack,
+    /// Thickness of the aftbody's heat shield, m.
+    pub aftbody_tps_thickness_m: f64,
+    /// Density of the aftbody's heat shield, kg/m³.
+    pub aftbody_tps_density_kg_m3: f64,
+    /// Material and build of the aftbody's carrier structure.
+    pub aftbody_carrier: Carrier,
+    /// Material and build of the primary structure.
+    pub primary_carrier: Carrier,
+    /// Densities of the fillings.
+    pub densities: ComponentDensities,
+    /// Loads of flight and landing.
+    pub loads: Loads,
+    /// Factors of the structural rules.
+    pub structure_loads: StructureLoads,
+    /// Crush load limit, stroke efficiency, ground.
+    pub impact: ImpactInput,
+    /// Foam grades by rising density, for judging the strength asked for.
+    pub foam_grades: Vec<FoamGrade>,
+    /// Constants of the geometry.
+    pub rules: Rules,
+}
+
+impl VehicleInput {
+    /// Diameter of the payload, m.
+    pub fn payload_diameter_m(&self) -> f64 {
+        match self.payload_size {
+            PayloadSize::DensityKgM3(density) => cbrt(6.0 * self.payload_mass_kg / (PI * density)),
+            PayloadSize::DiameterM(diameter_m) => diameter_m,
+            PayloadSize::DiameterRatio(ratio) => ratio * self.diameter_m,
+        }
+    }
+
+    /// What is wrong with the numbers, as one sentence; `None` when a vehicle can be tried.
+    pub fn fault(&self) -> Option<String> {
+        let positive = [
+            ("diameter_m", self.diameter_m),
+            ("nose_radius_ratio", self.nose_radius_ratio),
+            ("shoulder_radius_ratio", self.shoulder_radius_ratio),
+            ("payload_mass_kg", self.payload_mass_kg),
+            ("payload_diameter_m", self.payload_diameter_m()),
+            ("crush_load_limit_earth_g", self.impact.crush_load_limit_earth_g),
+            ("stroke_efficiency", self.impact.stroke_efficiency),
+        ];
+        let not_negative = [
+            ("mass_margin", self.mass_margin),
+            ("forebody_tps_thickness_m", self.forebody.tps_thickness_m),
+            ("bond_thickness_m", self.forebody.bond_thickness_m),
+            ("carrier_thickness_m", self.forebody.carrier_thickness_m.unwrap_or(0.0)),
+            ("aftbody_tps_thickness_m", self.aftbody_tps_thickness_m),
+            ("entry_load_earth_g", self.loads.entry_load_earth_g),
+            ("peak_stagnation_pressure_pa", self.loads.peak_stagnation_pressure_pa),
+            ("terminal_speed_m_s", self.loads.terminal_speed_m_s),
+        ];
+        let bad = |(name, value): (&str, f64), least: &str| format!("{name}: got {value}, must be {least}");
+        if let Some(&pair) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
+            return Some(bad(pair, "above 0"));
+        }
+        if let Some(&pair) = not_negative.iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
+            return Some(bad(pair, "at least 0"));
+        }
+        let angle_deg = self.cone_half_angle_rad / numerics::math::RADIANS_PER_DEGREE;
+        if !(10.0..=84.0).contains(&angle_deg) {
+            return Some(bad(("cone_half_angle_deg", angle_deg), "from 10 to 84 deg"));
+        }
+        None
+    }
+}

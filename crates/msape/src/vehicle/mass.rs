@@ -1,0 +1,241 @@
+//! Components as closed profiles with densities, and the mass tree that they add up to.
+//!
+//! ```text
+//! M = Σ (1 + margin) ρ V + M_PL      x_cg = Σ m x̄ / M      I_yy = Σ ρ J_yy − M x_cg²
+//! ```
+//!
+//! with masses in kg, x from the virtual apex in m, J second moments of volume about x = 0 in m⁵; the margin on everything but the
+//! payload. Sums run in the order of the components.
+//!
+//! # Valid
+//! Homogeneous components; centre of gravity on the axis.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.4 and Table 1.
+
+use crate::vehicle::impact::Foam;
+use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::layout::Layout;
+use crate::vehicle::profile::{Profile, SolidProperties};
+use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::structure::Structure;
+use crate::vehicle::{msr, non_msr};
+use numerics::math::PI;
+use serde::{Deserialize, Serialize};
+
+/// The parts of a vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ComponentKind {
+    /// Heat shield of the forebody.
+    ForebodyTps,
+    /// Bond under it.
+    Bond,
+    /// Carrier structure of the forebody.
+    ForebodyCarrier,
+    /// Heat shield of the aftbody.
+    AftbodyTps,
+    /// Carrier structure of the aftbody.
+    AftbodyCarrier,
+    /// Cylinder wall from forebody carrier to attached structure.
+    PrimaryStructure,
+    /// Filling of the wing.
+    WingInsulation,
+    /// Foam around or under the payload.
+    ImpactFoam,
+    /// Shell of the impact sphere.
+    ImpactShell,
+    /// Foam around the impact sphere.
+    BodyFoam,
+    /// Filling of the lid.
+    LidInsulation,
+    /// Payload.
+    Payload,
+}
+
+impl ComponentKind {
+    /// Name in plain words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::ForebodyTps => "Forebody TPS",
+            Self::Bond => "Bond",
+            Self::ForebodyCarrier => "Forebody carrier structure",
+            Self::AftbodyTps => "Aftbody TPS",
+            Self::AftbodyCarrier => "Aftbody carrier structure",
+            Self::PrimaryStructure => "Primary structure",
+            Self::WingInsulation => "Wing insulation",
+            Self::ImpactFoam => "Impact foam",
+            Self::ImpactShell => "Impact shell",
+            Self::BodyFoam => "Body foam",
+            Self::LidInsulation => "Lid insulation",
+            Self::Payload => "Payload",
+        }
+    }
+}
+
+/// One part: closed profiles, density, mass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Component {
+    /// Which part.
+    pub kind: ComponentKind,
+    /// Its closed profiles (the body foam may be in two pieces).
+    pub profiles: Vec<Profile>,
+    /// Volume, m³.
+    pub volume_m3: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+    /// Mass without margin, kg.
+    pub mass_kg: f64,
+    /// Mass with margin, kg.
+    pub mass_with_margin_kg: f64,
+    /// Axial position of its centre of gravity from the virtual apex, m.
+    pub cg_x_m: f64,
+    /// Moment of inertia about the axis, with margin, kg m².
+    pub ixx_kg_m2: f64,
+    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    pub iyy_kg_m2: f64,
+    /// Volume and moments.
+    pub solid: SolidProperties,
+}
+
+/// Mass, centre of gravity and inertia of the whole, margin included.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MassProperties {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Mass without any margin, kg.
+    pub mass_without_margin_kg: f64,
+    /// Axial position of the centre of gravity from the virtual apex, m.
+    pub cg_x_m: f64,
+    /// Moment of inertia about the axis, kg m².
+    pub ixx_kg_m2: f64,
+    /// Moment of inertia about a transverse axis through the centre of gravity, kg m².
+    pub iyy_kg_m2: f64,
+    /// The same about the other transverse axis, kg m².
+    pub izz_kg_m2: f64,
+    /// Volume of all components, m³.
+    pub volume_m3: f64,
+}
+
+/// The profiles of every component, in the order in which they are summed.
+pub fn profiles(concept: Concept, layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
+    let d = &layout.depths;
+    let fore = [0.0, d.forebody_tps_m, d.forebody_tps_m + d.bond_m, d.fore_m()].map(|t| layout.outline.fore_layer(t));
+    let aft = [0.0, d.aftbody_tps_m, d.aft_m()].map(|t| layout.outline.aft_layer(t));
+    let [fore_0, fore_1, fore_2, fore_3] = &fore;
+    let [aft_0, aft_1, aft_2] = &aft;
+    let layer = |outer: &Profile, inner: &Profile| vec![outer.clone().then(&inner.reversed()).closed()];
+    let mut all = vec![
+        (ComponentKind::ForebodyTps, layer(fore_0, fore_1)),
+        (ComponentKind::Bond, layer(fore_1, fore_2)),
+        (ComponentKind::ForebodyCarrier, layer(fore_2, fore_3)),
+        (ComponentKind::AftbodyTps, layer(aft_0, aft_1)),
+        (ComponentKind::AftbodyCarrier, layer(aft_1, aft_2)),
+        (ComponentKind::PrimaryStructure, vec![primary(layout)]),
+        (ComponentKind::WingInsulation, vec![wing(layout)]),
+    ];
+    all.extend(match concept {
+        Concept::Msr => msr::filling(layout),
+        Concept::NonMsr => non_msr::filling(layout),
+    });
+    let ball = Segment::arc(Point::on_axis(layout.payload_x_m), layout.payload_radius_m, PI, -PI);
+    all.push((ComponentKind::Payload, vec![Profile { segments: vec![ball] }.closed()]));
+    all
+}
+
+fn primary(layout: &Layout) -> Profile {
+    let (inner, outer) = (layout.primary_inner_r_m(), layout.primary_outer_r_m());
+    let x_m = layout.outline.attached_structure_x_m - layout.depths.aft_m();
+    let foot = layout.outline.forebody.between(layout.depths.fore_m(), inner, outer);
+    foot.line_to(Point { x_m, r_m: outer }).line_to(Point { x_m, r_m: inner }).closed()
+}
+
+fn wing(layout: &Layout) -> Profile {
+    let (fore, aft) = (layout.depths.fore_m(), layout.depths.aft_m());
+    let outline = &layout.outline;
+    let wall_r = layout.primary_outer_r_m();
+    let x_m = outline.attached_structure_x_m - aft;
+    outline
+        .fore_layer_beyond(fore, wall_r)
+        .line_to(outline.on_tip_line(outline.forebody.shoulder_radius_m - aft))
+        .line_to(Point { x_m, r_m: outline.annulus_outer_r_m(aft) })
+        .line_to(Point { x_m, r_m: wall_r })
+        .closed()
+}
+
+/// Densities that are found and not given.
+#[derive(Clone, Copy, Debug)]
+pub struct Densities<'a> {
+    /// Walls.
+    pub structure: &'a Structure,
+    /// Impact foam.
+    pub foam: Foam,
+}
+
+fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -> f64 {
+    let (d, structure) = (&input.densities, found.structure);
+    match kind {
+        ComponentKind::ForebodyTps => input.forebody.tps_density_kg_m3,
+        ComponentKind::Bond => input.forebody.bond_density_kg_m3,
+        ComponentKind::ForebodyCarrier => structure.forebody.density_kg_m3,
+        ComponentKind::AftbodyTps => input.aftbody_tps_density_kg_m3,
+        ComponentKind::AftbodyCarrier => structure.aftbody.density_kg_m3,
+        ComponentKind::PrimaryStructure => structure.primary.density_kg_m3,
+        ComponentKind::WingInsulation => d.wing_insulation_kg_m3,
+        ComponentKind::ImpactFoam => found.foam.density_kg_m3,
+        ComponentKind::ImpactShell => d.impact_shell_kg_m3,
+        ComponentKind::BodyFoam => d.body_foam_kg_m3,
+        ComponentKind::LidInsulation => d.lid_insulation_kg_m3,
+        ComponentKind::Payload => {
+            let diameter = input.payload_diameter_m();
+            input.payload_mass_kg / (PI / 6.0 * diameter * diameter * diameter)
+        }
+    }
+}
+
+/// Every component with its mass.
+pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> Vec<Component> {
+    profiles(input.concept, layout)
+        .into_iter()
+        .map(|(kind, profiles)| {
+            let solid = profiles.iter().fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
+            let density = density_kg_m3(kind, input, found);
+            let factor = if kind == ComponentKind::Payload { 1.0 } else { 1.0 + input.mass_margin };
+            let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
+            let about_apex = factor * density * solid.transverse_second_moment_m5;
+            Component {
+                kind,
+                profiles,
+                volume_m3: solid.volume_m3,
+                density_kg_m3: density,
+                mass_kg,
+                mass_with_margin_kg: factor * mass_kg,
+                cg_x_m,
+                ixx_kg_m2: factor * density * solid.axial_second_moment_m5,
+                iyy_kg_m2: about_apex - factor * mass_kg * cg_x_m * cg_x_m,
+                solid,
+            }
+        })
+        .collect()
+}
+
+/// The sum of all components.
+pub fn total(components: &[Component]) -> MassProperties {
+    let mut sum = MassProperties::default();
+    let mut moment = 0.0;
+    let mut about_apex = 0.0;
+    for c in components {
+        sum.mass_kg += c.mass_with_margin_kg;
+        sum.mass_without_margin_kg += c.mass_kg;
+        sum.volume_m3 += c.volume_m3;
+        sum.ixx_kg_m2 += c.ixx_kg_m2;
+        moment += c.mass_with_margin_kg * c.cg_x_m;
+        about_apex += c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m;
+    }
+    if sum.mass_kg > 0.0 {
+        sum.cg_x_m = moment / sum.mass_kg;
+    }
+    sum.iyy_kg_m2 = about_apex - sum.mass_kg * sum.cg_x_m * sum.cg_x_m;
+    sum.izz_kg_m2 = sum.iyy_kg_m2;
+    sum
+}

@@ -1,0 +1,127 @@
+//! The MSR concept: payload in a foam-filled impact sphere with a shell, under a hemispherical lid.
+//!
+//! ```text
+//! x_c = (R_i + T) / sin θ            centre of an impact sphere R_i that rests in the cone under layers T,
+//! x_c = x_n − (Rₙ − T) + R_i         or in the nose when R_i < Rₙ − T
+//! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure stand at x_c
+//! ```
+//!
+//! with lengths in m. The gap holds body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
+//! rules allow when the wing would be too steep, then the shoulder radius shrinks, then the impact foam is thickened.
+//!
+//! # Valid
+//! As [`crate::vehicle::outline`].
+//!
+//! # References
+//! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
+//!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
+
+use crate::vehicle::layout::{Frame, Layout, Lid, Misfit};
+use crate::vehicle::mass::ComponentKind;
+use crate::vehicle::profile::Profile;
+use crate::vehicle::segment::{Point, Segment};
+use numerics::math::{FRAC_PI_2, PI, sin_cos};
+
+impl Frame<'_> {
+    fn msr_lid(&self, foam_m: f64, gap_m: f64) -> Lid {
+        let sphere = self.payload_radius_m + foam_m + self.rules.impact_shell_thickness_m;
+        let x_m = self.forebody.resting_ball_x_m(self.depths.fore_m(), sphere);
+        Lid { center_x_m: x_m, radius_m: sphere + gap_m + self.depths.aft_m(), foot_x_m: x_m }
+    }
+}
+
+/// Lays the concept out at the diameter of the frame.
+pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
+    let rules = frame.rules;
+    let (least_gap, width) = (rules.lid_gap_min_m, rules.annulus_width_m);
+    let most_gap = rules.body_foam_gap_m + rules.lid_insulation_gap_m;
+    let mut floor = frame.shoulder_floor_m(frame.steepest_rad());
+    // a shallower wing needs a little more shoulder, which makes it steeper: settles in a few turns
+    for _ in 0..20 {
+        let mut shoulder = frame.forebody.shoulder_radius_m.max(floor);
+        let mut foam = frame.foam_thickness_m;
+        let edge = frame.msr_lid(foam, least_gap).edge(width);
+        if frame.room_m(shoulder, edge) < 0.0 {
+            shoulder = frame.shoulder_with_room_m(edge);
+            if shoulder < floor {
+                shoulder = floor;
+                foam = frame.thickened_foam_m(|f| frame.room_m(floor, frame.msr_lid(f, least_gap).edge(width)))?;
+            }
+        }
+        // a wider gap moves the edge outwards: the room falls by sin φ for each metre
+        let spare = frame.room_m(shoulder, frame.msr_lid(foam, least_gap).edge(width)).max(0.0);
+        let gap = (least_gap + spare / sin_cos(frame.steepest_rad()).0).min(most_gap.max(least_gap));
+        let outline = frame.outline(frame.msr_lid(foam, gap), shoulder)?;
+        let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
+        if needed > shoulder * (1.0 + 1e-12) {
+            floor = needed;
+            continue;
+        }
+        let body_foam = gap * rules.body_foam_gap_m / most_gap;
+        return Ok(Layout {
+            outline,
+            depths: frame.depths,
+            payload_x_m: outline.lid_center_x_m,
+            payload_radius_m: frame.payload_radius_m,
+            foam_thickness_m: foam,
+            impact_shell_thickness_m: rules.impact_shell_thickness_m,
+            body_foam_thickness_m: body_foam,
+            lid_insulation_thickness_m: gap - body_foam,
+        });
+    }
+    Err(Misfit::NoRoomForLayers { layers_m: frame.depths.fore_m() + frame.depths.aft_m() })
+}
+
+/// What is inside the primary structure and under the lid.
+pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
+    let Layout { payload_radius_m: payload, foam_thickness_m: foam, .. } = *layout;
+    let center = Point::on_axis(layout.payload_x_m);
+    let sphere = layout.impact_sphere_radius_m();
+    let shell = |inner: f64, outer: f64| vec![half_ring(center, inner, outer)];
+    vec![
+        (ComponentKind::ImpactFoam, shell(payload, payload + foam)),
+        (ComponentKind::ImpactShell, shell(payload + foam, sphere)),
+        (ComponentKind::BodyFoam, body_foam(layout, center, sphere)),
+        (ComponentKind::LidInsulation, vec![lid_insulation(layout, center, sphere)]),
+    ]
+}
+
+fn half_ring(center: Point, inner: f64, outer: f64) -> Profile {
+    let outside = Profile { segments: vec![Segment::arc(center, outer, PI, -PI)] };
+    let inside = Profile { segments: vec![Segment::arc(center, inner, 0.0, PI)] };
+    outside.then(&inside).closed()
+}
+
+/// Around the sphere inside the primary structure and in a dome above it; ahead of it, too, where it rests in the cone.
+fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
+    let forebody = &layout.outline.forebody;
+    let fore = layout.depths.fore_m();
+    let theta = forebody.cone_half_angle_rad;
+    let wall_r = layout.primary_inner_r_m();
+    let dome_r = sphere + layout.body_foam_thickness_m;
+    let dome = Segment::arc(center, dome_r, FRAC_PI_2, -FRAC_PI_2);
+    let in_nose = sphere < forebody.nose_radius_m - fore;
+    // direction from the sphere's centre to where it touches
+    let touch = if in_nose { PI } else { FRAC_PI_2 + theta };
+    let touch_r = if in_nose { 0.0 } else { sphere * sin_cos(touch).0 };
+    let around = forebody
+        .between(fore, touch_r, wall_r)
+        .line_to(Point { x_m: center.x_m, r_m: wall_r })
+        .then(&Profile { segments: vec![dome] })
+        .then(&Profile { segments: vec![Segment::arc(center, sphere, 0.0, touch)] })
+        .closed();
+    let mut profiles = vec![around];
+    if !in_nose {
+        let ahead = forebody
+            .between(fore, 0.0, touch_r)
+            .then(&Profile { segments: vec![Segment::arc(center, sphere, touch, PI - touch)] })
+            .closed();
+        profiles.push(ahead);
+    }
+    profiles
+}
+
+fn lid_insulation(layout: &Layout, center: Point, sphere: f64) -> Profile {
+    let inner = Segment::arc(center, sphere + layout.body_foam_thickness_m, 0.0, FRAC_PI_2);
+    layout.outline.lid(layout.depths.aft_m()).then(&Profile { segments: vec![inner] }).closed()
+}

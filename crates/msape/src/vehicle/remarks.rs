@@ -1,0 +1,124 @@
+//! What is said beside a vehicle: inputs that the closing rules changed, and findings.
+
+use crate::finding::{Adjustment, Finding, Severity};
+use crate::vehicle::close::Closed;
+use crate::vehicle::impact::Impact;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::layout::Layout;
+use crate::vehicle::rules::FoamGrade;
+
+/// Changes smaller than this are rounding, m.
+const ROUNDING_M: f64 = 1e-9;
+
+/// Diameter, shoulder radius and impact foam where they are not what was asked for.
+pub fn adjustments(input: &VehicleInput, diameter_m: f64, foam_m: f64, layout: &Layout) -> Vec<Adjustment> {
+    let mut list = Vec::new();
+    let source = "NASA/TM-2014-218507, section 3.1.2".to_owned();
+    if diameter_m > input.diameter_m + ROUNDING_M {
+        list.push(Adjustment {
+            key: "design.diameter_m".to_owned(),
+            from: input.diameter_m,
+            to: diameter_m,
+            reason: "The vehicle was grown to the smallest diameter that holds payload, impact foam and lid.".to_owned(),
+            source: source.clone(),
+        });
+    }
+    let shoulder_m = layout.outline.forebody.shoulder_radius_m;
+    let asked_m = input.shoulder_radius_ratio * diameter_m / 2.0;
+    if (shoulder_m - asked_m).abs() > ROUNDING_M {
+        let reason = if shoulder_m < asked_m {
+            "The shoulder radius was reduced, as the wing's aft side would be steeper than the forebody and thicker at its tip than at its root."
+        } else {
+            "The shoulder radius was increased to the smallest that has room for the layers of forebody and aftbody."
+        };
+        list.push(Adjustment {
+            key: "design.shoulder_radius_ratio".to_owned(),
+            from: input.shoulder_radius_ratio,
+            to: 2.0 * shoulder_m / diameter_m,
+            reason: reason.to_owned(),
+            source,
+        });
+    }
+    if layout.foam_thickness_m > foam_m + ROUNDING_M {
+        list.push(Adjustment {
+            key: "foam_thickness_m".to_owned(),
+            from: foam_m,
+            to: layout.foam_thickness_m,
+            reason: "The impact foam was thickened beyond the required stroke, as the lid would stand too low for its wing."
+                .to_owned(),
+            source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
+        });
+    }
+    list
+}
+
+/// Remarks on foam strength and balance.
+pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<Finding> {
+    let mut list = Vec::new();
+    let strongest = input.foam_grades.last();
+    let offered_pa = match input.densities.impact_foam_kg_m3 {
+        Some(density) => foam_strength_at_pa(&input.foam_grades, density),
+        None => strongest.map(|grade| grade.compressive_strength_pa),
+    };
+    if let Some(offered_pa) = offered_pa
+        && impact.foam_strength_pa > offered_pa
+    {
+        list.push(Finding {
+            severity: Severity::Extrapolated,
+            model: "impact foam".to_owned(),
+            key: "foam_strength_pa".to_owned(),
+            value: Some(impact.foam_strength_pa),
+            valid: (None, Some(offered_pa)),
+            message: format!(
+                "Equation 6 asks for {:.1} MPa of crush strength, the foam offers {:.1} MPa: webs or honeycomb have to carry the rest.",
+                impact.foam_strength_pa / 1e6,
+                offered_pa / 1e6
+            ),
+            source: "NASA/TM-2014-218507, equation 6; data sheets of Rohacell".to_owned(),
+            field: Some("design.crush_load_limit_earth_g".to_owned()),
+        });
+    }
+    let payload_x_m = closed.layout.payload_x_m;
+    if closed.mass.cg_x_m > payload_x_m {
+        list.push(Finding {
+            severity: Severity::Note,
+            model: "mass properties".to_owned(),
+            key: "vehicle_cg_location_from_apex_m".to_owned(),
+            value: Some(closed.mass.cg_x_m),
+            valid: (None, Some(payload_x_m)),
+            message: "The centre of gravity stands behind the payload: the heaviest part should be the foremost.".to_owned(),
+            source: "general knowledge".to_owned(),
+            field: None,
+        });
+    }
+    list
+}
+
+/// Compressive strength of a foam of this density between the grades, Pa; `None` outside them.
+pub fn foam_strength_at_pa(grades: &[FoamGrade], density_kg_m3: f64) -> Option<f64> {
+    grades.iter().zip(grades.iter().skip(1)).find_map(|(low, high)| {
+        let (from, to) = (low.density_kg_m3, high.density_kg_m3);
+        (from < to && (from..=to).contains(&density_kg_m3)).then(|| {
+            let share = (density_kg_m3 - from) / (to - from);
+            low.compressive_strength_pa + share * (high.compressive_strength_pa - low.compressive_strength_pa)
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foam_half_way_between_two_grades_has_the_mean_strength() {
+        let grade = |density_kg_m3, compressive_strength_pa| FoamGrade {
+            name: String::new(),
+            density_kg_m3,
+            compressive_strength_pa,
+            source: String::new(),
+        };
+        let grades = [grade(50.0, 1.0e6), grade(100.0, 3.0e6)];
+        assert_eq!(foam_strength_at_pa(&grades, 75.0), Some(2.0e6));
+        assert_eq!(foam_strength_at_pa(&grades, 101.0), None);
+    }
+}

@@ -1,0 +1,186 @@
+//! Error norm, first step and next step.
+//!
+//! ```text
+//! error = √( 1/N Σ (eᵢ / sᵢ)² )         sᵢ = absoluteᵢ + relative max(|y₀ᵢ|, |y₁ᵢ|)
+//! h_next = h · 0.9 error⁻ᵅ error_beforeᵝ     kept within shrink…grow
+//! ```
+//!
+//! # References
+//! - \[hairer-norsett-wanner-1993\] section II.4, eqs 4.11 to 4.13 and the first step after them; the constants of the
+//!   codes DOPRI5 and DOP853.
+//! - \[hairer-wanner-1996\] section IV.2, proportional-integral control.
+
+use super::formula::{Origin, advance};
+use crate::math;
+
+const SAFETY: f64 = 0.9;
+/// ln 10⁻⁴: an error still smaller does not slow the step after the next; kept before the first step, too.
+pub(super) const LN_LEAST_ERROR_BEFORE: f64 = -9.210_340_371_976_182;
+
+/// The error allowed in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance<const N: usize> {
+    /// Error of each component as a part of it.
+    pub relative: [f64; N],
+    /// Error of each component, in its own unit; above zero where the component may be zero, infinite to leave the
+    /// component out of the control.
+    pub absolute: [f64; N],
+}
+
+impl<const N: usize> Tolerance<N> {
+    /// Error allowed in each component of a step from `y0` to `y1`.
+    #[inline]
+    pub(super) fn scale(&self, y0: &[f64; N], y1: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let allowed = self.absolute[i] + self.relative[i] * y0[i].abs().max(y1[i].abs());
+            allowed.max(f64::MIN_POSITIVE)
+        })
+    }
+}
+
+/// Σ (eᵢ / sᵢ)² / N.
+#[inline]
+pub(super) fn mean_square<const N: usize>(e: &[f64; N], scale: &[f64; N]) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..N {
+        let part = e[i] / scale[i];
+        sum += part * part;
+    }
+    sum / N as f64
+}
+
+/// Constants of a formula's step control.
+pub(super) struct Control {
+    /// Order of the formula.
+    pub order: f64,
+    /// α: exponent of the error.
+    pub proportional: f64,
+    /// β: exponent of the error before.
+    pub integral: f64,
+    /// Least factor from one step to the next.
+    pub shrink: f64,
+    /// Largest factor from one step to the next.
+    pub grow: f64,
+}
+
+impl Control {
+    /// Factor to the next step after one that was accepted, from the logarithm of its error and [`memory`] of the step
+    /// before it.
+    #[inline]
+    pub fn factor_accepted(&self, ln_error: f64, before: f64) -> f64 {
+        let factor = SAFETY * math::exp(self.integral * before - self.proportional * ln_error);
+        factor.clamp(self.shrink, self.grow)
+    }
+
+    /// Factor to the next trial after one that was refused, from the logarithm of its error.
+    #[inline]
+    pub fn factor_refused(&self, ln_error: f64) -> f64 {
+        let factor = SAFETY * math::exp(-self.proportional * ln_error);
+        factor.clamp(self.shrink, SAFETY)
+    }
+}
+
+/// What the control keeps of an accepted step, of whose error the logarithm is `ln_error`.
+#[inline]
+pub(super) fn memory(ln_error: f64) -> f64 {
+    ln_error.max(LN_LEAST_ERROR_BEFORE)
+}
+
+/// Length of the first step, not above `longest`, at the cost of one evaluation.
+pub(super) fn first_step<const N: usize>(
+    f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
+    origin: &Origin<N>,
+    tolerance: &Tolerance<N>,
+    order: f64,
+    longest: f64,
+) -> f64 {
+    let Origin { t, y, slope } = origin;
+    let scale = tolerance.scale(y, y);
+    let (d0, d1) = (
+        mean_square(y, &scale).sqrt(),
+        mean_square(slope, &scale).sqrt(),
+    );
+    let guess = if d0 < 1e-5 || d1 < 1e-5 {
+        1e-6
+    } else {
+        0.01 * d0 / d1
+    };
+    let h0 = guess.min(longest);
+    let ahead = f(t + h0, &advance(y, h0, [(1.0, slope)]));
+    let change = core::array::from_fn(|i| ahead[i] - slope[i]);
+    let d2 = mean_square(&change, &scale).sqrt() / h0;
+    // A guess that led where the right-hand side is not finite says nothing.
+    let largest = if d2.is_finite() { d1.max(d2) } else { d1 };
+    let h1 = if largest <= 1e-15 {
+        (h0 * 1e-3).max(1e-6)
+    } else {
+        math::pow(0.01 / largest, 1.0 / order)
+    };
+    (100.0 * h0).min(h1).min(longest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CONTROL: Control = Control {
+        order: 5.0,
+        proportional: 0.2,
+        integral: 0.0,
+        shrink: 0.2,
+        grow: 10.0,
+    };
+
+    #[test]
+    fn scale_is_absolute_plus_relative_of_the_larger() {
+        let tolerance = Tolerance {
+            relative: [0.5],
+            absolute: [1.0],
+        };
+        assert_eq!(tolerance.scale(&[-4.0], &[2.0]), [3.0]);
+    }
+
+    #[test]
+    fn errors_of_three_and_four_make_a_mean_square_of_12_5() {
+        assert_eq!(mean_square(&[3.0, 4.0], &[1.0, 1.0]), 12.5);
+    }
+
+    #[test]
+    fn error_32_times_too_large_halves_the_step_but_for_safety() {
+        // 32^(-1/5) = 1/2
+        assert!((CONTROL.factor_refused(math::ln(32.0)) - 0.45).abs() < 1e-14);
+        assert!((CONTROL.factor_accepted(-math::ln(32.0), 0.0) - 1.8).abs() < 1e-14);
+    }
+
+    #[test]
+    fn factor_stays_within_its_limits() {
+        assert_eq!(CONTROL.factor_accepted(math::ln(0.0), 0.0), 10.0);
+        assert_eq!(CONTROL.factor_refused(math::ln(1e300)), 0.2);
+    }
+
+    #[test]
+    fn memory_ends_at_an_error_of_1e_minus_4() {
+        assert_eq!(memory(math::ln(0.0)), math::ln(1e-4));
+        assert_eq!(memory(math::ln(0.5)), math::ln(0.5));
+    }
+
+    #[test]
+    fn first_step_of_exponential_growth() {
+        // s = 0.01 + 0.01·1, d0 = d1 = d2 (for y' = y) = 50, h0 = 0.01, h1 = (0.01/50)^(1/4) = 0.1189
+        let origin = Origin {
+            t: 0.0,
+            y: [1.0],
+            slope: [1.0],
+        };
+        let tolerance = Tolerance {
+            relative: [0.01; 1],
+            absolute: [0.01],
+        };
+        let h = first_step(&mut |_, y: &[f64; 1]| *y, &origin, &tolerance, 4.0, 1e9);
+        assert!((h - 0.118_920_711_5).abs() < 1e-9, "{h}");
+        assert_eq!(
+            first_step(&mut |_, y: &[f64; 1]| *y, &origin, &tolerance, 4.0, 0.05),
+            0.05
+        );
+    }
+}
