@@ -1,9 +1,13 @@
 //! The deployable folder `dist/`: static files that work in any folder of any host.
+//!
+//! The page `index.html` refers to its code as `./name`. Code is what is in `web/page` and, for each binary of `web`, the
+//! pair `name.js` and `name_bg.wasm` that wasm-bindgen makes. In `dist/` all code is in one folder named by its content, so
+//! that a browser may keep it for ever and an app never meets the worker of another release.
 
 use std::{
     fs,
     hash::{DefaultHasher, Hasher},
-    path::{Path, PathBuf},
+    path::Path,
 };
 
 use anyhow::{Context, Result, bail};
@@ -13,82 +17,127 @@ use crate::{
     setup, sizes,
 };
 
-/// Builds `dist/` and prints the sizes of what is in it.
-pub fn dist(project: &Project) -> Result<()> {
+/// Binaries of the package `msape-web`.
+const BINARIES: [&str; 2] = ["app", "worker"];
+
+/// Builds `dist/` and prints the sizes of what is in it; returns its size, compressed, bytes.
+pub fn dist(project: &Project) -> Result<usize> {
     setup::for_build(project)?;
-    announce("Building the app into dist/");
-    run(project
-        .command("trunk")
-        .args(["build", "--release", "--offline", "true"]))?;
-    shrink(project)?;
-    fingerprint(&project.dist)?;
+    announce("Building the app for the browser");
+    let arguments = [
+        "build",
+        "--locked",
+        "--profile",
+        "web",
+        "--package",
+        "msape-web",
+        "--target",
+        setup::WASM,
+    ];
+    run(project.command("cargo").args(arguments))?;
+
+    announce("Putting dist/ together");
+    let code = project.dist.join("code");
+    if project.dist.exists() {
+        fs::remove_dir_all(&project.dist).context("cannot replace dist/")?;
+    }
+    fs::create_dir_all(&code)?;
+    bind(project, &code)?;
+    shrink(project, &code)?;
+    copy(&project.root.join("web/page"), &code)?;
+    let named = format!("code-{:016x}", digest(&code)?);
+    let page = fs::read_to_string(project.root.join("index.html"))?;
+    fs::write(
+        project.dist.join("index.html"),
+        with_code_in(&named, &page, &code)?,
+    )?;
+    fs::rename(&code, project.dist.join(&named))?;
     sizes::print(&project.dist)
 }
 
+/// Makes the pairs of JavaScript and WebAssembly.
+fn bind(project: &Project, code: &Path) -> Result<()> {
+    let modules = project.target.join(setup::WASM).join("web");
+    let modules = BINARIES.map(|binary| modules.join(binary).with_extension("wasm"));
+    run(project
+        .command(project.tools.join("web-bindgen"))
+        .arg(code)
+        .args(modules))
+}
+
 /// Makes the WebAssembly smaller, if wasm-opt happens to be installed.
-fn shrink(project: &Project) -> Result<()> {
+fn shrink(project: &Project, code: &Path) -> Result<()> {
     let Some(wasm_opt) = project.locate("wasm-opt") else {
         return Ok(());
     };
     announce("Making the WebAssembly smaller with wasm-opt");
-    for file in files_below(&project.dist)? {
-        if file
-            .extension()
-            .is_some_and(|extension| extension == "wasm")
-        {
-            run(project
-                .command(&wasm_opt)
-                .args(["-Oz", "--all-features", "-o"])
-                .arg(&file)
-                .arg(&file))?;
-        }
+    for binary in BINARIES {
+        let module = code.join(format!("{binary}_bg.wasm"));
+        run(project
+            .command(&wasm_opt)
+            .arg("-Oz")
+            .arg(&module)
+            .arg("-o")
+            .arg(&module))?;
     }
     Ok(())
 }
 
-/// Moves code and styles into a folder named by their content, so that a browser may keep them for ever and an app never
-/// meets the worker of another release. The page itself, `static/` and a service worker keep their addresses.
-fn fingerprint(dist: &Path) -> Result<()> {
-    let page_file = dist.join("index.html");
-    let page = fs::read_to_string(&page_file)?;
-    let code: Vec<PathBuf> = files_below(dist)?
-        .into_iter()
-        .filter(|file| is_code(dist, file))
-        .collect();
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    for file in files_below(from)? {
+        let copied = to.join(file.strip_prefix(from)?);
+        fs::create_dir_all(copied.parent().context("a file in no folder")?)?;
+        fs::copy(&file, copied)?;
+    }
+    Ok(())
+}
+
+/// A number that another name or content of any file would change.
+fn digest(folder: &Path) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
-    for file in &code {
-        hasher.write(file.strip_prefix(dist)?.to_string_lossy().as_bytes());
+    for file in files_below(folder)? {
+        hasher.write(slashed(file.strip_prefix(folder)?).as_bytes());
         hasher.write(&fs::read(file)?);
     }
-    let folder = format!("code-{:016x}", hasher.finish());
-    for file in &code {
-        let moved = dist.join(&folder).join(file.strip_prefix(dist)?);
-        fs::create_dir_all(moved.parent().context("a file in no folder")?)?;
-        fs::rename(file, moved)?;
-    }
-    let mut page_moved = page.clone();
-    for file in &code {
-        let name = file
-            .strip_prefix(dist)?
-            .to_string_lossy()
-            .replace('\\', "/");
-        page_moved =
-            page_moved.replace(&format!("\"./{name}\""), &format!("\"./{folder}/{name}\""));
-    }
-    if page_moved == page {
-        bail!("index.html refers to none of the files that trunk made");
-    }
-    fs::write(page_file, page_moved)?;
-    Ok(())
+    Ok(hasher.finish())
 }
 
-fn is_code(dist: &Path, file: &Path) -> bool {
-    let Ok(name) = file.strip_prefix(dist) else {
-        return false;
-    };
-    let kept = name.starts_with("static") || name == Path::new("sw.js");
-    !kept
-        && name
-            .extension()
-            .is_some_and(|extension| ["js", "wasm", "css"].iter().any(|code| extension == *code))
+/// The page with every `"./name"` leading into the folder `named`; a name that is not in `code` is an error.
+fn with_code_in(named: &str, page: &str, code: &Path) -> Result<String> {
+    for name in page
+        .split("\"./")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+    {
+        if !code.join(name).is_file() {
+            bail!(
+                "index.html refers to ./{name}, which is neither in web/page nor made by the build"
+            );
+        }
+    }
+    Ok(page.replace("\"./", &format!("\"./{named}/")))
+}
+
+fn slashed(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_leads_into_the_folder_and_an_unknown_name_is_an_error() {
+        let code = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let moved = with_code_in(
+            "code-1",
+            r#"<a href="./Cargo.toml"> <b c="./src/main.rs">"#,
+            code,
+        );
+        assert_eq!(
+            moved.unwrap(),
+            r#"<a href="./code-1/Cargo.toml"> <b c="./code-1/src/main.rs">"#
+        );
+        assert!(with_code_in("code-1", r#"<a href="./none.js">"#, code).is_err());
+    }
 }

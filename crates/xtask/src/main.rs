@@ -7,7 +7,7 @@ mod setup;
 mod sizes;
 mod test;
 
-use std::process::ExitCode;
+use std::{num::NonZeroU16, process::ExitCode};
 
 use anyhow::{Context, Result, bail};
 
@@ -16,7 +16,7 @@ use project::Project;
 const HELP: &str = "\
 Usage: cargo xtask COMMAND
 
-  serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or the next free one)
+  serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
   test [STAGE...]    sets up what is missing, runs all checks or the stages named: fmt clippy native browser e2e
   setup              sets up everything that the above need, and nothing else
@@ -39,17 +39,14 @@ fn run() -> Result<()> {
     match arguments.as_slice() {
         ["serve"] => serve::run(&project, serve::DEFAULT_PORT),
         ["serve", "--port", port] => {
-            let port = port.parse().with_context(|| {
+            let port: NonZeroU16 = port.parse().with_context(|| {
                 format!("--port: got {port:?}, must be a number from 1 to 65535")
             })?;
-            serve::run(&project, port)
+            serve::run(&project, port.get())
         }
-        ["build"] => build::dist(&project),
+        ["build"] => build::dist(&project).map(|_| ()),
         ["test", stages @ ..] => test::run_stages(&project, stages),
-        ["setup"] => {
-            setup::for_build(&project)?;
-            setup::for_tests(&project)
-        }
+        ["setup"] => test::set_up(&project, &[]),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

@@ -2,7 +2,7 @@
 
 use std::{
     env,
-    ffi::{OsStr, OsString},
+    ffi::OsStr,
     fs,
     path::{Path, PathBuf},
     process::Command,
@@ -16,12 +16,10 @@ pub struct Project {
     pub root: PathBuf,
     /// The deployable app.
     pub dist: PathBuf,
-    /// Programs that set-up installs for this project alone.
-    pub tools: PathBuf,
-    /// Where cargo puts this program, and so the workspace's other programs of the same profile.
-    pub workspace_programs: PathBuf,
     /// Where cargo puts everything.
     pub target: PathBuf,
+    /// Where it puts the programs of crates/web-tools.
+    pub tools: PathBuf,
 }
 
 impl Project {
@@ -32,43 +30,35 @@ impl Project {
             .nth(2)
             .context("crates/xtask is not in a repository")?
             .to_path_buf();
+        // This program is target/debug/xtask, wherever target is.
         let program = env::current_exe()?;
-        let workspace_programs = program
-            .parent()
-            .context("this program is in no folder")?
-            .to_path_buf();
-        let target = workspace_programs
-            .parent()
-            .context("no target folder")?
-            .to_path_buf();
+        let target = program
+            .ancestors()
+            .nth(2)
+            .context("this program is not in a target folder")?;
         Ok(Self {
             dist: root.join("dist"),
-            tools: root.join(".tools"),
+            target: target.to_path_buf(),
+            tools: target.join("tools"),
             root,
-            workspace_programs,
-            target,
         })
     }
 
-    /// A program, to be run at the root with the project's own tools before others on the path.
+    /// A program, to be run at the root.
     pub fn command(&self, program: impl AsRef<OsStr>) -> Command {
         let mut command = Command::new(program);
-        command.current_dir(&self.root).env("PATH", self.path());
+        command.current_dir(&self.root);
         command
     }
 
-    /// The file that runs when `program` is called, if there is one.
+    /// The file that runs when `program` is called, if there is one; Node's packages of the project come first.
     pub fn locate(&self, program: &str) -> Option<PathBuf> {
         let file = format!("{program}{}", env::consts::EXE_SUFFIX);
-        env::split_paths(&self.path())
+        let path = env::var_os("PATH").unwrap_or_default();
+        std::iter::once(self.root.join("node_modules/.bin"))
+            .chain(env::split_paths(&path))
             .map(|folder| folder.join(&file))
             .find(|path| path.is_file())
-    }
-
-    fn path(&self) -> OsString {
-        let own = [self.workspace_programs.clone(), self.tools.join("bin")];
-        let others = env::var_os("PATH").unwrap_or_default();
-        env::join_paths(own.into_iter().chain(env::split_paths(&others))).unwrap_or(others)
     }
 }
 

@@ -65,50 +65,66 @@ fn answer(mut stream: &TcpStream, folder: &Path) -> io::Result<()> {
     }
     let mut words = request.split_ascii_whitespace();
     let (method, target) = (words.next().unwrap_or(""), words.next().unwrap_or(""));
-    if !["GET", "HEAD"].contains(&method) {
-        return respond(
-            stream,
-            "405 Method Not Allowed",
-            "text/plain",
-            "no-store",
-            b"only GET and HEAD\n",
-        );
+    let response = match method {
+        "GET" | "HEAD" => Response::to(target, folder),
+        _ => Response::text("405 Method Not Allowed", "only GET and HEAD\n"),
+    };
+    stream.write_all(response.head().as_bytes())?;
+    if method != "HEAD" {
+        stream.write_all(&response.content)?;
     }
-    let Some((file, content)) = find(folder, target) else {
-        return respond(
-            stream,
-            "404 Not Found",
-            "text/plain",
-            "no-store",
-            b"no such file\n",
-        );
-    };
-    let kept = file
-        .strip_prefix(folder)
-        .is_ok_and(|name| name.to_string_lossy().starts_with("code-"));
-    let cache = if kept {
-        "max-age=31536000, immutable"
-    } else {
-        "no-cache"
-    };
-    respond(stream, "200 OK", media_type(&file), cache, &content)?;
-    stream.flush()
+    Ok(())
 }
 
-fn respond(
-    mut stream: &TcpStream,
-    status: &str,
-    media: &str,
-    cache: &str,
-    content: &[u8],
-) -> io::Result<()> {
-    write!(
-        stream,
-        "HTTP/1.1 {status}\r\nContent-Type: {media}\r\nContent-Length: {}\r\nCache-Control: {cache}\r\n\
-         X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
-        content.len()
-    )?;
-    stream.write_all(content)
+struct Response {
+    status: &'static str,
+    media_type: &'static str,
+    cache: &'static str,
+    content: Vec<u8>,
+}
+
+impl Response {
+    fn to(target: &str, folder: &Path) -> Self {
+        let Some((file, content)) = find(folder, target) else {
+            return Self::text("404 Not Found", "no such file\n");
+        };
+        // Named by its content: see build.rs.
+        let lasting = target.starts_with("/code-");
+        Self {
+            status: "200 OK",
+            media_type: media_type(&file),
+            cache: if lasting {
+                "max-age=31536000, immutable"
+            } else {
+                "no-cache"
+            },
+            content,
+        }
+    }
+
+    fn text(status: &'static str, content: &str) -> Self {
+        let content = content.as_bytes().to_vec();
+        Self {
+            status,
+            media_type: "text/plain; charset=utf-8",
+            cache: "no-store",
+            content,
+        }
+    }
+
+    fn head(&self) -> String {
+        let Self {
+            status,
+            media_type,
+            cache,
+            content,
+        } = self;
+        format!(
+            "HTTP/1.1 {status}\r\nContent-Type: {media_type}\r\nContent-Length: {}\r\nCache-Control: {cache}\r\n\
+             X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
+            content.len()
+        )
+    }
 }
 
 /// The file that a request's target means, and its content.
@@ -198,6 +214,11 @@ mod tests {
         );
         assert!(found.ends_with(&fs::read_to_string(folder.join("Cargo.toml")).unwrap()));
         assert!(ask("GET /none HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 404 "));
+        let head = ask("HEAD /Cargo.toml HTTP/1.1\r\n\r\n");
+        assert!(
+            head.ends_with("\r\n\r\n") && found.starts_with(&head),
+            "{head}"
+        );
         assert!(ask("POST / HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 405 "));
     }
 }

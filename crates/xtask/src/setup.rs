@@ -6,44 +6,73 @@ use anyhow::{Context, Result, bail};
 
 use crate::project::{Project, announce, line, output, run};
 
-const TRUNK_VERSION: &str = "0.21.14";
+/// The target that the browser runs.
+pub const WASM: &str = "wasm32-unknown-unknown";
 
 /// What building the app needs: rustup and a C linker are enough to start from.
 pub fn for_build(project: &Project) -> Result<()> {
     wasm_target(project)?;
-    announce("Fetching the crates of Cargo.lock that are not here yet");
-    run(project.command("cargo").args(["fetch", "--locked"]))?;
-    wasm_bindgen(project)?;
-    trunk(project)
+    web_tool(
+        project,
+        "web-bindgen",
+        &[],
+        "it makes the JavaScript that loads the app's WebAssembly",
+    )
 }
 
-/// What the tests need beyond that: rustfmt, clippy, Node with two packages, Chromium and its driver.
-pub fn for_tests(project: &Project) -> Result<()> {
-    rust_components(project)?;
-    for (program, package, reason) in [
-        ("node", "nodejs", "it runs the end-to-end tests"),
-        (
-            "npm",
-            "npm",
-            "it installs the packages of the end-to-end tests",
-        ),
-        (
-            "chromium",
-            "chromium",
-            "the app is tested in a real browser",
-        ),
-        (
-            "chromedriver",
-            "chromium-driver",
-            "it runs the WebAssembly tests in Chromium",
-        ),
-    ] {
-        if program_of_tests(project, program).is_none() {
-            debian_package(project, program, package, reason)?;
-        }
-    }
+/// What checking format and lints needs.
+pub fn for_lints(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    rust_components(project)
+}
+
+/// What the tests that are compiled for WebAssembly need.
+pub fn for_browser(project: &Project) -> Result<()> {
+    wasm_target(project)?;
+    debian_packages(project, &[CHROMIUM, CHROMEDRIVER])?;
+    let reason = "it runs the WebAssembly tests in the browser";
+    web_tool(
+        project,
+        "wasm-bindgen-test-runner",
+        &["--features", "test-runner"],
+        reason,
+    )
+}
+
+/// What the end-to-end tests need.
+pub fn for_end_to_end(project: &Project) -> Result<()> {
+    for_build(project)?;
+    debian_packages(project, &[CHROMIUM, NODE, NPM])?;
     node_packages(project)
 }
+
+/// A program that Debian has, and why it is needed.
+struct Needed {
+    program: &'static str,
+    package: &'static str,
+    reason: &'static str,
+}
+
+const CHROMIUM: Needed = Needed {
+    program: "chromium",
+    package: "chromium",
+    reason: "tests run in a real browser",
+};
+const CHROMEDRIVER: Needed = Needed {
+    program: "chromedriver",
+    package: "chromium-driver",
+    reason: "it starts tests in Chromium",
+};
+const NODE: Needed = Needed {
+    program: "node",
+    package: "nodejs",
+    reason: "it runs the end-to-end tests",
+};
+const NPM: Needed = Needed {
+    program: "npm",
+    package: "npm",
+    reason: "it installs the packages of the end-to-end tests",
+};
 
 /// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
 pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
@@ -64,10 +93,9 @@ fn wasm_target(project: &Project) -> Result<()> {
         return Ok(());
     }
     announce("Installing Rust's target wasm32-unknown-unknown: the app runs as WebAssembly");
-    run(project
-        .command("rustup")
-        .args(["target", "add", "wasm32-unknown-unknown"]))
-    .context("install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml")
+    run(project.command("rustup").args(["target", "add", WASM])).context(
+        "install the target wasm32-unknown-unknown for the toolchain of rust-toolchain.toml",
+    )
 }
 
 fn rust_components(project: &Project) -> Result<()> {
@@ -82,44 +110,24 @@ fn rust_components(project: &Project) -> Result<()> {
         .args(["component", "add", "rustfmt", "clippy"]))
 }
 
-fn wasm_bindgen(project: &Project) -> Result<()> {
-    announce(
-        "Building wasm-bindgen (crates/web-tools): it makes the app's WebAssembly callable from the page",
-    );
+/// Builds a program of crates/web-tools.
+fn web_tool(project: &Project, program: &str, features: &[&str], reason: &str) -> Result<()> {
+    announce(format_args!(
+        "Building {program} of crates/web-tools, if it has changed: {reason}"
+    ));
+    let package = [
+        "build",
+        "--locked",
+        "--profile",
+        "tools",
+        "--package",
+        "msape-web-tools",
+    ];
     run(project
         .command("cargo")
-        .args(["build", "--locked", "--package", "msape-web-tools"]))
-}
-
-fn trunk(project: &Project) -> Result<()> {
-    if output(project.command("trunk").arg("--version")) == Some(format!("trunk {TRUNK_VERSION}")) {
-        return Ok(());
-    }
-    announce(format_args!(
-        "Installing trunk {TRUNK_VERSION} into {}: it bundles the app; some minutes, once",
-        project.tools.display()
-    ));
-    let scratch = project.target.join("trunk");
-    let mut install = project.command("cargo");
-    install
-        .args([
-            "install",
-            "trunk",
-            "--locked",
-            "--no-default-features",
-            "--version",
-            TRUNK_VERSION,
-        ])
-        .arg("--root")
-        .arg(&project.tools)
-        .arg("--target-dir")
-        .arg(&scratch)
-        // A bundler need not be fast itself.
-        .env("CARGO_PROFILE_RELEASE_LTO", "off")
-        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
-        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
-    run(&mut install)?;
-    fs::remove_dir_all(&scratch).with_context(|| format!("cannot remove {}", scratch.display()))
+        .args(package)
+        .args(["--bin", program])
+        .args(features))
 }
 
 fn node_packages(project: &Project) -> Result<()> {
@@ -139,25 +147,49 @@ fn node_packages(project: &Project) -> Result<()> {
         .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
 }
 
-fn debian_package(project: &Project, program: &str, package: &str, reason: &str) -> Result<()> {
+/// Installs the programs that are missing, all at once.
+fn debian_packages(project: &Project, needed: &[Needed]) -> Result<()> {
+    let missing = || {
+        needed
+            .iter()
+            .filter(|needed| program_of_tests(project, needed.program).is_none())
+    };
+    if missing().next().is_none() {
+        return Ok(());
+    }
+    let reasons: Vec<_> = missing()
+        .map(
+            |Needed {
+                 program, reason, ..
+             }| format!("{program} ({reason})"),
+        )
+        .collect();
+    let reasons = reasons.join(", ");
     let mut update = project.command("apt-get");
     update.arg("update");
     let mut install = project.command("apt-get");
-    install.args(["install", "--yes", "--no-install-recommends", package]);
-    let lines = format!("sudo {} && sudo {}", line(&update), line(&install));
+    install
+        .args(["install", "--yes", "--no-install-recommends"])
+        .args(missing().map(|needed| needed.package));
+    let by_hand = format!("sudo {} && sudo {}", line(&update), line(&install));
     if project.locate("apt-get").is_none() {
-        let variable = program.to_uppercase();
         bail!(
-            "{program} is missing: {reason}. Put it on the PATH, or its place in {variable}, and start again. \
-             On Debian it would be:\n\n    {lines}\n"
+            "missing: {reasons}. Put them on the PATH, or their places in CHROMIUM, CHROMEDRIVER, and start again. \
+             On Debian it would be:\n\n    {by_hand}\n"
         );
     }
     if output(Command::new("id").arg("-u")).as_deref() != Some("0") {
         bail!(
-            "{program} is missing: {reason}. Only root may install it. Run this, and start again:\n\n    {lines}\n"
+            "missing: {reasons}. Only root may install them. Run this, and start again:\n\n    {by_hand}\n"
         );
     }
-    announce(format_args!("Installing Debian's {package}: {reason}"));
+    announce(format_args!("Installing with apt-get: {reasons}"));
     run(&mut update)?;
-    run(install.env("DEBIAN_FRONTEND", "noninteractive"))
+    run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+    match missing().next() {
+        Some(Needed {
+            program, package, ..
+        }) => bail!("Debian's package {package} is installed, but {program} is not on the PATH"),
+        None => Ok(()),
+    }
 }

@@ -2,47 +2,40 @@
 
 use std::{fs, io::Write, path::Path};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use crate::project::files_below;
 
 /// What may be downloaded until the first interactive design, compressed, bytes.
 const BUDGET_BYTES: usize = 1_500_000;
 
-/// Prints the size of every file, plain and as a host sends it, and of all against the budget. Files in `static/` are
-/// loaded when first used and count apart.
-pub fn print(dist: &Path) -> Result<()> {
-    let mut first = Size::default();
-    let mut later = Size::default();
+/// Prints the size of every file, plain and compressed as a host may send it; returns the compressed sum, bytes.
+pub fn print(dist: &Path) -> Result<usize> {
+    let mut sum = Size::default();
     println!("\n{:>12} {:>12}  file", "bytes", "brotli");
     for file in files_below(dist)? {
         let size = Size::of(&fs::read(&file)?)?;
-        let name = file.strip_prefix(dist)?;
-        let sum = if name.starts_with("static") {
-            &mut later
-        } else {
-            &mut first
-        };
         sum.add(size);
         println!(
             "{:>12} {:>12}  {}",
             size.plain_bytes,
             size.compressed_bytes,
-            name.display()
+            file.strip_prefix(dist)?.display()
         );
     }
     println!(
-        "{:>12} {:>12}  at first load",
-        first.plain_bytes, first.compressed_bytes
+        "{:>12} {:>12}  of {BUDGET_BYTES}, the budget",
+        sum.plain_bytes, sum.compressed_bytes
     );
-    if later.plain_bytes > 0 {
-        println!(
-            "{:>12} {:>12}  when first used",
-            later.plain_bytes, later.compressed_bytes
+    Ok(sum.compressed_bytes)
+}
+
+/// Fails if the budget is exceeded.
+pub fn check(compressed_bytes: usize) -> Result<()> {
+    if compressed_bytes > BUDGET_BYTES {
+        bail!(
+            "the app is {compressed_bytes} bytes compressed, above the {BUDGET_BYTES} of the budget"
         );
-    }
-    if first.compressed_bytes > BUDGET_BYTES {
-        println!("warning: the first load exceeds {BUDGET_BYTES} bytes, compressed");
     }
     Ok(())
 }

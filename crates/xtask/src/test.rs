@@ -7,47 +7,80 @@ use anyhow::{Context, Result, bail};
 use crate::{
     build,
     project::{Project, announce, files_below, run},
-    serve, setup,
+    serve,
+    setup::{self, WASM},
+    sizes,
 };
 
-type Stage = (&'static str, fn(&Project) -> Result<()>);
+struct Stage {
+    name: &'static str,
+    set_up: Step,
+    check: Step,
+}
+
+type Step = fn(&Project) -> Result<()>;
 
 const STAGES: [Stage; 5] = [
-    ("fmt", format),
-    ("clippy", lints),
-    ("native", native),
-    ("browser", browser),
-    ("e2e", end_to_end),
+    Stage {
+        name: "fmt",
+        set_up: setup::for_lints,
+        check: format,
+    },
+    Stage {
+        name: "clippy",
+        set_up: setup::for_lints,
+        check: lints,
+    },
+    Stage {
+        name: "native",
+        set_up: |_| Ok(()),
+        check: native,
+    },
+    Stage {
+        name: "browser",
+        set_up: setup::for_browser,
+        check: browser,
+    },
+    Stage {
+        name: "e2e",
+        set_up: setup::for_end_to_end,
+        check: end_to_end,
+    },
 ];
 
-const WASM: &str = "wasm32-unknown-unknown";
+/// Sets up what the stages named need, or all; what may not be installed is known before the first check.
+pub fn set_up(project: &Project, names: &[&str]) -> Result<()> {
+    if let Some(unknown) = names
+        .iter()
+        .find(|name| STAGES.iter().all(|stage| stage.name != **name))
+    {
+        let known = STAGES.map(|stage| stage.name).join(", ");
+        bail!("no such stage: {unknown}; there are {known}");
+    }
+    chosen(names).try_for_each(|stage| (stage.set_up)(project))
+}
 
 /// Runs the stages named, or all, and stops at the first that fails.
 pub fn run_stages(project: &Project, names: &[&str]) -> Result<()> {
-    if let Some(unknown) = names
-        .iter()
-        .find(|name| STAGES.iter().all(|(stage, _)| stage != *name))
-    {
-        let known = STAGES.map(|(stage, _)| stage).join(", ");
-        bail!("no such stage: {unknown}; there are {known}");
-    }
-    setup::for_build(project)?;
-    setup::for_tests(project)?;
+    set_up(project, names)?;
     let mut times = Vec::new();
-    for (name, stage) in STAGES
-        .iter()
-        .filter(|(name, _)| names.is_empty() || names.contains(name))
-    {
-        announce(format_args!("Test stage {name}"));
+    for stage in chosen(names) {
+        announce(format_args!("Test stage {}", stage.name));
         let start = Instant::now();
-        stage(project).with_context(|| format!("stage {name} failed"))?;
-        times.push((name, start.elapsed()));
+        (stage.check)(project).with_context(|| format!("stage {} failed", stage.name))?;
+        times.push((stage.name, start.elapsed()));
     }
-    println!("\nAll stages passed:");
+    println!("\nPassed:");
     for (name, time) in times {
         println!("{:>7.0} s  {name}", time.as_secs_f64());
     }
     Ok(())
+}
+
+fn chosen(names: &[&str]) -> impl Iterator<Item = &'static Stage> {
+    const { &STAGES }
+        .iter()
+        .filter(move |stage| names.is_empty() || names.contains(&stage.name))
 }
 
 fn format(project: &Project) -> Result<()> {
@@ -99,12 +132,15 @@ fn browser(project: &Project) -> Result<()> {
 
 /// The tests in `tests/e2e`, against the app as it would be deployed.
 fn end_to_end(project: &Project) -> Result<()> {
-    build::dist(project)?;
+    sizes::check(build::dist(project)?)?;
     let address = serve::in_background(&project.dist)?;
     let chromium = setup::program_of_tests(project, "chromium").context("chromium is missing")?;
     let tests = files_below(&project.root.join("tests/e2e"))?
         .into_iter()
-        .filter(|file| file.to_string_lossy().ends_with(".test.mjs"));
+        .filter(|file| {
+            file.extension().is_some_and(|extension| extension == "mjs")
+                && !file.ends_with("harness.mjs")
+        });
     run(project
         .command("node")
         .arg("--test")

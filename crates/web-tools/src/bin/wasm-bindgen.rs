@@ -1,4 +1,0 @@
-//! The command `wasm-bindgen`: JavaScript bindings of a WebAssembly module.
-fn main() -> anyhow::Result<()> {
-    wasm_bindgen_cli::wasm_bindgen::run_cli_with_args(std::env::args_os())
-}
