@@ -1,0 +1,136 @@
+//! From shapes to a plotters backend.
+
+use crate::compose::compose;
+use crate::figure::Figure;
+use crate::mapping::Mapping;
+use crate::scene::{Anchor, Label, Point, Scene, Shape};
+use crate::text::Weight;
+use crate::theme::{Rgb, Theme};
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
+use plotters::element::{Circle, PathElement, Polygon, Text};
+use plotters::prelude::DrawingBackend;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontDesc, FontFamily, FontStyle, RGBColor, ShapeStyle, TextStyle};
+
+/// Size of a figure, and how the backend counts px. Plotters places by whole numbers, so that lines
+/// are smooth only where a CSS px holds several units of the backend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Width, CSS px.
+    pub width_px: f64,
+    /// Height, CSS px.
+    pub height_px: f64,
+    /// Units of the backend in a CSS px.
+    pub units_per_px: f64,
+    /// What the backend divides font sizes by.
+    pub font_divisor: f64,
+    /// How far below its place the backend should be told to centre text, font sizes.
+    pub text_drop_em: f64,
+}
+
+impl Frame {
+    /// For a backend that keeps font sizes and centres text, with `units_per_px` units to a CSS px.
+    pub fn new(width_px: f64, height_px: f64, units_per_px: f64) -> Self {
+        Self {
+            width_px,
+            height_px,
+            units_per_px,
+            font_divisor: 1.0,
+            text_drop_em: 0.0,
+        }
+    }
+}
+
+/// Draws a figure on any plotters backend and says where the data are.
+///
+/// # Errors
+/// Those of the backend.
+pub fn draw<DB: DrawingBackend>(
+    figure: &Figure,
+    theme: &Theme,
+    frame: &Frame,
+    area: &DrawingArea<DB, Shift>,
+) -> Result<Mapping, DrawingAreaErrorKind<DB::ErrorType>> {
+    let (scene, mapping) = compose(figure, theme, (frame.width_px, frame.height_px));
+    paint(&scene, theme, frame, area)?;
+    Ok(mapping)
+}
+
+fn paint<DB: DrawingBackend>(
+    scene: &Scene,
+    theme: &Theme,
+    frame: &Frame,
+    area: &DrawingArea<DB, Shift>,
+) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+    let unit = |px: f64| (px * frame.units_per_px).round() as i32;
+    let place = |(x, y): &Point| (unit(*x), unit(*y));
+    let places = |points: &[Point]| points.iter().map(place).collect::<Vec<_>>();
+    for shape in &scene.shapes {
+        match shape {
+            Shape::Path {
+                points,
+                colour,
+                width_px,
+            } => {
+                let style = rgb(*colour).stroke_width(unit(*width_px).max(1) as u32);
+                area.draw(&PathElement::new(places(points), style))?;
+            }
+            Shape::Fill {
+                points,
+                colour,
+                opacity,
+            } => {
+                let style = ShapeStyle::from(&rgb(*colour).mix(*opacity)).filled();
+                area.draw(&Polygon::new(places(points), style))?;
+            }
+            Shape::Dot {
+                at,
+                radius_px,
+                colour,
+            } => {
+                area.draw(&Circle::new(
+                    place(at),
+                    unit(*radius_px),
+                    rgb(*colour).filled(),
+                ))?;
+            }
+            Shape::Text(label) => {
+                let Label {
+                    text, at, size_px, ..
+                } = label;
+                let at = place(&(at.0, at.1 + frame.text_drop_em * size_px));
+                area.draw(&Text::new(
+                    text.as_str(),
+                    at,
+                    text_style(label, theme, frame),
+                ))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn rgb(Rgb(r, g, b): Rgb) -> RGBColor {
+    RGBColor(r, g, b)
+}
+
+fn text_style<'a>(label: &Label, theme: &'a Theme, frame: &Frame) -> TextStyle<'a> {
+    let style = match label.weight {
+        Weight::Normal => FontStyle::Normal,
+        Weight::Bold => FontStyle::Bold,
+    };
+    let h_pos = match label.anchor {
+        Anchor::Start => HPos::Left,
+        Anchor::Middle => HPos::Center,
+        Anchor::End => HPos::Right,
+    };
+    // Whole units are also written shorter.
+    let size = (label.size_px * frame.units_per_px).round() * frame.font_divisor;
+    let family = FontFamily::Name(&theme.font_family);
+    TextStyle {
+        font: FontDesc::new(family, size, style),
+        color: rgb(label.colour).to_backend_color(),
+        pos: Pos::new(h_pos, VPos::Center),
+    }
+}
