@@ -12,6 +12,7 @@ pub mod field;
 pub mod form;
 pub mod header;
 pub mod headline;
+pub mod mass_tree;
 pub mod notes;
 pub mod number;
 pub mod open;

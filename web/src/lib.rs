@@ -11,6 +11,7 @@ mod app;
 mod charts;
 mod components;
 mod display;
+mod drawing;
 mod files;
 mod link;
 mod pages;

@@ -88,19 +88,20 @@ pub struct State {
     /// Look and depth of the page.
     pub preferences: Preferences,
     /// What a case may name.
-    pub library: StoredValue<Library>,
+    pub library: StoredValue<Option<Library>>,
 }
 
 impl State {
     /// The state around a first document; solving starts at once.
     pub fn new(document: Document, preferences: Preferences) -> State {
-        let library = Library::builtin().unwrap_or_default();
+        // The worker reports a library that cannot be read; here only lists of choices come from it.
+        let library = Library::builtin().ok();
         let history = RwSignal::new(History::new(document));
         let document = Memo::new(move |_| history.with(|history| history.present().clone()));
         let case = Memo::new(move |_| document.with(|document| document.case.clone()));
         let stored_library = StoredValue::new(library);
         let checks = Memo::new(move |_| {
-            Arc::new(stored_library.with_value(|library| check_inputs(&case.get(), library)))
+            Arc::new(stored_library.with_value(|library| check_inputs(&case.get(), library.as_ref())))
         });
         let state = State {
             history,

@@ -10,7 +10,7 @@ use msape::quantity::input::{Choices, Input, Preset};
 #[component]
 pub fn ChoiceField(input: &'static Input, choices: Choices) -> impl IntoView {
     let state = State::expect();
-    let choices = state.library.with_value(|library| library.choices(choices));
+    let choices = state.library.with_value(|library| library.as_ref().map(|library| library.choices(choices))).unwrap_or_default();
     view! { <Select input choices to_value=|name: &str| Value::Text(name.to_string()) /> }
 }
 

@@ -38,7 +38,7 @@ pub fn Header() -> impl IntoView {
                     now=Signal::derive(move || state.document.with(|document| document.units))
                     choose=move |units| state.edit(&format!("Units {}", units.label()), None, |document| Document { units, unit_of: Default::default(), ..document.clone() }) />
                 <Segments legend="Inputs shown" choices=vec![(false, "Basic"), (true, "Expert")]
-                    now=state.preferences.expert.into()
+                    now=state.preferences.expert
                     choose=move |expert| state.preferences.expert.set(expert) />
                 <label class="inline">
                     <span class="hidden-visually">"Theme"</span>

@@ -54,7 +54,7 @@ pub fn StartFrom() -> impl IntoView {
     let starts = StoredValue::new(starts());
     let now = Memo::new(move |_| {
         state.case.with(|case| {
-            starts.with_value(|starts| starts.iter().find(|start| start.case == *case).map(|start| start.id.clone()))
+            starts.with_value(|starts| starts.iter().find(|start| start.case == **case).map(|start| start.id.clone()))
         })
     });
     view! {
