@@ -1,7 +1,48 @@
 //! The coupled design: passes through the modules until the mass settles.
+//!
+//! - [`inputs`]: what a design is made from, checked.
+//! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - [`crossings`]: what crosses between the modules, for the N-squared view.
 
+pub mod coupling;
+pub mod crossings;
+pub mod inputs;
+
+use crate::tps::mer::Sizing;
+use crate::vehicle::Vehicle;
 use serde::{Deserialize, Serialize};
 
-/// A designed vehicle.
+/// A designed vehicle and what was sized for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Design {}
+pub struct Design {
+    /// Geometry, mass, impact, structure.
+    pub vehicle: Vehicle,
+    /// Heat shield of the forebody.
+    pub forebody_tps: Sizing,
+    /// Heat shield of the aftbody.
+    pub aftbody_tps: Sizing,
+    /// Density of the forebody's heat shield, kg/m³.
+    pub forebody_tps_density_kg_m3: f64,
+    /// Density of the aftbody's heat shield, kg/m³.
+    pub aftbody_tps_density_kg_m3: f64,
+    /// Largest heat flux on the aftbody with margins, W/m².
+    pub aftbody_heat_flux_w_m2: f64,
+    /// Heat load on the aftbody with margins, J/m².
+    pub aftbody_heat_load_j_m2: f64,
+    /// Largest heat flux on the shoulder with margins, W/m².
+    pub shoulder_heat_flux_w_m2: f64,
+    /// Peak temperature of the payload container, K.
+    pub payload_temperature_k: f64,
+    /// Drag coefficient at impact.
+    pub impact_drag_coefficient: f64,
+    /// Speed at which drag carries the weight where the vehicle lands, equation 2, m/s.
+    pub terminal_speed_m_s: f64,
+    /// Half-angle of the forebody cone, rad.
+    pub cone_half_angle_rad: f64,
+    /// Mass of the payload, kg.
+    pub payload_mass_kg: f64,
+    /// Number of passes.
+    pub passes: u32,
+    /// Change of the entry mass in the last pass, kg.
+    pub mass_residual_kg: Option<f64>,
+}

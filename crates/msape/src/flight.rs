@@ -2,18 +2,20 @@
 //!
 //! - [`three_dof`]: three degrees of freedom over the rotating oblate planet, the high-fidelity model.
 //! - [`allen_eggers`]: the closed form for steep ballistic entry, the low-fidelity twin.
-//! - [`entry`]: entry states, inertial and relative.
+//! - [`mission`]: what is flown, through what, from where, until when.
+//! - [`summary`]: peaks, loads and end of a flight.
 //! - [`trajectory`]: the time history.
 
 use crate::answer::Outcome;
 use crate::finding::{Finding, Severity};
 use crate::heating::PeakConditions;
 use crate::planet::horizon::Velocity;
-use mission::{Body, Mission};
+use mission::{Body, Mission, Model};
 use serde::{Deserialize, Serialize};
 
 pub use trajectory::{Request, Trajectory};
 
+pub mod allen_eggers;
 pub mod equations;
 pub mod mission;
 pub mod sample;
@@ -103,6 +105,9 @@ impl Flight {
 
 /// Flies a vehicle: the flight, how it ended, and why.
 pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome, Option<String>) {
+    if mission.solver.model == Model::AllenEggers {
+        return (allen_eggers::fly(mission, body, request), Outcome::Landed, None);
+    }
     let record = three_dof::integrate(mission, body);
     let flight = summary::summarize(mission, body, &record, request);
     (flight, record.outcome, record.reason)

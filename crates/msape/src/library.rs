@@ -17,6 +17,9 @@ use crate::soak::SoakCorrelation;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
+use crate::tps::Side;
+use crate::vehicle::impact::Ground;
+use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -72,6 +75,10 @@ pub struct Library {
     pub soak: Named<SoakCorrelation>,
     /// Trajectory space of the mass-estimating relations.
     pub fit_space: FitSpace,
+    /// Rules, densities, carriers and foams of the vehicle family.
+    pub vehicle: VehicleData,
+    /// Grounds by name.
+    pub grounds: Named<Ground>,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
 }
@@ -111,8 +118,15 @@ impl Library {
             planets,
             soak: folder("soak", SoakCorrelation::parse)?,
             fit_space: parsed("tps/mer-fit-space.toml", FitSpace::parse)?,
+            vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
+            grounds: folder("grounds", Ground::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
         })
+    }
+
+    /// Heat-shield materials that are made for the aftbody.
+    pub fn aftbody_materials(&self) -> impl Iterator<Item = &(String, TpsMaterial)> {
+        self.materials.iter().filter(|(_, material)| material.sides.contains(&Side::Aftbody))
     }
 
     /// Names and titles of what can be chosen.
@@ -127,8 +141,10 @@ impl Library {
             Choices::Planets => titles(&self.planets, |planet| &planet.title),
             Choices::Atmospheres => titles(&self.atmospheres, |(title, _)| title),
             Choices::ForebodyConcepts => titles(&self.concepts, |concept| &concept.name),
-            Choices::AftbodyMaterials => titles(&self.materials, |material| &material.name),
-            Choices::Grounds => Vec::new(),
+            Choices::AftbodyMaterials => {
+                self.aftbody_materials().map(|(name, material)| (name.clone(), material.name.clone())).collect()
+            }
+            Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
         }
     }

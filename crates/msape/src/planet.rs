@@ -272,4 +272,43 @@ mod tests {
         assert!(Planet::parse(&text).unwrap_err().contains("got -1 m"));
         assert!(Planet::parse("nonsense = 1").is_err());
     }
+
+    #[test]
+    fn a_body_dropped_from_30000_ft_for_30_s() {
+        // NASA/TM-2015-218675, check case 1: six programs agree on 15598.90 ft within 0.01 ft, 2.101 ft/s eastward,
+        // 960.293 ft/s down. Theirs is J2 only: J4 and J3 change the fall by 2e-6 of 14401 ft, 0.03 ft.
+        const FOOT: f64 = 0.3048;
+        let earth = Planet::parse(FILES[1].1).unwrap();
+        let start = Geodetic {
+            altitude_m: 30_000.0 * FOOT,
+            latitude_rad: 0.0,
+            longitude_rad: 0.0,
+        };
+        let mut r = earth.cartesian_m(&start);
+        let mut v = earth.inertial_m_s(r, [0.0; 3]);
+        let add =
+            |a: [f64; 3], b: [f64; 3], h: f64| [a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2]];
+        // The axes of the start, not turning: gravity is the same about the pole. Nyström's form of Runge-Kutta.
+        let h = 0.5;
+        for _ in 0..60 {
+            let a_1 = earth.gravity(r);
+            let a_2 = earth.gravity(add(add(r, v, h / 2.0), a_1, h * h / 8.0));
+            let a_3 = earth.gravity(add(add(r, v, h), a_2, h * h / 2.0));
+            r = add(add(add(r, v, h), a_1, h * h / 6.0), a_2, h * h / 3.0);
+            v = add(add(add(v, a_1, h / 6.0), a_2, h * 2.0 / 3.0), a_3, h / 6.0);
+        }
+        let relative = earth.horizon(r).parts(earth.relative_m_s(r, v));
+        let altitude_ft = earth.geodetic(r).altitude_m / FOOT;
+        assert!((altitude_ft - 15_598.904).abs() < 0.05, "{altitude_ft}");
+        assert!(
+            (relative[1] / FOOT - 2.101).abs() < 1e-3,
+            "{}",
+            relative[1] / FOOT
+        );
+        assert!(
+            (relative[2] / FOOT + 960.293).abs() < 3e-3,
+            "{}",
+            relative[2] / FOOT
+        );
+    }
 }

@@ -2,12 +2,14 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod design;
 mod flight;
 mod heating;
 mod planet;
 
 use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
+use crate::design::coupling;
 use crate::flight::Request;
 use crate::library::Library;
 
@@ -30,11 +32,7 @@ fn settled<T>(reader: Reader, problem: Option<T>) -> Result<Checked<T>, Vec<Inpu
 
 pub(crate) fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
     let mut reader = Reader::new(case);
-    if let Request::Uniform(step_s) = request
-        && !(step_s > 0.0 && step_s.is_finite())
-    {
-        reader.fault("trajectory step", format!("got {step_s} s, must be above 0 s"));
-    }
+    check_step(&mut reader, request);
     let mission = flight::mission(&mut reader, library, flight::Angle::Any);
     let body = flight::body(&mut reader, library);
     let checked = settled(reader, mission.zip(body))?;
@@ -54,9 +52,20 @@ pub(crate) fn fly(case: &Case, library: &Library, request: Request) -> Result<An
     })
 }
 
-pub(crate) fn design(case: &Case, library: &Library, _request: Request) -> Result<Answer, Vec<InputError>> {
+pub(crate) fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
     let mut reader = Reader::new(case);
-    let mission = flight::mission(&mut reader, library, flight::Angle::Descending);
-    settled(reader, mission)?;
-    Err(Vec::new())
+    check_step(&mut reader, request);
+    let input = design::design(&mut reader, library);
+    let checked = settled(reader, input)?;
+    let mut answer = coupling::solve(&checked.problem, &case.name, request);
+    answer.findings.extend(checked.findings);
+    Ok(answer)
+}
+
+fn check_step(reader: &mut Reader, request: Request) {
+    if let Request::Uniform(step_s) = request
+        && !(step_s > 0.0 && step_s.is_finite())
+    {
+        reader.fault("trajectory step", format!("got {step_s} s, must be above 0 s"));
+    }
 }

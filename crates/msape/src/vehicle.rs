@@ -33,7 +33,7 @@ pub use mass::{Component, ComponentKind, MassProperties};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
-use crate::vehicle::close::{Closed, close};
+use crate::vehicle::close::{Closed, close, close_from};
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
 use crate::vehicle::profile::Profile;
@@ -135,14 +135,24 @@ pub struct NotClosed {
 /// The vehicle for these inputs.
 pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
     if let Some(reason) = input.fault() {
-        return Err(NotClosed { reason, at_input: None, at_largest: None });
+        return Err(NotClosed {
+            reason,
+            at_input: None,
+            at_largest: None,
+        });
     }
     let v = input.loads.terminal_speed_m_s;
-    let stroke_m = impact::required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
+    let stroke_m =
+        impact::required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
     let required_foam_m = stroke_m / input.impact.stroke_efficiency;
     // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
     let foam_strength_pa = if stroke_m > 0.0 {
-        impact::foam_strength_pa(input.payload_mass_kg, input.payload_diameter_m(), v, stroke_m)
+        impact::foam_strength_pa(
+            input.payload_mass_kg,
+            input.payload_diameter_m(),
+            v,
+            stroke_m,
+        )
     } else {
         0.0
     };
@@ -172,7 +182,13 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
     let dimensions = dimensions(input, diameter_m, &closed);
     let adjustments = remarks::adjustments(input, diameter_m, foam.thickness_m, &closed.layout);
     let findings = remarks::findings(input, &impact, &closed);
-    let Closed { layout, components, mass, structure, iterations } = closed;
+    let Closed {
+        layout,
+        components,
+        mass,
+        structure,
+        iterations,
+    } = closed;
     Ok(Vehicle {
         concept: input.concept,
         outline: layout.outline.profile(),
@@ -206,12 +222,14 @@ fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed
             Ok(mut best) => {
                 while high - low > input.rules.diameter_resolution_m {
                     let middle = 0.5 * (low + high);
-                    match close(input, middle, foam) {
+                    match close_from(input, middle, foam, best.start()) {
                         Ok(closed) => (high, best) = (middle, closed),
                         Err(_) => low = middle,
                     }
                 }
-                return Ok((high, best));
+                // from the beginning, so that the vehicle does not depend on the search
+                let settled = close(input, high, foam).unwrap_or(best);
+                return Ok((high, settled));
             }
             Err(misfit) => (low, at_largest) = (high, misfit),
         }
@@ -225,7 +243,11 @@ fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed
         largest.max(input.diameter_m),
         at_largest.reason()
     );
-    Err(NotClosed { reason, at_input: Some(at_input), at_largest: Some(at_largest) })
+    Err(NotClosed {
+        reason,
+        at_input: Some(at_input),
+        at_largest: Some(at_largest),
+    })
 }
 
 fn dimensions(input: &VehicleInput, diameter_m: f64, closed: &Closed) -> Dimensions {
@@ -248,7 +270,8 @@ fn dimensions(input: &VehicleInput, diameter_m: f64, closed: &Closed) -> Dimensi
         attached_structure_depth_m: outline.attached_structure_x_m - tip_x_m,
         wing_slope_rad: outline.wing_slope_rad,
         payload_diameter_m,
-        payload_density_kg_m3: input.payload_mass_kg / (PI / 6.0 * payload_diameter_m * payload_diameter_m * payload_diameter_m),
+        payload_density_kg_m3: input.payload_mass_kg
+            / (PI / 6.0 * payload_diameter_m * payload_diameter_m * payload_diameter_m),
         payload_height_m: layout.payload_x_m - tip_x_m,
         foam_thickness_m: layout.foam_thickness_m,
         impact_sphere_diameter_m: match input.concept {

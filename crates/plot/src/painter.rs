@@ -57,18 +57,15 @@ impl Painter<'_> {
         let (layout, theme) = (self.layout, self.theme);
         let Mapping { plot, x, y, .. } = layout.mapping;
         let is_open = |ticks: &[Tick], length: f64| length > DENSEST_PX * ticks.len() as f64;
-        let is_x_open = is_open(&layout.x_ticks, plot.width_px());
-        let is_y_open = is_open(&layout.y_ticks, plot.height_px());
-        for (is_major, colour) in [(false, theme.minor_grid), (true, theme.grid)] {
-            if is_major || is_x_open {
-                for (x_px, _) in places(&layout.x_ticks, &x, is_major) {
-                    self.upright(x_px, (plot.top_px, plot.bottom_px), colour);
-                }
+        let is_fine =
+            is_open(&layout.x_ticks, plot.width_px()) && is_open(&layout.y_ticks, plot.height_px());
+        let kinds = [(false, theme.minor_grid), (true, theme.grid)];
+        for (is_major, colour) in kinds.into_iter().filter(|kind| kind.0 || is_fine) {
+            for (x_px, _) in places(&layout.x_ticks, &x, is_major) {
+                self.upright(x_px, (plot.top_px, plot.bottom_px), colour);
             }
-            if is_major || is_y_open {
-                for (y_px, _) in places(&layout.y_ticks, &y, is_major) {
-                    self.level((plot.left_px, plot.right_px), y_px, colour);
-                }
+            for (y_px, _) in places(&layout.y_ticks, &y, is_major) {
+                self.level((plot.left_px, plot.right_px), y_px, colour);
             }
         }
     }

@@ -18,6 +18,7 @@ pub mod exponential;
 pub mod table;
 pub mod us_1976;
 
+use crate::finding::{Finding, Severity};
 use exponential::Exponential;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
@@ -117,6 +118,39 @@ impl Atmosphere {
         }
     }
 
+    /// A remark when altitudes from `lowest_m` to `highest_m` leave the range of the model.
+    pub fn finding(&self, lowest_m: f64, highest_m: f64) -> Option<Finding> {
+        let (bottom_m, top_m) = self.valid_m();
+        let value = if highest_m > top_m {
+            highest_m
+        } else {
+            lowest_m
+        };
+        if (bottom_m..=top_m).contains(&value) {
+            return None;
+        }
+        let (model, source) = match self {
+            Self::UsStandard1976(_) => ("us-1976", "NASA-TM-X-74335"),
+            Self::Table(_) => ("atmosphere table", "the rows given"),
+            Self::Exponential(_) => ("exponential atmosphere", "its definition"),
+        };
+        Some(Finding {
+            severity: Severity::Extrapolated,
+            model: model.to_string(),
+            key: "altitude_m".to_string(),
+            value: Some(value),
+            valid: (Some(bottom_m), Some(top_m)),
+            message: format!(
+                "Density was extrapolated to {} km; the atmosphere covers {} to {} km.",
+                value / 1000.0,
+                bottom_m / 1000.0,
+                top_m / 1000.0
+            ),
+            source: source.to_string(),
+            field: Some("entry.atmosphere".to_string()),
+        })
+    }
+
     /// Density of one piece, kg/m³, continued smoothly beyond its ends.
     #[inline]
     pub fn density_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
@@ -151,5 +185,23 @@ impl Atmosphere {
     /// Everything, the piece chosen by the altitude, m.
     pub fn air(&self, altitude_m: f64) -> Air<f64> {
         self.air_in(self.layer(altitude_m), altitude_m)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn leaving_the_range_is_a_finding() {
+        let air = Atmosphere::us_1976(include_str!("../../data/atmospheres/us-1976.toml")).unwrap();
+        assert_eq!(air.finding(0.0, 125e3), None);
+        assert_eq!(air.finding(-10e3, 125e3).unwrap().value, Some(-10e3));
+        assert!(
+            air.finding(0.0, 2e6)
+                .unwrap()
+                .message
+                .contains("to 2000 km; the atmosphere covers -5 to 1000 km")
+        );
     }
 }

@@ -13,7 +13,8 @@
 //!
 //! # Valid
 //! Altitudes above −10 km of any planet, the poles included. [`Ellipsoid::local`] takes one pass, or two where the
-//! flattening is above 0.02, in square roots only: its height is good to 1e-5 m to 500 km and to 1e-9 of the height beyond.
+//! flattening is above 0.02, in square roots only: its height is good to 1e-5 m to 500 km
+//! (1e-4 m where the flattening is above 0.02) and to 1e-9 of the height beyond.
 //!
 //! # References
 //! - \[bowring-1985\]; \[nga-wgs84\] for the forward conversion.
@@ -175,7 +176,7 @@ mod tests {
 
     const WGS84: Ellipsoid = Ellipsoid {
         equatorial_radius_m: 6_378_137.0,
-        polar_radius_m: 6_356_752.3142,
+        polar_radius_m: 6_356_752.314_2,
     };
     const SATURN: Ellipsoid = Ellipsoid {
         equatorial_radius_m: 60_268_000.0,
@@ -214,7 +215,7 @@ mod tests {
             })
         };
         assert!((on(1000.0, 0.0)[1] - 6_379_137.0).abs() < 1e-9);
-        assert!((on(1000.0, FRAC_PI_2)[2] - 6_357_752.3142).abs() < 1e-9);
+        assert!((on(1000.0, FRAC_PI_2)[2] - 6_357_752.314_2).abs() < 1e-9);
     }
 
     #[test]
@@ -259,7 +260,8 @@ mod tests {
             for position in positions(&[-10e3, 0.0, 50e3, 125e3, 500e3, 2e6, 2e7, 4e8]) {
                 let local = ellipsoid.local(ellipsoid.cartesian_m(&position));
                 let error = (local.altitude_m - position.altitude_m).abs();
-                let allowed = (position.altitude_m * 1e-9).max(1e-5);
+                let near_m = if name == "saturn" { 1e-4 } else { 1e-5 };
+                let allowed = (position.altitude_m * 1e-9).max(near_m);
                 assert!(error < allowed, "{name} {position:?}: {error:e} m");
                 let (sin, cos) = math::sin_cos(position.latitude_rad);
                 let (sin_l, cos_l) = math::sin_cos(position.longitude_rad);

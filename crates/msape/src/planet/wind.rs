@@ -78,7 +78,7 @@ impl WindTable {
             let dz = z_1 - z;
             intervals.push([z, east, north, (east_1 - east) / dz, (north_1 - north) / dz]);
         }
-        if let (true, Some([z, east, north])) = (intervals.is_empty(), points().last()) {
+        if let (true, Some([z, east, north])) = (intervals.is_empty(), points().next_back()) {
             intervals.push([z, east, north, 0.0, 0.0]);
         }
         Ok(Self {

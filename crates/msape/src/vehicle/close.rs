@@ -16,7 +16,9 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam};
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
-use crate::vehicle::mass::{Component, ComponentKind, Densities, MassProperties, components, total};
+use crate::vehicle::mass::{
+    Component, ComponentKind, Densities, MassProperties, components, total,
+};
 use crate::vehicle::structure::{PressureShell, Structure, Wall};
 use crate::vehicle::{msr, non_msr};
 use numerics::math::PI;
@@ -36,19 +38,31 @@ pub struct Closed {
     pub iterations: u32,
 }
 
+impl Closed {
+    /// Start for a neighbouring diameter.
+    pub fn start(&self) -> Start {
+        Start {
+            cg_over_diameter: self.mass.cg_x_m / self.layout.outline.forebody.diameter_m,
+            structure: self.structure,
+        }
+    }
+}
+
 /// Turns after which the loop gives up.
 const MOST_TURNS: u32 = 200;
 
+/// Where the loop starts: a centre of gravity and walls.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// Centre of gravity over diameter.
+    pub cg_over_diameter: f64,
+    /// Walls.
+    pub structure: Structure,
+}
+
 /// The vehicle at the diameter `diameter_m`, with the impact foam `foam` or more of it.
 pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed, Misfit> {
-    let radius_m = diameter_m / 2.0;
-    let forebody = Forebody {
-        diameter_m,
-        nose_radius_m: input.nose_radius_ratio * radius_m,
-        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-        cone_half_angle_rad: input.cone_half_angle_rad,
-    };
-    let mut structure = Structure {
+    let structure = Structure {
         forebody: match input.forebody.carrier_thickness_m {
             Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
             None => input.forebody.carrier.at_minimum_gauge(),
@@ -56,11 +70,40 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
         aftbody: input.aftbody_carrier.at_minimum_gauge(),
         primary: input.primary_carrier.at_minimum_gauge(),
     };
+    let forebody = forebody(input, diameter_m);
+    let cg_x_m = first_cg_x_m(&forebody, input.payload_diameter_m() / 2.0);
+    let start = Start {
+        cg_over_diameter: cg_x_m / diameter_m,
+        structure,
+    };
+    close_from(input, diameter_m, foam, start)
+}
+
+fn forebody(input: &VehicleInput, diameter_m: f64) -> Forebody {
+    let radius_m = diameter_m / 2.0;
+    Forebody {
+        diameter_m,
+        nose_radius_m: input.nose_radius_ratio * radius_m,
+        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+        cone_half_angle_rad: input.cone_half_angle_rad,
+    }
+}
+
+/// The same from a neighbour's centre of gravity and walls, which takes fewer turns.
+pub fn close_from(
+    input: &VehicleInput,
+    diameter_m: f64,
+    foam: Foam,
+    start: Start,
+) -> Result<Closed, Misfit> {
+    let forebody = forebody(input, diameter_m);
     let rules = &input.rules;
     let payload_radius_m = input.payload_diameter_m() / 2.0;
-    let mut cg_x_m = first_cg_x_m(&forebody, payload_radius_m);
+    let mut structure = start.structure;
+    let mut cg_x_m = start.cg_over_diameter * diameter_m;
     let mut last_foot_x_m = f64::INFINITY;
     let mut moved = f64::INFINITY;
+    let mut last = None;
     for iterations in 1..=MOST_TURNS {
         let depths = Depths {
             forebody_tps_m: input.forebody.tps_thickness_m,
@@ -70,12 +113,26 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
             aftbody_carrier_m: structure.aftbody.thickness_m,
             primary_m: structure.primary.thickness_m,
         };
-        let frame = Frame { forebody, depths, payload_radius_m, foam_thickness_m: foam.thickness_m, cg_x_m, rules };
+        let frame = Frame {
+            forebody,
+            depths,
+            payload_radius_m,
+            foam_thickness_m: foam.thickness_m,
+            cg_x_m,
+            rules,
+        };
         let layout = match input.concept {
             Concept::Msr => msr::layout(&frame)?,
             Concept::NonMsr => non_msr::layout(&frame)?,
         };
-        let components = components(input, &layout, &Densities { structure: &structure, foam });
+        let components = components(
+            input,
+            &layout,
+            &Densities {
+                structure: &structure,
+                foam,
+            },
+        );
         let mass = total(&components);
         let sized = size_walls(input, &layout, &components, &mass);
         let foot_x_m = layout.outline.attached_structure_x_m;
@@ -92,20 +149,46 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed
         if settled {
             let slope_rad = layout.outline.wing_slope_rad;
             if slope_rad < rules.wing_slope_min_rad.min(frame.steepest_rad()) {
-                return Err(Misfit::WingTooShallow { slope_rad, least_rad: rules.wing_slope_min_rad });
+                return Err(Misfit::WingTooShallow {
+                    slope_rad,
+                    least_rad: rules.wing_slope_min_rad,
+                });
             }
-            return Ok(Closed { layout, components, mass, structure: sized_labels(structure, sized), iterations });
+            return Ok(Closed {
+                layout,
+                components,
+                mass,
+                structure: sized_labels(structure, sized),
+                iterations,
+            });
         }
-        cg_x_m = mass.cg_x_m;
+        let next = secant_step(last, (cg_x_m, mass.cg_x_m));
+        last = Some((cg_x_m, mass.cg_x_m));
+        cg_x_m = next;
         last_foot_x_m = foot_x_m;
         structure = sized;
     }
     Err(Misfit::NotConverged { move_m: moved })
 }
 
+/// Next guess of x = g(x) from two pairs (x, g(x)) by the secant, from one by g(x) itself; never further than twice the way to g(x).
+fn secant_step(last: Option<(f64, f64)>, now: (f64, f64)) -> f64 {
+    let residual = now.1 - now.0;
+    let Some(last) = last else { return now.1 };
+    let change = residual - (last.1 - last.0);
+    let step = -residual * (now.0 - last.0) / change;
+    if step * residual > 0.0 && step.abs() <= 2.0 * residual.abs() {
+        now.0 + step
+    } else {
+        now.1
+    }
+}
+
 /// A first centre of gravity, ahead of where it will be: then the lid is wide and its foot is lifted, never too low.
 fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
-    0.8 * forebody.resting_ball_x_m(0.0, payload_radius_m).max(0.5 * forebody.shoulder_center().x_m)
+    0.8 * forebody
+        .resting_ball_x_m(0.0, payload_radius_m)
+        .max(0.5 * forebody.shoulder_center().x_m)
 }
 
 /// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
@@ -123,7 +206,12 @@ fn sized_labels(used: Structure, sized: Structure) -> Structure {
 }
 
 /// Walls for the loads that these masses make.
-fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], mass: &MassProperties) -> Structure {
+fn size_walls(
+    input: &VehicleInput,
+    layout: &Layout,
+    components: &[Component],
+    mass: &MassProperties,
+) -> Structure {
     let outline = &layout.outline;
     let forebody = &outline.forebody;
     let load = &input.structure_loads;
@@ -132,7 +220,10 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
     let inertial_pa = mass.mass_kg * entry_g * EARTH_G_M_S2 / area_m2;
     let pressure_pa = load.safety_factor * inertial_pa.max(input.loads.peak_stagnation_pressure_pa);
     let (theta_sin, theta_cos) = forebody.sin_cos();
-    let (inner_r, outer_r) = (layout.primary_outer_r_m(), forebody.shoulder_tangent(0.0).r_m);
+    let (inner_r, outer_r) = (
+        layout.primary_outer_r_m(),
+        forebody.shoulder_tangent(0.0).r_m,
+    );
     let fore_shell = PressureShell {
         pressure_pa,
         slant_length_m: ((outer_r - inner_r) / theta_sin).max(0.0),
@@ -151,7 +242,12 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
     // in entry the forebody carries itself; the rest hangs on the primary structure
     let carried_kg: f64 = components
         .iter()
-        .filter(|c| !matches!(c.kind, ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier))
+        .filter(|c| {
+            !matches!(
+                c.kind,
+                ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier
+            )
+        })
         .map(|c| c.mass_with_margin_kg)
         .sum();
     let axial_n = load.safety_factor
@@ -163,6 +259,23 @@ fn size_walls(input: &VehicleInput, layout: &Layout, components: &[Component], m
             None => input.forebody.carrier.pressure_wall(&fore_shell),
         },
         aftbody: input.aftbody_carrier.pressure_wall(&aft_shell),
-        primary: input.primary_carrier.axial_wall(layout.primary_inner_r_m(), axial_n),
+        primary: input
+            .primary_carrier
+            .axial_wall(layout.primary_inner_r_m(), axial_n),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_secant_finds_the_fixed_point_of_a_line_at_once() {
+        // g(x) = 3 − x/2 has its fixed point at 2
+        let pair = |x: f64| (x, 3.0 - x / 2.0);
+        assert_eq!(secant_step(None, pair(0.0)), 3.0);
+        assert!((secant_step(Some(pair(0.0)), pair(3.0)) - 2.0).abs() < 1e-15);
+        // no slope to go by: g(x)
+        assert_eq!(secant_step(Some(pair(1.0)), pair(1.0)), 2.5);
     }
 }

@@ -51,9 +51,15 @@ impl Forebody {
     /// Centre of the shoulder arc; its x is that of the largest diameter.
     pub fn shoulder_center(&self) -> Point {
         let (sin, cos) = self.sin_cos();
-        let Self { shoulder_radius_m: r_s, .. } = *self;
+        let Self {
+            shoulder_radius_m: r_s,
+            ..
+        } = *self;
         let r_m = self.diameter_m / 2.0 - r_s;
-        Point { x_m: (r_m + r_s * cos) * cos / sin + r_s * sin, r_m }
+        Point {
+            x_m: (r_m + r_s * cos) * cos / sin + r_s * sin,
+            r_m,
+        }
     }
 
     /// Point at depth `depth_m` where the nose sphere goes over into the cone; on the axis when the sphere is used up.
@@ -61,7 +67,10 @@ impl Forebody {
         let (sin, cos) = self.sin_cos();
         let radius = self.nose_radius_m - depth_m;
         if radius > 0.0 {
-            Point { x_m: self.nose_center_x_m() - radius * sin, r_m: radius * cos }
+            Point {
+                x_m: self.nose_center_x_m() - radius * sin,
+                r_m: radius * cos,
+            }
         } else {
             Point::on_axis(depth_m / sin)
         }
@@ -71,7 +80,10 @@ impl Forebody {
     pub fn shoulder_tangent(&self, depth_m: f64) -> Point {
         let (sin, cos) = self.sin_cos();
         let (center, radius) = (self.shoulder_center(), self.shoulder_radius_m - depth_m);
-        Point { x_m: center.x_m - radius * sin, r_m: center.r_m + radius * cos }
+        Point {
+            x_m: center.x_m - radius * sin,
+            r_m: center.r_m + radius * cos,
+        }
     }
 
     /// Axial position of the surface at depth `depth_m` (nose or cone) at the distance `r_m` from the axis, m.
@@ -90,7 +102,14 @@ impl Forebody {
         let radius = self.nose_radius_m - depth_m;
         if radius > 0.0 {
             let center = Point::on_axis(self.nose_center_x_m());
-            Profile { segments: vec![Segment::arc(center, radius, PI, -(FRAC_PI_2 - self.cone_half_angle_rad))] }
+            Profile {
+                segments: vec![Segment::arc(
+                    center,
+                    radius,
+                    PI,
+                    -(FRAC_PI_2 - self.cone_half_angle_rad),
+                )],
+            }
         } else {
             Profile::default()
         }
@@ -99,14 +118,21 @@ impl Forebody {
     /// The surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
     pub fn between(&self, depth_m: f64, inner_r_m: f64, outer_r_m: f64) -> Profile {
         let radius = self.nose_radius_m - depth_m;
-        let at = |r_m: f64| Point { x_m: self.depth_x_m(depth_m, r_m), r_m };
+        let at = |r_m: f64| Point {
+            x_m: self.depth_x_m(depth_m, r_m),
+            r_m,
+        };
         let tangent = self.nose_tangent(depth_m);
         let mut segments = Vec::with_capacity(2);
         let mut from = at(inner_r_m);
         if radius > 0.0 && inner_r_m < tangent.r_m {
             let center = Point::on_axis(self.nose_center_x_m());
             let angle = |p: Point| numerics::math::atan2(p.r_m, p.x_m - center.x_m);
-            let to = if outer_r_m < tangent.r_m { at(outer_r_m) } else { tangent };
+            let to = if outer_r_m < tangent.r_m {
+                at(outer_r_m)
+            } else {
+                tangent
+            };
             let start_angle_rad = angle(from);
             segments.push(Segment::Arc {
                 start: from,
@@ -119,7 +145,10 @@ impl Forebody {
             from = to;
         }
         if outer_r_m > from.r_m {
-            segments.push(Segment::Line { start: from, end: at(outer_r_m) });
+            segments.push(Segment::Line {
+                start: from,
+                end: at(outer_r_m),
+            });
         }
         Profile { segments }
     }
@@ -137,9 +166,15 @@ impl Forebody {
     /// Nose, cone and shoulder up to the largest diameter.
     pub fn profile(&self) -> Profile {
         let theta = self.cone_half_angle_rad;
-        let shoulder =
-            Segment::arc(self.shoulder_center(), self.shoulder_radius_m, FRAC_PI_2 + theta, -theta);
-        self.nose(0.0).then(&Profile { segments: vec![shoulder] })
+        let shoulder = Segment::arc(
+            self.shoulder_center(),
+            self.shoulder_radius_m,
+            FRAC_PI_2 + theta,
+            -theta,
+        );
+        self.nose(0.0).then(&Profile {
+            segments: vec![shoulder],
+        })
     }
 }
 
@@ -156,7 +191,11 @@ mod tests {
             cone_half_angle_rad: PI / 3.0,
         };
         let tip = body.nose_tip_x_m();
-        let solid = body.profile().line_to(Point::on_axis(body.shoulder_center().x_m)).closed().solid();
+        let solid = body
+            .profile()
+            .line_to(Point::on_axis(body.shoulder_center().x_m))
+            .closed()
+            .solid();
         // printed to eight decimals, hence half a unit of the last
         let rows = [
             (body.nose_tangent(0.0).x_m - tip, 0.050_240_47),
@@ -176,8 +215,12 @@ mod tests {
 
     #[test]
     fn ball_rests_on_the_nose_or_in_the_cone() {
-        let body =
-            Forebody { diameter_m: 1.0, nose_radius_m: 0.3, shoulder_radius_m: 0.05, cone_half_angle_rad: PI / 6.0 };
+        let body = Forebody {
+            diameter_m: 1.0,
+            nose_radius_m: 0.3,
+            shoulder_radius_m: 0.05,
+            cone_half_angle_rad: PI / 6.0,
+        };
         // centre of the nose at 0.3 / 0.5 = 0.6; a ball of 0.1 rests at 0.6 − 0.3 + 0.1, one of 0.4 at 0.4 / 0.5
         assert!((body.resting_ball_x_m(0.0, 0.1) - 0.4).abs() < 1e-15);
         assert!((body.resting_ball_x_m(0.0, 0.4) - 0.8).abs() < 1e-15);

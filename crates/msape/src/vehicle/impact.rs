@@ -110,15 +110,23 @@ pub fn foam_density_kg_m3(grades: &[FoamGrade], strength_pa: f64) -> Option<f64>
     if strength_pa <= first.compressive_strength_pa {
         return Some(first.density_kg_m3);
     }
-    let pairs = grades.iter().zip(grades.iter().skip(1));
-    let (low, high) = pairs.clone().find(|(_, high)| strength_pa <= high.compressive_strength_pa).or(pairs.last())?;
-    let share =
-        (strength_pa - low.compressive_strength_pa) / (high.compressive_strength_pa - low.compressive_strength_pa);
+    let mut pairs = grades.iter().zip(grades.iter().skip(1));
+    let (low, high) = pairs
+        .clone()
+        .find(|(_, high)| strength_pa <= high.compressive_strength_pa)
+        .or(pairs.next_back())?;
+    let share = (strength_pa - low.compressive_strength_pa)
+        / (high.compressive_strength_pa - low.compressive_strength_pa);
     Some(low.density_kg_m3 + share * (high.density_kg_m3 - low.density_kg_m3))
 }
 
 /// Peak load of ground penetration, Earth g.
-pub fn penetration_load_earth_g(alpha: f64, nose_diameter_m: f64, speed_m_s: f64, mass_kg: f64) -> f64 {
+pub fn penetration_load_earth_g(
+    alpha: f64,
+    nose_diameter_m: f64,
+    speed_m_s: f64,
+    mass_kg: f64,
+) -> f64 {
     alpha * nose_diameter_m * speed_m_s * speed_m_s / mass_kg
 }
 
@@ -132,7 +140,12 @@ pub fn required_stroke_m(concept: Concept, speed_m_s: f64, design_load_earth_g: 
 }
 
 /// Compressive strength of the foam, Pa.
-pub fn foam_strength_pa(payload_mass_kg: f64, payload_diameter_m: f64, speed_m_s: f64, stroke_m: f64) -> f64 {
+pub fn foam_strength_pa(
+    payload_mass_kg: f64,
+    payload_diameter_m: f64,
+    speed_m_s: f64,
+    stroke_m: f64,
+) -> f64 {
     let area_m2 = PI * payload_diameter_m * payload_diameter_m / 4.0;
     payload_mass_kg * speed_m_s * speed_m_s / (2.0 * area_m2 * stroke_m)
 }
@@ -182,7 +195,14 @@ mod tests {
     #[test]
     fn the_clay_of_utah_is_28_within_27_and_29() {
         let ground = Ground::parse(include_str!("../../data/grounds/uttr-clay.toml")).unwrap();
-        assert_eq!(ground.penetration, Penetration { alpha: 28.0, alpha_min: 27.0, alpha_max: 29.0 });
+        assert_eq!(
+            ground.penetration,
+            Penetration {
+                alpha: 28.0,
+                alpha_min: 27.0,
+                alpha_max: 29.0
+            }
+        );
         assert!(Ground::parse("name = 'x'\nalpha = 1").is_err());
     }
 }

@@ -132,24 +132,38 @@ impl VehicleInput {
             ("shoulder_radius_ratio", self.shoulder_radius_ratio),
             ("payload_mass_kg", self.payload_mass_kg),
             ("payload_diameter_m", self.payload_diameter_m()),
-            ("crush_load_limit_earth_g", self.impact.crush_load_limit_earth_g),
+            (
+                "crush_load_limit_earth_g",
+                self.impact.crush_load_limit_earth_g,
+            ),
             ("stroke_efficiency", self.impact.stroke_efficiency),
         ];
         let not_negative = [
             ("mass_margin", self.mass_margin),
             ("forebody_tps_thickness_m", self.forebody.tps_thickness_m),
             ("bond_thickness_m", self.forebody.bond_thickness_m),
-            ("carrier_thickness_m", self.forebody.carrier_thickness_m.unwrap_or(0.0)),
+            (
+                "carrier_thickness_m",
+                self.forebody.carrier_thickness_m.unwrap_or(0.0),
+            ),
             ("aftbody_tps_thickness_m", self.aftbody_tps_thickness_m),
             ("entry_load_earth_g", self.loads.entry_load_earth_g),
-            ("peak_stagnation_pressure_pa", self.loads.peak_stagnation_pressure_pa),
+            (
+                "peak_stagnation_pressure_pa",
+                self.loads.peak_stagnation_pressure_pa,
+            ),
             ("terminal_speed_m_s", self.loads.terminal_speed_m_s),
         ];
-        let bad = |(name, value): (&str, f64), least: &str| format!("{name}: got {value}, must be {least}");
+        let bad = |(name, value): (&str, f64), least: &str| {
+            format!("{name}: got {value}, must be {least}")
+        };
         if let Some(&pair) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
             return Some(bad(pair, "above 0"));
         }
-        if let Some(&pair) = not_negative.iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
+        if let Some(&pair) = not_negative
+            .iter()
+            .find(|(_, v)| !(v.is_finite() && *v >= 0.0))
+        {
             return Some(bad(pair, "at least 0"));
         }
         let angle_deg = self.cone_half_angle_rad / numerics::math::RADIANS_PER_DEGREE;

@@ -166,7 +166,9 @@ const MOST_ADDED_FOAM_M: f64 = 0.5;
 impl Frame<'_> {
     /// Steepest slope of the wing: the rule's, and never steeper than the forebody, rad.
     pub fn steepest_rad(&self) -> f64 {
-        self.rules.wing_slope_max_rad.min(FRAC_PI_2 - self.forebody.cone_half_angle_rad)
+        self.rules
+            .wing_slope_max_rad
+            .min(FRAC_PI_2 - self.forebody.cone_half_angle_rad)
     }
 
     /// Smallest shoulder radius for the layers when the wing slopes `slope_rad`, m.
@@ -177,7 +179,10 @@ impl Frame<'_> {
 
     /// The forebody with another shoulder radius.
     pub fn with_shoulder(&self, shoulder_radius_m: f64) -> Forebody {
-        Forebody { shoulder_radius_m, ..self.forebody }
+        Forebody {
+            shoulder_radius_m,
+            ..self.forebody
+        }
     }
 
     /// How far an annulus edge stands behind where the steepest wing would put it, m (along the wing's normal).
@@ -196,7 +201,10 @@ impl Frame<'_> {
 
     /// Least impact foam, at least what was asked for, at which `room` is not negative, m.
     pub fn thickened_foam_m(&self, room: impl Fn(f64) -> f64) -> Result<f64, Misfit> {
-        let (mut low, mut high) = (self.foam_thickness_m, self.foam_thickness_m + MOST_ADDED_FOAM_M);
+        let (mut low, mut high) = (
+            self.foam_thickness_m,
+            self.foam_thickness_m + MOST_ADDED_FOAM_M,
+        );
         if room(low) >= 0.0 {
             return Ok(low);
         }
@@ -206,7 +214,11 @@ impl Frame<'_> {
         // to 0.5 m / 2⁴⁵, well under a nanometre
         for _ in 0..45 {
             let middle = 0.5 * (low + high);
-            if room(middle) >= 0.0 { high = middle } else { low = middle }
+            if room(middle) >= 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
         }
         Ok(high)
     }
@@ -218,8 +230,10 @@ impl Frame<'_> {
             return Err(Misfit::NoseWiderThanShoulder);
         }
         let edge = lid.edge(self.rules.annulus_width_m);
-        let too_wide =
-            Misfit::LidWiderThanShoulder { annulus_r_m: edge.r_m, shoulder_r_m: forebody.shoulder_center().r_m };
+        let too_wide = Misfit::LidWiderThanShoulder {
+            annulus_r_m: edge.r_m,
+            shoulder_r_m: forebody.shoulder_center().r_m,
+        };
         let slope = wing_slope_rad(&forebody, edge).ok_or(too_wide)?;
         let outline = Outline {
             forebody,
@@ -231,16 +245,24 @@ impl Frame<'_> {
         };
         let least_rad = RADIANS_PER_DEGREE;
         if slope < least_rad {
-            return Err(Misfit::WingTooShallow { slope_rad: slope, least_rad: self.rules.wing_slope_min_rad });
+            return Err(Misfit::WingTooShallow {
+                slope_rad: slope,
+                least_rad: self.rules.wing_slope_min_rad,
+            });
         }
         let (fore, aft) = (self.depths.fore_m(), self.depths.aft_m());
         let corner_r = outline.annulus_outer_r_m(aft);
         if outline.on_tip_line(shoulder_radius_m - aft).r_m <= corner_r {
             return Err(too_wide);
         }
-        let no_room = Misfit::NoRoomForLayers { layers_m: fore + aft };
+        let no_room = Misfit::NoRoomForLayers {
+            layers_m: fore + aft,
+        };
         let wall_r = outline.lid_foot_r_m(aft) + self.depths.primary_m;
-        if wall_r >= corner_r || forebody.depth_x_m(fore, corner_r) >= lid.foot_x_m - aft || aft >= lid.radius_m {
+        if wall_r >= corner_r
+            || forebody.depth_x_m(fore, corner_r) >= lid.foot_x_m - aft
+            || aft >= lid.radius_m
+        {
             return Err(no_room);
         }
         Ok(outline)
@@ -262,8 +284,13 @@ impl Lid {
     /// Outer edge of the annulus around it.
     pub fn edge(&self, annulus_width_m: f64) -> Point {
         let height = self.foot_x_m - self.center_x_m;
-        let foot_r_m = (self.radius_m * self.radius_m - height * height).max(0.0).sqrt();
-        Point { x_m: self.foot_x_m, r_m: foot_r_m + annulus_width_m }
+        let foot_r_m = (self.radius_m * self.radius_m - height * height)
+            .max(0.0)
+            .sqrt();
+        Point {
+            x_m: self.foot_x_m,
+            r_m: foot_r_m + annulus_width_m,
+        }
     }
 }
 

@@ -120,34 +120,69 @@ pub struct MassProperties {
 /// The profiles of every component, in the order in which they are summed.
 pub fn profiles(concept: Concept, layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
     let d = &layout.depths;
-    let fore = [0.0, d.forebody_tps_m, d.forebody_tps_m + d.bond_m, d.fore_m()].map(|t| layout.outline.fore_layer(t));
+    let fore = [
+        0.0,
+        d.forebody_tps_m,
+        d.forebody_tps_m + d.bond_m,
+        d.fore_m(),
+    ]
+    .map(|t| layout.outline.fore_layer(t));
     let aft = [0.0, d.aftbody_tps_m, d.aft_m()].map(|t| layout.outline.aft_layer(t));
     let [fore_0, fore_1, fore_2, fore_3] = &fore;
     let [aft_0, aft_1, aft_2] = &aft;
-    let layer = |outer: &Profile, inner: &Profile| vec![outer.clone().then(&inner.reversed()).closed()];
+    // a layer of no thickness is no body
+    let layer = |outer: &Profile, inner: &Profile| match outer == inner {
+        true => Vec::new(),
+        false => vec![outer.clone().then(&inner.reversed()).closed()],
+    };
     let mut all = vec![
         (ComponentKind::ForebodyTps, layer(fore_0, fore_1)),
         (ComponentKind::Bond, layer(fore_1, fore_2)),
         (ComponentKind::ForebodyCarrier, layer(fore_2, fore_3)),
         (ComponentKind::AftbodyTps, layer(aft_0, aft_1)),
         (ComponentKind::AftbodyCarrier, layer(aft_1, aft_2)),
-        (ComponentKind::PrimaryStructure, vec![primary(layout)]),
+        (
+            ComponentKind::PrimaryStructure,
+            if d.primary_m > 0.0 {
+                vec![primary(layout)]
+            } else {
+                Vec::new()
+            },
+        ),
         (ComponentKind::WingInsulation, vec![wing(layout)]),
     ];
     all.extend(match concept {
         Concept::Msr => msr::filling(layout),
         Concept::NonMsr => non_msr::filling(layout),
     });
-    let ball = Segment::arc(Point::on_axis(layout.payload_x_m), layout.payload_radius_m, PI, -PI);
-    all.push((ComponentKind::Payload, vec![Profile { segments: vec![ball] }.closed()]));
+    let ball = Segment::arc(
+        Point::on_axis(layout.payload_x_m),
+        layout.payload_radius_m,
+        PI,
+        -PI,
+    );
+    all.push((
+        ComponentKind::Payload,
+        vec![
+            Profile {
+                segments: vec![ball],
+            }
+            .closed(),
+        ],
+    ));
     all
 }
 
 fn primary(layout: &Layout) -> Profile {
     let (inner, outer) = (layout.primary_inner_r_m(), layout.primary_outer_r_m());
     let x_m = layout.outline.attached_structure_x_m - layout.depths.aft_m();
-    let foot = layout.outline.forebody.between(layout.depths.fore_m(), inner, outer);
-    foot.line_to(Point { x_m, r_m: outer }).line_to(Point { x_m, r_m: inner }).closed()
+    let foot = layout
+        .outline
+        .forebody
+        .between(layout.depths.fore_m(), inner, outer);
+    foot.line_to(Point { x_m, r_m: outer })
+        .line_to(Point { x_m, r_m: inner })
+        .closed()
 }
 
 fn wing(layout: &Layout) -> Profile {
@@ -158,7 +193,10 @@ fn wing(layout: &Layout) -> Profile {
     outline
         .fore_layer_beyond(fore, wall_r)
         .line_to(outline.on_tip_line(outline.forebody.shoulder_radius_m - aft))
-        .line_to(Point { x_m, r_m: outline.annulus_outer_r_m(aft) })
+        .line_to(Point {
+            x_m,
+            r_m: outline.annulus_outer_r_m(aft),
+        })
         .line_to(Point { x_m, r_m: wall_r })
         .closed()
 }
@@ -198,9 +236,15 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
     profiles(input.concept, layout)
         .into_iter()
         .map(|(kind, profiles)| {
-            let solid = profiles.iter().fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
+            let solid = profiles
+                .iter()
+                .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
             let density = density_kg_m3(kind, input, found);
-            let factor = if kind == ComponentKind::Payload { 1.0 } else { 1.0 + input.mass_margin };
+            let factor = if kind == ComponentKind::Payload {
+                1.0
+            } else {
+                1.0 + input.mass_margin
+            };
             let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
             let about_apex = factor * density * solid.transverse_second_moment_m5;
             Component {

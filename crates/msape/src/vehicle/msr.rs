@@ -26,7 +26,11 @@ impl Frame<'_> {
     fn msr_lid(&self, foam_m: f64, gap_m: f64) -> Lid {
         let sphere = self.payload_radius_m + foam_m + self.rules.impact_shell_thickness_m;
         let x_m = self.forebody.resting_ball_x_m(self.depths.fore_m(), sphere);
-        Lid { center_x_m: x_m, radius_m: sphere + gap_m + self.depths.aft_m(), foot_x_m: x_m }
+        Lid {
+            center_x_m: x_m,
+            radius_m: sphere + gap_m + self.depths.aft_m(),
+            foot_x_m: x_m,
+        }
     }
 }
 
@@ -45,12 +49,17 @@ pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
             shoulder = frame.shoulder_with_room_m(edge);
             if shoulder < floor {
                 shoulder = floor;
-                foam = frame.thickened_foam_m(|f| frame.room_m(floor, frame.msr_lid(f, least_gap).edge(width)))?;
+                foam = frame.thickened_foam_m(|f| {
+                    frame.room_m(floor, frame.msr_lid(f, least_gap).edge(width))
+                })?;
             }
         }
         // a wider gap moves the edge outwards: the room falls by sin φ for each metre
-        let spare = frame.room_m(shoulder, frame.msr_lid(foam, least_gap).edge(width)).max(0.0);
-        let gap = (least_gap + spare / sin_cos(frame.steepest_rad()).0).min(most_gap.max(least_gap));
+        let spare = frame
+            .room_m(shoulder, frame.msr_lid(foam, least_gap).edge(width))
+            .max(0.0);
+        let gap =
+            (least_gap + spare / sin_cos(frame.steepest_rad()).0).min(most_gap.max(least_gap));
         let outline = frame.outline(frame.msr_lid(foam, gap), shoulder)?;
         let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
         if needed > shoulder * (1.0 + 1e-12) {
@@ -69,12 +78,18 @@ pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
             lid_insulation_thickness_m: gap - body_foam,
         });
     }
-    Err(Misfit::NoRoomForLayers { layers_m: frame.depths.fore_m() + frame.depths.aft_m() })
+    Err(Misfit::NoRoomForLayers {
+        layers_m: frame.depths.fore_m() + frame.depths.aft_m(),
+    })
 }
 
 /// What is inside the primary structure and under the lid.
 pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    let Layout { payload_radius_m: payload, foam_thickness_m: foam, .. } = *layout;
+    let Layout {
+        payload_radius_m: payload,
+        foam_thickness_m: foam,
+        ..
+    } = *layout;
     let center = Point::on_axis(layout.payload_x_m);
     let sphere = layout.impact_sphere_radius_m();
     let shell = |inner: f64, outer: f64| vec![half_ring(center, inner, outer)];
@@ -82,13 +97,20 @@ pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
         (ComponentKind::ImpactFoam, shell(payload, payload + foam)),
         (ComponentKind::ImpactShell, shell(payload + foam, sphere)),
         (ComponentKind::BodyFoam, body_foam(layout, center, sphere)),
-        (ComponentKind::LidInsulation, vec![lid_insulation(layout, center, sphere)]),
+        (
+            ComponentKind::LidInsulation,
+            vec![lid_insulation(layout, center, sphere)],
+        ),
     ]
 }
 
 fn half_ring(center: Point, inner: f64, outer: f64) -> Profile {
-    let outside = Profile { segments: vec![Segment::arc(center, outer, PI, -PI)] };
-    let inside = Profile { segments: vec![Segment::arc(center, inner, 0.0, PI)] };
+    let outside = Profile {
+        segments: vec![Segment::arc(center, outer, PI, -PI)],
+    };
+    let inside = Profile {
+        segments: vec![Segment::arc(center, inner, 0.0, PI)],
+    };
     outside.then(&inside).closed()
 }
 
@@ -103,18 +125,31 @@ fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
     let in_nose = sphere < forebody.nose_radius_m - fore;
     // direction from the sphere's centre to where it touches
     let touch = if in_nose { PI } else { FRAC_PI_2 + theta };
-    let touch_r = if in_nose { 0.0 } else { sphere * sin_cos(touch).0 };
+    let touch_r = if in_nose {
+        0.0
+    } else {
+        sphere * sin_cos(touch).0
+    };
     let around = forebody
         .between(fore, touch_r, wall_r)
-        .line_to(Point { x_m: center.x_m, r_m: wall_r })
-        .then(&Profile { segments: vec![dome] })
-        .then(&Profile { segments: vec![Segment::arc(center, sphere, 0.0, touch)] })
+        .line_to(Point {
+            x_m: center.x_m,
+            r_m: wall_r,
+        })
+        .then(&Profile {
+            segments: vec![dome],
+        })
+        .then(&Profile {
+            segments: vec![Segment::arc(center, sphere, 0.0, touch)],
+        })
         .closed();
     let mut profiles = vec![around];
     if !in_nose {
         let ahead = forebody
             .between(fore, 0.0, touch_r)
-            .then(&Profile { segments: vec![Segment::arc(center, sphere, touch, PI - touch)] })
+            .then(&Profile {
+                segments: vec![Segment::arc(center, sphere, touch, PI - touch)],
+            })
             .closed();
         profiles.push(ahead);
     }
@@ -122,6 +157,17 @@ fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
 }
 
 fn lid_insulation(layout: &Layout, center: Point, sphere: f64) -> Profile {
-    let inner = Segment::arc(center, sphere + layout.body_foam_thickness_m, 0.0, FRAC_PI_2);
-    layout.outline.lid(layout.depths.aft_m()).then(&Profile { segments: vec![inner] }).closed()
+    let inner = Segment::arc(
+        center,
+        sphere + layout.body_foam_thickness_m,
+        0.0,
+        FRAC_PI_2,
+    );
+    layout
+        .outline
+        .lid(layout.depths.aft_m())
+        .then(&Profile {
+            segments: vec![inner],
+        })
+        .closed()
 }

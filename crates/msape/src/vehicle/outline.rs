@@ -50,7 +50,12 @@ pub fn wing_slope_rad(forebody: &Forebody, edge: Point) -> Option<f64> {
 }
 
 /// Smallest shoulder radius into which layers of `fore_m` and `aft_m` fit at the wing slope `slope_rad`, m.
-pub fn smallest_shoulder_radius_m(fore_m: f64, aft_m: f64, cone_half_angle_rad: f64, slope_rad: f64) -> f64 {
+pub fn smallest_shoulder_radius_m(
+    fore_m: f64,
+    aft_m: f64,
+    cone_half_angle_rad: f64,
+    slope_rad: f64,
+) -> f64 {
     let cos_delta = sin(cone_half_angle_rad + slope_rad);
     (fore_m + aft_m * cos_delta) / (1.0 + cos_delta)
 }
@@ -65,8 +70,14 @@ impl Outline {
 
     /// Point on the tip line, `aft_m` behind the centre of the shoulder.
     pub fn on_tip_line(&self, aft_m: f64) -> Point {
-        let (center, (s, c)) = (self.forebody.shoulder_center(), sin_cos(self.wing_slope_rad));
-        Point { x_m: center.x_m + aft_m * c, r_m: center.r_m - aft_m * s }
+        let (center, (s, c)) = (
+            self.forebody.shoulder_center(),
+            sin_cos(self.wing_slope_rad),
+        );
+        Point {
+            x_m: center.x_m + aft_m * c,
+            r_m: center.r_m - aft_m * s,
+        }
     }
 
     /// The forebody's surface at depth `depth_m`, from the axis outwards and round the shoulder to the tip line.
@@ -77,12 +88,22 @@ impl Outline {
     /// The same from the distance `inner_r_m` off the axis.
     pub fn fore_layer_beyond(&self, depth_m: f64, inner_r_m: f64) -> Profile {
         let cone_end = self.cone_end(depth_m);
-        let path = self.forebody.between(depth_m, inner_r_m, cone_end.r_m).line_to(cone_end);
+        let path = self
+            .forebody
+            .between(depth_m, inner_r_m, cone_end.r_m)
+            .line_to(cone_end);
         let radius = self.forebody.shoulder_radius_m - depth_m;
         if radius > 0.0 {
             let start = FRAC_PI_2 + self.forebody.cone_half_angle_rad;
-            let arc = Segment::arc(self.forebody.shoulder_center(), radius, start, -(start + self.wing_slope_rad));
-            path.then(&Profile { segments: vec![arc] })
+            let arc = Segment::arc(
+                self.forebody.shoulder_center(),
+                radius,
+                start,
+                -(start + self.wing_slope_rad),
+            );
+            path.then(&Profile {
+                segments: vec![arc],
+            })
         } else {
             path
         }
@@ -108,17 +129,28 @@ impl Outline {
         let foot_r_m = self.lid_foot_r_m(depth_m);
         let x_m = self.attached_structure_x_m;
         let start = self.on_tip_line(self.forebody.shoulder_radius_m - depth_m);
-        let corner = Point { x_m: x_m - depth_m, r_m: self.annulus_outer_r_m(depth_m) };
-        Profile { segments: vec![Segment::Line { start, end: corner }] }
-            .line_to(Point { x_m: x_m - depth_m, r_m: foot_r_m })
-            .line_to(Point { x_m, r_m: foot_r_m })
+        let corner = Point {
+            x_m: x_m - depth_m,
+            r_m: self.annulus_outer_r_m(depth_m),
+        };
+        Profile {
+            segments: vec![Segment::Line { start, end: corner }],
+        }
+        .line_to(Point {
+            x_m: x_m - depth_m,
+            r_m: foot_r_m,
+        })
+        .line_to(Point { x_m, r_m: foot_r_m })
     }
 
     /// The lid's surface at depth `depth_m`, from its foot to the axis.
     pub fn lid(&self, depth_m: f64) -> Profile {
         let center = Point::on_axis(self.lid_center_x_m);
         let radius_m = self.lid_radius_m - depth_m;
-        let start = Point { x_m: self.attached_structure_x_m, r_m: self.lid_foot_r_m(depth_m) };
+        let start = Point {
+            x_m: self.attached_structure_x_m,
+            r_m: self.lid_foot_r_m(depth_m),
+        };
         let start_angle_rad = atan2(start.r_m, start.x_m - center.x_m);
         let end = Point::on_axis(center.x_m + radius_m);
         Profile {
@@ -157,14 +189,22 @@ mod tests {
     use numerics::math::PI;
 
     fn forebody() -> Forebody {
-        Forebody { diameter_m: 2.0, nose_radius_m: 0.5, shoulder_radius_m: 0.1, cone_half_angle_rad: PI / 3.0 }
+        Forebody {
+            diameter_m: 2.0,
+            nose_radius_m: 0.5,
+            shoulder_radius_m: 0.1,
+            cone_half_angle_rad: PI / 3.0,
+        }
     }
 
     #[test]
     fn a_wing_as_thick_as_the_shoulder_is_parallel_to_the_forebody() {
         let body = forebody();
         // the cone shifted aft by 2 R_s normal to itself: x = r / tan θ + 2 R_s / sin θ
-        let edge = Point { x_m: body.depth_x_m(0.2, 0.5), r_m: 0.5 };
+        let edge = Point {
+            x_m: body.depth_x_m(0.2, 0.5),
+            r_m: 0.5,
+        };
         let slope = wing_slope_rad(&body, edge).unwrap();
         assert!((slope - PI / 6.0).abs() < 1e-14);
         // parallel walls: twice the radius is the room
@@ -173,13 +213,25 @@ mod tests {
 
     #[test]
     fn no_wing_where_the_annulus_is_wider_than_the_shoulder() {
-        assert_eq!(wing_slope_rad(&forebody(), Point { x_m: 0.5, r_m: 0.95 }), None);
+        assert_eq!(
+            wing_slope_rad(
+                &forebody(),
+                Point {
+                    x_m: 0.5,
+                    r_m: 0.95
+                }
+            ),
+            None
+        );
     }
 
     #[test]
     fn layers_meet_on_the_tip_line() {
         let body = forebody();
-        let edge = Point { x_m: 0.55, r_m: 0.46 };
+        let edge = Point {
+            x_m: 0.55,
+            r_m: 0.46,
+        };
         let outline = Outline {
             forebody: body,
             wing_slope_rad: wing_slope_rad(&body, edge).unwrap(),

@@ -57,7 +57,8 @@ impl SolidProperties {
             volume_m3: self.volume_m3 + other.volume_m3,
             volume_moment_m4: self.volume_moment_m4 + other.volume_moment_m4,
             axial_second_moment_m5: self.axial_second_moment_m5 + other.axial_second_moment_m5,
-            transverse_second_moment_m5: self.transverse_second_moment_m5 + other.transverse_second_moment_m5,
+            transverse_second_moment_m5: self.transverse_second_moment_m5
+                + other.transverse_second_moment_m5,
         }
     }
 }
@@ -75,7 +76,9 @@ impl Profile {
 
     /// The same curve, run the other way.
     pub fn reversed(&self) -> Self {
-        Self { segments: self.segments.iter().rev().map(Segment::reversed).collect() }
+        Self {
+            segments: self.segments.iter().rev().map(Segment::reversed).collect(),
+        }
     }
 
     /// This curve followed by `other`, joined by a line where there is a gap.
@@ -90,7 +93,10 @@ impl Profile {
     /// This curve with a line to `point` (nothing when it is already there).
     pub fn line_to(mut self, point: Point) -> Self {
         match self.end() {
-            Some(end) if end != point => self.segments.push(Segment::Line { start: end, end: point }),
+            Some(end) if end != point => self.segments.push(Segment::Line {
+                start: end,
+                end: point,
+            }),
             _ => {}
         }
         self
@@ -135,7 +141,10 @@ impl Profile {
             x += i.x_r_dx;
             r += i.r2_dx / 2.0;
         }
-        (area != 0.0).then(|| Point { x_m: x / area, r_m: r / area })
+        (area != 0.0).then(|| Point {
+            x_m: x / area,
+            r_m: r / area,
+        })
     }
 }
 
@@ -149,65 +158,102 @@ mod tests {
     }
 
     fn close(got: f64, want: f64) {
-        assert!((got - want).abs() <= 1e-12 * want.abs().max(1.0), "{got} against {want}");
+        assert!(
+            (got - want).abs() <= 1e-12 * want.abs().max(1.0),
+            "{got} against {want}"
+        );
     }
 
     #[test]
     fn sphere_of_radius_2_at_x_3() {
         let half = Segment::arc(point(3.0, 0.0), 2.0, PI, -PI);
-        let ball = Profile { segments: vec![half] }.closed().solid();
+        let ball = Profile {
+            segments: vec![half],
+        }
+        .closed()
+        .solid();
         let volume = 4.0 / 3.0 * PI * 8.0;
         close(ball.volume_m3, volume);
         close(ball.centroid_x_m(), 3.0);
         // 2/5 V R² about any diameter; V x̄² more about the origin
         close(ball.axial_second_moment_m5, 0.4 * volume * 4.0);
-        close(ball.transverse_second_moment_m5, 0.4 * volume * 4.0 + volume * 9.0);
+        close(
+            ball.transverse_second_moment_m5,
+            0.4 * volume * 4.0 + volume * 9.0,
+        );
         close(half.swept_area_m2(), 4.0 * PI * 4.0);
     }
 
     #[test]
     fn cone_of_height_3_and_base_radius_2() {
-        let side = Segment::Line { start: point(0.0, 0.0), end: point(3.0, 2.0) };
-        let cone = Profile { segments: vec![side] }.line_to(point(3.0, 0.0)).closed().solid();
+        let side = Segment::Line {
+            start: point(0.0, 0.0),
+            end: point(3.0, 2.0),
+        };
+        let cone = Profile {
+            segments: vec![side],
+        }
+        .line_to(point(3.0, 0.0))
+        .closed()
+        .solid();
         let volume = PI * 4.0 * 3.0 / 3.0;
         close(cone.volume_m3, volume);
         close(cone.centroid_x_m(), 2.25); // 3/4 of the height from the apex
         close(cone.axial_second_moment_m5, 0.3 * volume * 4.0); // 3/10 V R²
-        close(cone.transverse_second_moment_m5, volume * (0.15 * 4.0 + 0.6 * 9.0)); // V (3/20 R² + 3/5 H²), about the apex
+        close(
+            cone.transverse_second_moment_m5,
+            volume * (0.15 * 4.0 + 0.6 * 9.0),
+        ); // V (3/20 R² + 3/5 H²), about the apex
         close(side.swept_area_m2(), PI * 2.0 * 13.0_f64.sqrt());
     }
 
     #[test]
     fn torus_ring_of_radius_half_at_2() {
-        let ring = Profile { segments: vec![Segment::arc(point(1.0, 2.0), 0.5, 0.3, 2.0 * PI)] };
+        let ring = Profile {
+            segments: vec![Segment::arc(point(1.0, 2.0), 0.5, 0.3, 2.0 * PI)],
+        };
         let solid = ring.solid();
         let volume = 2.0 * PI * PI * 2.0 * 0.25;
         close(solid.volume_m3, volume); // 2 π² R a²
         close(solid.centroid_x_m(), 1.0);
         close(solid.axial_second_moment_m5, volume * (4.0 + 0.75 * 0.25)); // V (R² + 3/4 a²)
-        close(solid.transverse_second_moment_m5, volume * (2.0 + 0.625 * 0.25 + 1.0)); // V (R²/2 + 5/8 a² + x̄²)
+        close(
+            solid.transverse_second_moment_m5,
+            volume * (2.0 + 0.625 * 0.25 + 1.0),
+        ); // V (R²/2 + 5/8 a² + x̄²)
         close(ring.wetted_area_m2(), 4.0 * PI * PI * 2.0 * 0.5);
     }
 
     #[test]
     fn hollow_cylinder_from_1_to_2_of_length_4() {
-        let wall = Profile { segments: vec![Segment::Line { start: point(0.0, 1.0), end: point(4.0, 1.0) }] }
-            .line_to(point(4.0, 2.0))
-            .line_to(point(0.0, 2.0))
-            .closed();
+        let wall = Profile {
+            segments: vec![Segment::Line {
+                start: point(0.0, 1.0),
+                end: point(4.0, 1.0),
+            }],
+        }
+        .line_to(point(4.0, 2.0))
+        .line_to(point(0.0, 2.0))
+        .closed();
         let solid = wall.solid();
         let volume = PI * 3.0 * 4.0;
         close(solid.volume_m3, volume);
         close(solid.axial_second_moment_m5, volume * 2.5); // V (R² + r²) / 2
-        close(solid.transverse_second_moment_m5, volume * (1.25 + 16.0 / 3.0)); // V ((R² + r²)/4 + L²/3), about the end
+        close(
+            solid.transverse_second_moment_m5,
+            volume * (1.25 + 16.0 / 3.0),
+        ); // V ((R² + r²)/4 + L²/3), about the end
         assert_eq!(wall.section_centroid().unwrap(), point(2.0, 1.5));
         assert_eq!(wall.reversed().solid(), solid);
     }
 
     #[test]
     fn quarter_circle_has_its_centroid_at_4_over_3_pi() {
-        let quarter =
-            Profile { segments: vec![Segment::arc(point(0.0, 0.0), 1.0, 0.0, FRAC_PI_2)] }.line_to(point(0.0, 0.0)).closed();
+        let quarter = Profile {
+            segments: vec![Segment::arc(point(0.0, 0.0), 1.0, 0.0, FRAC_PI_2)],
+        }
+        .line_to(point(0.0, 0.0))
+        .closed();
         let centroid = quarter.section_centroid().unwrap();
         close(centroid.x_m, 4.0 / (3.0 * PI));
         close(centroid.r_m, 4.0 / (3.0 * PI));

@@ -11,7 +11,12 @@ use crate::vehicle::rules::FoamGrade;
 const ROUNDING_M: f64 = 1e-9;
 
 /// Diameter, shoulder radius and impact foam where they are not what was asked for.
-pub fn adjustments(input: &VehicleInput, diameter_m: f64, foam_m: f64, layout: &Layout) -> Vec<Adjustment> {
+pub fn adjustments(
+    input: &VehicleInput,
+    diameter_m: f64,
+    foam_m: f64,
+    layout: &Layout,
+) -> Vec<Adjustment> {
     let mut list = Vec::new();
     let source = "NASA/TM-2014-218507, section 3.1.2".to_owned();
     if diameter_m > input.diameter_m + ROUNDING_M {
@@ -96,13 +101,17 @@ pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<F
 
 /// Compressive strength of a foam of this density between the grades, Pa; `None` outside them.
 pub fn foam_strength_at_pa(grades: &[FoamGrade], density_kg_m3: f64) -> Option<f64> {
-    grades.iter().zip(grades.iter().skip(1)).find_map(|(low, high)| {
-        let (from, to) = (low.density_kg_m3, high.density_kg_m3);
-        (from < to && (from..=to).contains(&density_kg_m3)).then(|| {
-            let share = (density_kg_m3 - from) / (to - from);
-            low.compressive_strength_pa + share * (high.compressive_strength_pa - low.compressive_strength_pa)
+    grades
+        .iter()
+        .zip(grades.iter().skip(1))
+        .find_map(|(low, high)| {
+            let (from, to) = (low.density_kg_m3, high.density_kg_m3);
+            (from < to && (from..=to).contains(&density_kg_m3)).then(|| {
+                let share = (density_kg_m3 - from) / (to - from);
+                low.compressive_strength_pa
+                    + share * (high.compressive_strength_pa - low.compressive_strength_pa)
+            })
         })
-    })
 }
 
 #[cfg(test)]

@@ -188,7 +188,10 @@ impl VehicleData {
     /// Densities of the fillings; that of the impact foam may be left to its strength.
     pub fn densities(&self) -> Result<ComponentDensities, String> {
         let get = |key| value(&self.density, key);
-        let foam = self.density.get("impact_foam_kg_m3").map(|datum| datum.value);
+        let foam = self
+            .density
+            .get("impact_foam_kg_m3")
+            .map(|datum| datum.value);
         count(&self.density, 4 + usize::from(foam.is_some()), "density")?;
         Ok(ComponentDensities {
             impact_foam_kg_m3: foam,
@@ -212,13 +215,19 @@ impl VehicleData {
 }
 
 fn value(table: &BTreeMap<String, Datum>, key: &str) -> Result<f64, String> {
-    table.get(key).map(|datum| datum.value).ok_or_else(|| format!("{key} is missing"))
+    table
+        .get(key)
+        .map(|datum| datum.value)
+        .ok_or_else(|| format!("{key} is missing"))
 }
 
 /// With every wanted key present, a longer table holds one that nothing reads.
 fn count(table: &BTreeMap<String, Datum>, wanted: usize, name: &str) -> Result<(), String> {
     if table.len() > wanted {
-        return Err(format!("{name} holds a key that is not known, among: {:?}", table.keys()));
+        return Err(format!(
+            "{name} holds a key that is not known, among: {:?}",
+            table.keys()
+        ));
     }
     Ok(())
 }
@@ -238,8 +247,11 @@ mod tests {
 
     #[test]
     fn missing_and_unknown_constants_are_refused() {
-        assert!(VehicleData::parse(&MMEEV.replace("rules.annulus_width_m", "rules.annulus_m")).is_err());
-        let more = format!("{MMEEV}\n[loads.spin]\nvalue = 1.0\nsource = \"assumed\"\nplace = \"x\"\n");
+        assert!(
+            VehicleData::parse(&MMEEV.replace("rules.annulus_width_m", "rules.annulus_m")).is_err()
+        );
+        let more =
+            format!("{MMEEV}\n[loads.spin]\nvalue = 1.0\nsource = \"assumed\"\nplace = \"x\"\n");
         assert!(VehicleData::parse(&more).unwrap_err().contains("spin"));
     }
 }

@@ -96,7 +96,10 @@ impl Segment {
             let (s, c) = sin_cos(angle_rad);
             let r_m = center.r_m + radius_m * s;
             let on_axis = r_m.abs() <= 4.0 * f64::EPSILON * radius_m;
-            Point { x_m: center.x_m + radius_m * c, r_m: if on_axis { 0.0 } else { r_m } }
+            Point {
+                x_m: center.x_m + radius_m * c,
+                r_m: if on_axis { 0.0 } else { r_m },
+            }
         };
         Self::Arc {
             start: at(start_angle_rad),
@@ -125,8 +128,18 @@ impl Segment {
     /// The same piece, run the other way.
     pub fn reversed(&self) -> Self {
         match *self {
-            Self::Line { start, end } => Self::Line { start: end, end: start },
-            Self::Arc { start, end, center, radius_m, start_angle_rad, sweep_rad } => Self::Arc {
+            Self::Line { start, end } => Self::Line {
+                start: end,
+                end: start,
+            },
+            Self::Arc {
+                start,
+                end,
+                center,
+                radius_m,
+                start_angle_rad,
+                sweep_rad,
+            } => Self::Arc {
                 start: end,
                 end: start,
                 center,
@@ -140,8 +153,17 @@ impl Segment {
     /// Area swept when turned about the axis, m².
     pub fn swept_area_m2(&self) -> f64 {
         match *self {
-            Self::Line { start, end } => PI * (start.r_m + end.r_m) * hypot(end.x_m - start.x_m, end.r_m - start.r_m),
-            Self::Arc { start, end, center, radius_m, sweep_rad, .. } => {
+            Self::Line { start, end } => {
+                PI * (start.r_m + end.r_m) * hypot(end.x_m - start.x_m, end.r_m - start.r_m)
+            }
+            Self::Arc {
+                start,
+                end,
+                center,
+                radius_m,
+                sweep_rad,
+                ..
+            } => {
                 // ∫ (r_c + R sin u) R du, R cos u being x − x_c
                 let area = 2.0 * PI * radius_m * (center.r_m * sweep_rad + start.x_m - end.x_m);
                 if sweep_rad < 0.0 { -area } else { area }
@@ -153,7 +175,14 @@ impl Segment {
     pub fn integrals(&self) -> Integrals {
         match *self {
             Self::Line { start, end } => line_integrals(start, end),
-            Self::Arc { start, end, center, radius_m, sweep_rad, .. } => {
+            Self::Arc {
+                start,
+                end,
+                center,
+                radius_m,
+                sweep_rad,
+                ..
+            } => {
                 if radius_m > 0.0 {
                     arc_integrals([start, end], center, radius_m, sweep_rad)
                 } else {
@@ -165,13 +194,23 @@ impl Segment {
 }
 
 fn line_integrals(start: Point, end: Point) -> Integrals {
-    let (x0, r0, dx, dr) = (start.x_m, start.r_m, end.x_m - start.x_m, end.r_m - start.r_m);
+    let (x0, r0, dx, dr) = (
+        start.x_m,
+        start.r_m,
+        end.x_m - start.x_m,
+        end.r_m - start.r_m,
+    );
     // over 0..1: ∫ (r0 + dr t)² tᵏ dt, k = 0, 1, 2
     let square = r0 * r0 + r0 * dr + dr * dr / 3.0;
     let square_t = r0 * r0 / 2.0 + 2.0 * r0 * dr / 3.0 + dr * dr / 4.0;
     let square_t2 = r0 * r0 / 3.0 + r0 * dr / 2.0 + dr * dr / 5.0;
     let r1 = r0 + dr;
-    let fourth = (r0 * r0 * r0 * r0 + r0 * r0 * r0 * r1 + r0 * r0 * r1 * r1 + r0 * r1 * r1 * r1 + r1 * r1 * r1 * r1) / 5.0;
+    let fourth = (r0 * r0 * r0 * r0
+        + r0 * r0 * r0 * r1
+        + r0 * r0 * r1 * r1
+        + r0 * r1 * r1 * r1
+        + r1 * r1 * r1 * r1)
+        / 5.0;
     Integrals {
         r_dx: dx * (r0 + dr / 2.0),
         x_r_dx: dx * (x0 * (r0 + dr / 2.0) + dx * (r0 / 2.0 + dr / 3.0)),
@@ -229,11 +268,24 @@ mod tests {
 
     #[test]
     fn line_from_0_1_to_2_3_has_integral_of_r_dx_4() {
-        let line = Segment::Line { start: Point { x_m: 0.0, r_m: 1.0 }, end: Point { x_m: 2.0, r_m: 3.0 } };
+        let line = Segment::Line {
+            start: Point { x_m: 0.0, r_m: 1.0 },
+            end: Point { x_m: 2.0, r_m: 3.0 },
+        };
         // r = 1 + x over 0..2: ∫ r = 4, ∫ r² = 26/3, ∫ x r² = 34/3, ∫ x² r² = 8/3 + 8 + 32/5, ∫ r⁴ = 242/5
         let i = line.integrals();
-        let want = [4.0, 2.0 + 8.0 / 3.0, 26.0 / 3.0, 2.0 + 16.0 / 3.0 + 4.0, 8.0 / 3.0 + 8.0 + 6.4, 48.4];
-        for (got, want) in [i.r_dx, i.x_r_dx, i.r2_dx, i.x_r2_dx, i.x2_r2_dx, i.r4_dx].into_iter().zip(want) {
+        let want = [
+            4.0,
+            2.0 + 8.0 / 3.0,
+            26.0 / 3.0,
+            2.0 + 16.0 / 3.0 + 4.0,
+            8.0 / 3.0 + 8.0 + 6.4,
+            48.4,
+        ];
+        for (got, want) in [i.r_dx, i.x_r_dx, i.r2_dx, i.x_r2_dx, i.x2_r2_dx, i.r4_dx]
+            .into_iter()
+            .zip(want)
+        {
             assert!((got - want).abs() < 1e-13 * want, "{got} against {want}");
         }
     }

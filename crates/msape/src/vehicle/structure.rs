@@ -142,17 +142,23 @@ impl Carrier {
 
     /// The wall at a given thickness.
     pub fn at_thickness(&self, thickness_m: f64) -> Wall {
-        let carrier = Self { minimum_gauge_m: thickness_m, ..*self };
-        Wall { governs: Governs::Given, ..carrier.wall(0.0, 0.0, 0.0) }
+        let carrier = Self {
+            minimum_gauge_m: thickness_m,
+            ..*self
+        };
+        Wall {
+            governs: Governs::Given,
+            ..carrier.wall(0.0, 0.0, 0.0)
+        }
     }
 
     /// Thickness √3 (h − t_f) and face thickness of a wall that carries `membrane_n_m`, as functions of the height.
     fn face_thickness_m(&self, membrane_n_m: f64) -> Option<f64> {
         match self.construction {
             Construction::Solid { .. } => None,
-            Construction::Sandwich { face_thickness_m, .. } => {
-                Some(face_thickness_m.max(membrane_n_m / (2.0 * self.strength_pa)))
-            }
+            Construction::Sandwich {
+                face_thickness_m, ..
+            } => Some(face_thickness_m.max(membrane_n_m / (2.0 * self.strength_pa))),
         }
     }
 
@@ -162,7 +168,9 @@ impl Carrier {
         match self.face_thickness_m(membrane_n_m) {
             None => pow(demand_over_k / e, 1.0 / n),
             // k (2 E t_f / t) tⁿ with t = √3 (h − t_f)
-            Some(t_f) => t_f + pow(demand_over_k / (2.0 * e * t_f), 1.0 / (n - 1.0)) / 3.0_f64.sqrt(),
+            Some(t_f) => {
+                t_f + pow(demand_over_k / (2.0 * e * t_f), 1.0 / (n - 1.0)) / 3.0_f64.sqrt()
+            }
         }
     }
 
@@ -179,22 +187,34 @@ impl Carrier {
             buckling_thickness_m: buckling_m,
             cap_buckling_thickness_m: cap_m,
         };
-        for (thickness, governs) in
-            [(strength_m, Governs::Strength), (buckling_m, Governs::Buckling), (cap_m, Governs::CapBuckling)]
-        {
+        for (thickness, governs) in [
+            (strength_m, Governs::Strength),
+            (buckling_m, Governs::Buckling),
+            (cap_m, Governs::CapBuckling),
+        ] {
             if thickness > wall.thickness_m {
                 wall.thickness_m = thickness;
                 wall.governs = governs;
             }
         }
         wall.density_kg_m3 = match (self.construction, self.face_thickness_m(membrane_n_m)) {
-            (Construction::Sandwich { face_density_kg_m3, core_density_kg_m3, .. }, Some(t_f))
-                if wall.thickness_m > 0.0 =>
-            {
+            (
+                Construction::Sandwich {
+                    face_density_kg_m3,
+                    core_density_kg_m3,
+                    ..
+                },
+                Some(t_f),
+            ) if wall.thickness_m > 0.0 => {
                 let faces = (2.0 * t_f / wall.thickness_m).min(1.0);
                 faces * face_density_kg_m3 + (1.0 - faces) * core_density_kg_m3
             }
-            (Construction::Sandwich { face_density_kg_m3, .. }, _) => face_density_kg_m3,
+            (
+                Construction::Sandwich {
+                    face_density_kg_m3, ..
+                },
+                _,
+            ) => face_density_kg_m3,
             (Construction::Solid { density_kg_m3 }, _) => density_kg_m3,
         };
         wall
@@ -202,16 +222,26 @@ impl Carrier {
 
     /// The wall of a shell under external pressure.
     pub fn pressure_wall(&self, shell: &PressureShell) -> Wall {
-        let PressureShell { pressure_pa: p, slant_length_m: l, cone_curvature_radius_m: rho, .. } = *shell;
+        let PressureShell {
+            pressure_pa: p,
+            slant_length_m: l,
+            cone_curvature_radius_m: rho,
+            ..
+        } = *shell;
         let cap = shell.cap_radius_m;
         let membrane = p * shell.largest_curvature_radius_m.max(cap / 2.0);
         let cone = if l > 0.0 {
-            self.thickness_for(p * l * rho * rho.sqrt() / (0.92 * CONE_PRESSURE_KNOCKDOWN), 2.5, membrane)
+            self.thickness_for(
+                p * l * rho * rho.sqrt() / (0.92 * CONE_PRESSURE_KNOCKDOWN),
+                2.5,
+                membrane,
+            )
         } else {
             0.0
         };
         let root = (3.0 * (1.0 - self.poisson_ratio * self.poisson_ratio)).sqrt();
-        let sphere = self.thickness_for(p * cap * cap * root / (2.0 * CAP_KNOCKDOWN), 2.0, membrane);
+        let sphere =
+            self.thickness_for(p * cap * cap * root / (2.0 * CAP_KNOCKDOWN), 2.0, membrane);
         self.wall(membrane, cone, sphere)
     }
 
@@ -233,7 +263,9 @@ mod tests {
 
     fn solid() -> Carrier {
         Carrier {
-            construction: Construction::Solid { density_kg_m3: 1600.0 },
+            construction: Construction::Solid {
+                density_kg_m3: 1600.0,
+            },
             elastic_modulus_pa: 70.0e9,
             poisson_ratio: 0.3,
             strength_pa: 100.0e6,
@@ -276,7 +308,10 @@ mod tests {
     #[test]
     fn light_load_leaves_the_minimum_gauge() {
         let wall = solid().axial_wall(0.2, 1000.0);
-        assert_eq!((wall.thickness_m, wall.governs), (0.001, Governs::MinimumGauge));
+        assert_eq!(
+            (wall.thickness_m, wall.governs),
+            (0.001, Governs::MinimumGauge)
+        );
     }
 
     #[test]

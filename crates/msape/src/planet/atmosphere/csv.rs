@@ -14,6 +14,9 @@
 //! # References
 //! - Own convention.
 
+mod heading;
+
+use heading::{Quantity, name_and_unit};
 use thiserror::Error;
 
 /// Faults are listed up to this number.
@@ -28,17 +31,6 @@ pub enum Kind {
     Atmosphere,
     /// Altitude, eastward, northward wind.
     Wind,
-}
-
-/// A physical quantity of a column.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Quantity {
-    Altitude,
-    Density,
-    Temperature,
-    Pressure,
-    Eastward,
-    Northward,
 }
 
 /// One thing wrong with a file; lines are counted from 1.
@@ -101,79 +93,6 @@ struct Reading {
     offset: f64,
 }
 
-impl Quantity {
-    /// Name, and the words that a header may use.
-    fn names(self) -> (&'static str, &'static [&'static str]) {
-        match self {
-            Self::Altitude => (
-                "altitude",
-                &["altitude", "alt", "height", "h", "z", "elevation", "hoehe"],
-            ),
-            Self::Density => ("density", &["density", "rho", "ρ", "dens"]),
-            Self::Temperature => ("temperature", &["temperature", "temp", "t"]),
-            Self::Pressure => ("pressure", &["pressure", "press", "p", "pres"]),
-            Self::Eastward => ("eastward wind", &["eastward", "east", "u", "ew", "zonal"]),
-            Self::Northward => (
-                "northward wind",
-                &["northward", "north", "v", "ns", "meridional"],
-            ),
-        }
-    }
-
-    /// Units with their factor and offset to SI; the first is SI.
-    fn units(self) -> (&'static str, &'static [(&'static [&'static str], f64, f64)]) {
-        match self {
-            Self::Altitude => (
-                "m, km, ft, kft",
-                &[
-                    (&["m"], 1.0, 0.0),
-                    (&["km"], 1000.0, 0.0),
-                    (&["ft", "feet"], 0.3048, 0.0),
-                    (&["kft"], 304.8, 0.0),
-                ],
-            ),
-            Self::Density => (
-                "kg/m3, g/m3, g/cm3, kg/km3, slug/ft3",
-                &[
-                    (&["kg/m3", "kgm3", "kgm-3"], 1.0, 0.0),
-                    (&["g/m3", "gm3", "gm-3"], 1e-3, 0.0),
-                    (&["g/cm3", "gcm3", "gcm-3"], 1e3, 0.0),
-                    (&["kg/km3", "kgkm3", "kgkm-3"], 1e-9, 0.0),
-                    (&["slug/ft3", "slugft3"], 515.378818393195, 0.0),
-                ],
-            ),
-            Self::Temperature => (
-                "K, C, R",
-                &[
-                    (&["k", "kelvin"], 1.0, 0.0),
-                    (&["c", "degc", "celsius"], 1.0, 273.15),
-                    (&["r", "degr", "rankine"], 5.0 / 9.0, 0.0),
-                ],
-            ),
-            Self::Pressure => (
-                "Pa, hPa, kPa, mbar, bar, atm, psf",
-                &[
-                    (&["pa"], 1.0, 0.0),
-                    (&["hpa", "mbar", "mb"], 100.0, 0.0),
-                    (&["kpa"], 1000.0, 0.0),
-                    (&["bar"], 1e5, 0.0),
-                    (&["atm"], 101325.0, 0.0),
-                    (&["psf", "lb/ft2", "lbf/ft2"], 47.8802589803358, 0.0),
-                ],
-            ),
-            Self::Eastward | Self::Northward => (
-                "m/s, km/h, kt, ft/s",
-                &[
-                    (&["m/s", "ms", "ms-1"], 1.0, 0.0),
-                    (&["km/h", "kmh"], 1.0 / 3.6, 0.0),
-                    (&["kt", "kts", "knots"], 1852.0 / 3600.0, 0.0),
-                    (&["ft/s", "fts"], 0.3048, 0.0),
-                ],
-            ),
-        }
-    }
-}
-
 impl Kind {
     fn quantities(self) -> &'static [Quantity] {
         match self {
@@ -233,13 +152,10 @@ pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
         };
         let line = record.position().map_or(0, |p| p.line());
         // A separator at the end of the line makes no column.
-        let width = record
-            .iter()
-            .enumerate()
-            .filter(|(_, field)| !field.is_empty())
-            .last()
-            .map_or(0, |(i, _)| i + 1);
-        let fields: Vec<&str> = record.iter().take(width).collect();
+        let mut fields: Vec<&str> = record.iter().collect();
+        while fields.last().is_some_and(|field| field.is_empty()) {
+            fields.pop();
+        }
         if fields.is_empty() {
             continue;
         }
@@ -254,7 +170,7 @@ pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
             continue;
         }
         let before = faults.len();
-        let mut row = Vec::with_capacity(width);
+        let mut row = Vec::with_capacity(fields.len());
         for (i, field) in fields.iter().enumerate() {
             match number(field, delimiter) {
                 Some(value) => row.push(value),
@@ -372,25 +288,6 @@ fn header(fields: &[&str], kind: Kind) -> Result<Vec<Reading>, Vec<CsvFault>> {
     } else {
         Err(faults)
     }
-}
-
-/// The parts of a heading: `Altitude (km)`, `alt [km]`, `altitude_km`, `T, K` or `density kg/m^3`.
-fn name_and_unit(field: &str) -> (String, String) {
-    let plain: String = field
-        .to_lowercase()
-        .replace('³', "3")
-        .replace('⁻', "-")
-        .replace(['^', '*', '°'], "");
-    let mut parts = plain.splitn(2, |c: char| "([,_ \t".contains(c));
-    let name = parts.next().unwrap_or("").trim().to_string();
-    let unit: String = parts
-        .next()
-        .unwrap_or("")
-        .chars()
-        .filter(|c| !"()[]_ ,\t".contains(*c))
-        .collect();
-    // altitude_m, density_kg_m3, eastward_m_s: the unit has lost its stroke and is listed without it.
-    (name, unit)
 }
 
 /// The row in SI and in the order of its kind; a number too many or too few is left for the checks of the table.

@@ -171,6 +171,7 @@ impl Table {
 mod tests {
     use super::*;
     use crate::planet::atmosphere::{Atmosphere, us_1976::UsStandard1976};
+    use std::sync::Arc;
 
     fn standard() -> StandardAir {
         UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
@@ -180,7 +181,7 @@ mod tests {
 
     fn table(rows: &[&[f64]]) -> Result<Atmosphere, Vec<RowFault>> {
         let rows: Vec<Vec<f64>> = rows.iter().map(|r| r.to_vec()).collect();
-        Ok(Atmosphere::Table(Box::new(Table::try_new(
+        Ok(Atmosphere::Table(Arc::new(Table::try_new(
             &rows,
             standard(),
         )?)))

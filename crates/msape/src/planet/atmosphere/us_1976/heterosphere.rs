@@ -6,8 +6,6 @@
 //! fᵢ = g/(R* T) · D/(D + K) · (Mᵢ + M K/D + αᵢ (R*/g) dT/dz)          O, O₂, Ar, He below 115 km
 //! fᵢ = g/(R* T) · (Mᵢ + αᵢ (R*/g) dT/dz)                                above
 //! D = aᵢ/N (T/273.15)^bᵢ,   K = 120 exp(1 − 400/(400 − (z − 95)²)) above 95 km
-//! vᵢ = Q (z − U)² exp(−W (z − U)³) + q (u − z)² exp(−w (u − z)³)
-//! n(H) = [n₁₁ + ∫_z^500 φ/D (T/T₁₁)^(1+α) e^τ dz] (T₁₁/T)^(1+α) e^(−τ),   τ = ∫_500^z g M_H/(R* T) dz
 //! ```
 //!
 //! with n in 1/m³, T in K, z in m (km where the data are), g in m/s², M in kg/kmol, R* in J/(kmol K), D and K in
@@ -18,7 +16,7 @@
 //! ∫ g/(R* T) dz = g₁₀/(R* T∞) · (ξ + ln(T/T₁₀)/λ)
 //! ```
 //!
-//! What is left, 86 to 120 km, is integrated by classical Runge-Kutta in half cells of 125 m (error below 1e-9).
+//! What is left, 86 to 120 km, is integrated by classical Runge-Kutta in cells of 125 m.
 //!
 //! # Valid
 //! 86 to 1000 km. Atomic hydrogen is present above 150 km only, as defined, so density there steps up by 3e-7.
@@ -26,19 +24,23 @@
 //! # References
 //! - \[coesa-1976\] equations 5 to 7, 10, 32 to 41, Tables 5 to 7.
 
-use super::definition::{Definition, Species};
+mod flux;
+mod hydrogen;
+
+use super::definition::Definition;
 use super::hermite::Knot;
 use super::temperature::{Segment, Upper, Z10_M};
+use flux::{FLUX_TOP_KM, flux_integral, flux_per_m};
 use numerics::math;
 
 /// Gases that are followed from 86 km: N₂, O, O₂, Ar, He.
 const HEAVY: usize = 5;
-/// Above this K and v vanish or nearly so, km.
+/// Above this K vanishes, km.
 const EDDY_TOP_KM: f64 = 115.0;
-const FLUX_TOP_KM: f64 = 150.0;
 /// z₁₁, m.
 const Z11_M: f64 = 500_000.0;
-const CELL_86_TO_120_M: f64 = 250.0;
+/// Cells and Runge-Kutta steps, m; the curvature of ln ρ is largest below 110 km, where the ellipse of T is steep.
+const CELL_86_TO_120_M: f64 = 125.0;
 
 /// One smooth piece of the heterosphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +91,7 @@ pub const SPANS: [Span; 7] = [
         from_m: 150e3,
         to_m: Z11_M,
         segment: Segment::Exponential,
-        cell_m: 2000.0,
+        cell_m: 1000.0,
     },
     Span {
         from_m: Z11_M,
@@ -113,8 +115,8 @@ pub struct Heterosphere<'a> {
 
 /// Density, kg/m³, and molar mass, kg/kmol, at the knots of one span.
 pub struct SpanKnots {
-    /// ln ρ and its slope.
-    pub ln_density: Vec<Knot>,
+    /// ρ and its slope.
+    pub density: Vec<Knot>,
     /// M and its slope.
     pub molar_mass: Vec<Knot>,
 }
@@ -223,25 +225,25 @@ impl<'a> Heterosphere<'a> {
 
     /// Runge-Kutta through one span; `logs` goes from its lower to its upper end.
     fn integrate(&self, span: &Span, logs: &mut Logs) -> SpanKnots {
-        let h = span.cell_m / 2.0;
-        let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
+        let h = span.cell_m;
+        let cells = ((span.to_m - span.from_m) / h) as usize;
         let mut knots = SpanKnots {
-            ln_density: Vec::new(),
-            molar_mass: Vec::new(),
+            density: Vec::with_capacity(cells + 1),
+            molar_mass: Vec::with_capacity(cells + 1),
         };
         for i in 0..=cells {
-            let z = span.from_m + i as f64 * span.cell_m;
-            self.push_knot(span, z, logs, &mut knots);
-            for z in [z, z + h] {
-                if i < cells {
-                    let k_1 = self.slopes(span, z, logs);
-                    let k_2 = self.slopes(span, z + h / 2.0, &along(logs, &k_1, h / 2.0));
-                    let k_3 = self.slopes(span, z + h / 2.0, &along(logs, &k_2, h / 2.0));
-                    let k_4 = self.slopes(span, z + h, &along(logs, &k_3, h));
-                    for (i, log) in logs.iter_mut().enumerate() {
-                        *log += h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]);
-                    }
-                }
+            let z = span.from_m + i as f64 * h;
+            self.sums(span, z, logs)
+                .push(self.definition.constants.avogadro_per_kmol, &mut knots);
+            if i == cells {
+                break;
+            }
+            let k_1 = self.slopes(span, z, logs);
+            let k_2 = self.slopes(span, z + h / 2.0, &along(logs, &k_1, h / 2.0));
+            let k_3 = self.slopes(span, z + h / 2.0, &along(logs, &k_2, h / 2.0));
+            let k_4 = self.slopes(span, z + h, &along(logs, &k_3, h));
+            for (i, log) in logs.iter_mut().enumerate() {
+                *log += h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]);
             }
         }
         knots
@@ -274,7 +276,7 @@ impl<'a> Heterosphere<'a> {
     fn closed_form(&self, span: &Span) -> SpanKnots {
         let cells = ((span.to_m - span.from_m) / span.cell_m) as usize;
         let mut knots = SpanKnots {
-            ln_density: Vec::new(),
+            density: Vec::new(),
             molar_mass: Vec::new(),
         };
         let hydrogen = self.hydrogen(span, cells);
@@ -293,76 +295,6 @@ impl<'a> Heterosphere<'a> {
             sums.push(self.definition.constants.avogadro_per_kmol, &mut knots);
         }
         knots
-    }
-
-    /// Number density of atomic hydrogen, 1/m³, and its slope, 1/m⁴, at the knots; nothing below 150 km.
-    fn hydrogen(&self, span: &Span, cells: usize) -> Vec<(f64, f64)> {
-        let Some(h) = self.definition.species.get(HEAVY) else {
-            return Vec::new();
-        };
-        if span.from_m < FLUX_TOP_KM * 1000.0 {
-            return Vec::new();
-        }
-        let Definition {
-            diffusion,
-            constants,
-            ..
-        } = self.definition;
-        let temperature = |z: f64| self.upper.temperature_k(Segment::Exponential, z);
-        let t_11 = temperature(Z11_M);
-        let at_11 = self.gravity_integral(Z11_M, t_11);
-        // (T/T₁₁)^(1+α) e^τ
-        let weight = |z: f64, t: f64| {
-            let tau = h.molar_mass_kg_kmol * (self.gravity_integral(z, t) - at_11);
-            math::exp((1.0 + h.thermal_diffusion) * math::ln(t / t_11) + tau)
-        };
-        let flux = if span.from_m < Z11_M {
-            diffusion.flux_of_h_per_m2_s
-        } else {
-            0.0
-        };
-        // φ/D
-        let source = |z: f64, t: f64| {
-            let mut n = 0.0;
-            for (log, s) in self
-                .logs_above_120_km(z, t)
-                .iter()
-                .zip(&self.definition.species)
-            {
-                n += math::exp(log - flux_integral(s, z)) / t;
-            }
-            flux * n / h.diffusion_a_per_m_s / math::exp(h.diffusion_b * math::ln(t / 273.15))
-        };
-        let integrand = |z: f64| {
-            let t = temperature(z);
-            source(z, t) * weight(z, t)
-        };
-        let mut from_above = diffusion.h_at_500_km_per_m3;
-        let mut knots = Vec::with_capacity(cells + 1);
-        for i in (0..=cells).rev() {
-            let z = span.from_m + i as f64 * span.cell_m;
-            if flux > 0.0 && i < cells {
-                from_above += gauss_3(&integrand, z, span.cell_m);
-            }
-            let t = temperature(z);
-            let n = if flux > 0.0 {
-                from_above
-            } else {
-                diffusion.h_at_500_km_per_m3
-            } / weight(z, t);
-            let fall =
-                (1.0 + h.thermal_diffusion) * self.upper.gradient_k_m(Segment::Exponential, z) / t
-                    + h.molar_mass_kg_kmol * self.gravity_m_s2(z)
-                        / (constants.gas_constant_j_kmol_k * t);
-            knots.push((n, -source(z, t) - n * fall));
-        }
-        knots.reverse();
-        knots
-    }
-
-    fn push_knot(&self, span: &Span, z: f64, logs: &Logs, knots: &mut SpanKnots) {
-        self.sums(span, z, logs)
-            .push(self.definition.constants.avogadro_per_kmol, knots);
     }
 
     fn sums(&self, span: &Span, z: f64, logs: &Logs) -> Sums {
@@ -409,10 +341,10 @@ impl Sums {
             mass,
             mass_slope,
         } = self;
-        let m = mass / n;
-        knots.ln_density.push(Knot {
-            value: math::ln(mass / avogadro_per_kmol),
-            slope_per_m: mass_slope / mass,
+        let (m, per_kg) = (mass / n, avogadro_per_kmol);
+        knots.density.push(Knot {
+            value: mass / per_kg,
+            slope_per_m: mass_slope / per_kg,
         });
         knots.molar_mass.push(Knot {
             value: m,
@@ -427,67 +359,4 @@ fn along(logs: &Logs, slopes: &Logs, step_m: f64) -> Logs {
         *log += slope * step_m;
     }
     moved
-}
-
-/// v, 1/m.
-fn flux_per_m(species: &Species, z_m: f64) -> f64 {
-    let Species {
-        q_capital_per_km3: q1,
-        u_capital_km: u1,
-        w_capital_per_km3: w1,
-        ..
-    } = *species;
-    let Species {
-        q_small_per_km3: q2,
-        u_small_km: u2,
-        w_small_per_km3: w2,
-        ..
-    } = *species;
-    let z = z_m / 1000.0;
-    if z >= FLUX_TOP_KM {
-        return 0.0;
-    }
-    let a = z - u1;
-    let b = (u2 - z).max(0.0);
-    (q1 * a * a * math::exp(-w1 * a * a * a) + q2 * b * b * math::exp(-w2 * b * b * b)) / 1000.0
-}
-
-/// ∫ v dz from 86 km.
-fn flux_integral(species: &Species, z_m: f64) -> f64 {
-    let Species {
-        q_capital_per_km3: q1,
-        u_capital_km: u1,
-        w_capital_per_km3: w1,
-        ..
-    } = *species;
-    let Species {
-        q_small_per_km3: q2,
-        u_small_km: u2,
-        w_small_per_km3: w2,
-        ..
-    } = *species;
-    let z = (z_m / 1000.0).min(FLUX_TOP_KM);
-    let falling = |x: f64| {
-        let a = x - u1;
-        math::exp(-w1 * a * a * a)
-    };
-    let rising = |x: f64| {
-        let b = (u2 - x).max(0.0);
-        math::exp(-w2 * b * b * b)
-    };
-    let mut integral = 0.0;
-    if w1 > 0.0 {
-        integral += q1 / (3.0 * w1) * (falling(86.0) - falling(z));
-    }
-    if w2 > 0.0 {
-        integral += q2 / (3.0 * w2) * (rising(z) - rising(86.0));
-    }
-    integral
-}
-
-/// Gauss-Legendre of three points over one cell.
-fn gauss_3(f: impl Fn(f64) -> f64, from: f64, width: f64) -> f64 {
-    let (middle, half) = (from + width / 2.0, width / 2.0);
-    let x = 0.6_f64.sqrt() * half;
-    half / 9.0 * (5.0 * f(middle - x) + 8.0 * f(middle) + 5.0 * f(middle + x))
 }

@@ -19,6 +19,7 @@
 //! - \[coesa-1976\] equations 18, 23, 33a, 33b, 42 and Tables 4 and 8.
 
 use super::definition::Definition;
+use super::hermite::Knot;
 use numerics::math;
 use numerics::scalar::Scalar;
 
@@ -55,40 +56,28 @@ impl Layer {
         (h - self.base_geopotential_m) * self.gradient_k_m + self.base_temperature_k
     }
 
-    /// Pressure over that at the lower end, and molecular-scale temperature, K.
-    #[inline]
-    fn pressure_ratio_and_temperature<S: Scalar>(&self, altitude_m: S) -> (S, S) {
+    /// Density, kg/m³, and its slope, kg/m⁴.
+    pub fn density(&self, altitude_m: f64) -> Knot {
         let Self {
-            base_geopotential_m: h_b,
             base_temperature_k: t_b,
             gradient_k_m: l,
+            hydrostatic_k_m: g_m_r,
             ..
         } = *self;
-        let above = geopotential_m(self.earth_radius_m, altitude_m) - h_b;
-        if l == 0.0 {
-            (
-                (above * (-self.hydrostatic_k_m / t_b)).exp(),
-                S::constant(t_b),
-            )
+        let above = geopotential_m(self.earth_radius_m, altitude_m) - self.base_geopotential_m;
+        let t = t_b + l * above;
+        let pressure_ratio = if l == 0.0 {
+            math::exp(-g_m_r * above / t_b)
         } else {
-            let t = above * l + t_b;
-            (((t / t_b).ln() * (-self.hydrostatic_k_m / l)).exp(), t)
+            math::exp(-g_m_r / l * math::ln(t / t_b))
+        };
+        let rho = self.base_density_kg_m3 * pressure_ratio * t_b / t;
+        // dh/dz = (r₀/(r₀ + z))²
+        let stretch = self.earth_radius_m / (self.earth_radius_m + altitude_m);
+        Knot {
+            value: rho,
+            slope_per_m: -rho * (g_m_r + l) / t * stretch * stretch,
         }
-    }
-
-    /// Density, kg/m³.
-    #[inline]
-    pub fn density_kg_m3<S: Scalar>(&self, altitude_m: S) -> S {
-        let (ratio, t) = self.pressure_ratio_and_temperature(altitude_m);
-        ratio * (self.base_density_kg_m3 * self.base_temperature_k) / t
-    }
-
-    /// Pressure, Pa, density, kg/m³, and molecular-scale temperature, K.
-    #[inline]
-    pub fn state<S: Scalar>(&self, altitude_m: S) -> (S, S, S) {
-        let (ratio, t) = self.pressure_ratio_and_temperature(altitude_m);
-        let density = ratio * (self.base_density_kg_m3 * self.base_temperature_k) / t;
-        (ratio * self.base_pressure_pa, density, t)
     }
 }
 
@@ -165,7 +154,8 @@ impl Lower {
                 .base_geopotential_km
                 .get(i + 1)
                 .map_or(d.top_altitude_km * 1000.0, |h| geometric(h * 1000.0));
-            (p, _, t) = layer.state(top);
+            t = layer.molecular_scale_temperature_k(top);
+            p = layer.density(top).value * t / per_k;
             layers.push(layer);
             tops_m.push(top);
         }
@@ -245,9 +235,17 @@ mod tests {
     fn a_layer_begins_with_the_density_that_the_layer_below_ends_with() {
         let lower = lower();
         for (i, top) in lower.tops_m.iter().take(6).enumerate() {
-            let below = lower.layers[i].density_kg_m3(*top);
-            let above = lower.layers[i + 1].density_kg_m3(*top);
+            let below = lower.layers[i].density(*top).value;
+            let above = lower.layers[i + 1].density(*top).value;
             assert!((below / above - 1.0).abs() < 1e-14, "{top} m");
+        }
+    }
+
+    #[test]
+    fn slope_of_the_density() {
+        for layer in &lower().layers[..2] {
+            let slope = (layer.density(9_001.0).value - layer.density(8_999.0).value) / 2.0;
+            assert!((layer.density(9_000.0).slope_per_m / slope - 1.0).abs() < 1e-7);
         }
     }
 

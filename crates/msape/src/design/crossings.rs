@@ -1,0 +1,83 @@
+//! What crosses between the modules: the entries of the design structure matrix off its diagonal.
+//!
+//! # References
+//! - \[samareh-2014\] Figure 4.
+
+use crate::quantity::output::Module;
+use crate::units::Dimension;
+
+/// A value that one module gives to others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Key with its SI unit.
+    pub key: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Symbol of the unit shown by default.
+    pub unit: &'static str,
+    /// Module that gives it.
+    pub from: Module,
+    /// Modules that take it.
+    pub to: &'static [Module],
+}
+
+/// The modules in the order of the matrix.
+pub const MODULES: [Module; 8] = [
+    Module::Geometry,
+    Module::Mass,
+    Module::Impact,
+    Module::Structure,
+    Module::Flight,
+    Module::Heating,
+    Module::HeatShield,
+    Module::ThermalSoak,
+];
+
+const fn crossing(
+    key: &'static str,
+    label: &'static str,
+    (dimension, unit): (Dimension, &'static str),
+    from: Module,
+    to: &'static [Module],
+) -> Crossing {
+    Crossing { key, label, dimension, unit, from, to }
+}
+
+const LENGTH: (Dimension, &str) = (Dimension::Length, "m");
+const THICKNESS: (Dimension, &str) = (Dimension::Length, "cm");
+const MASS: (Dimension, &str) = (Dimension::Mass, "kg");
+const SPEED: (Dimension, &str) = (Dimension::Speed, "m/s");
+const FLUX: (Dimension, &str) = (Dimension::HeatFlux, "W/cm^2");
+
+/// The crossings; a pass records a value for each, in this order.
+pub static CROSSINGS: [Crossing; 15] = [
+    crossing(
+        "diameter_m",
+        "Vehicle diameter",
+        LENGTH,
+        Module::Geometry,
+        &[Module::Mass, Module::Impact, Module::Structure, Module::Flight, Module::ThermalSoak],
+    ),
+    crossing("nose_radius_m", "Nose radius", LENGTH, Module::Geometry, &[Module::Heating, Module::Impact]),
+    crossing("cg_m", "Centre of gravity from virtual apex", LENGTH, Module::Mass, &[Module::Geometry]),
+    crossing(
+        "total_entry_mass_kg",
+        "Entry mass",
+        MASS,
+        Module::Mass,
+        &[Module::Impact, Module::Structure, Module::Flight],
+    ),
+    crossing("required_stroke_m", "Required stroke", THICKNESS, Module::Impact, &[Module::Geometry]),
+    crossing("impact_foam_density_kg_m3", "Impact foam density", (Dimension::Density, "kg/m^3"), Module::Impact, &[Module::Mass]),
+    crossing("forebody_carrier_thickness_m", "Forebody carrier thickness", THICKNESS, Module::Structure, &[Module::Geometry, Module::Mass]),
+    crossing("primary_structure_thickness_m", "Primary structure thickness", THICKNESS, Module::Structure, &[Module::Geometry, Module::Mass]),
+    crossing("terminal_speed_m_s", "Terminal velocity", SPEED, Module::Flight, &[Module::Impact]),
+    crossing("entry_load_earth_g", "Entry load", (Dimension::Load, "Earth g"), Module::Flight, &[Module::Structure]),
+    crossing("peak_stagnation_pressure_pa", "Stagnation pressure", (Dimension::Pressure, "kPa"), Module::Flight, &[Module::Structure, Module::HeatShield]),
+    crossing("peak_total_margined_heat_flux_w_m2", "Peak heat rate (margined)", FLUX, Module::Heating, &[Module::HeatShield, Module::ThermalSoak]),
+    crossing("total_margined_heat_load_j_m2", "Heat load (margined)", (Dimension::HeatLoad, "J/cm^2"), Module::Heating, &[Module::HeatShield, Module::ThermalSoak]),
+    crossing("forebody_tps_thickness_m", "Forebody TPS thickness", THICKNESS, Module::HeatShield, &[Module::Geometry, Module::Mass]),
+    crossing("aftbody_tps_thickness_m", "Aftbody TPS thickness", THICKNESS, Module::HeatShield, &[Module::Geometry, Module::Mass]),
+];

@@ -1,0 +1,52 @@
+//! What a design is made from, checked.
+
+use crate::aero::DragTable;
+use crate::flight::mission::{Body, Mission};
+use crate::heating::afterbody::Afterbody;
+use crate::heating::shoulder::Shoulder;
+use crate::soak::SoakCorrelation;
+use crate::tps::fit_space::FitSpace;
+use crate::tps::material::TpsMaterial;
+use crate::vehicle::VehicleInput;
+use crate::{aero::Drag, vehicle::Vehicle};
+
+/// A design problem.
+#[derive(Clone, Debug)]
+pub struct DesignInput {
+    /// Planet, atmosphere, wind, entry, heating, stop, solver.
+    pub mission: Mission,
+    /// The vehicle; its heat-shield thicknesses and loads are first guesses, which the passes replace.
+    pub vehicle: VehicleInput,
+    /// Heat-shield material of the forebody.
+    pub forebody_material: TpsMaterial,
+    /// Heat-shield material of the aftbody.
+    pub aftbody_material: TpsMaterial,
+    /// Thermal soak with the forebody's heat shield.
+    pub soak: SoakCorrelation,
+    /// Trajectory space of the mass-estimating relations.
+    pub fit_space: FitSpace,
+    /// What the aftbody gets of the forebody's environment.
+    pub afterbody: Afterbody,
+    /// What the shoulder gets of the stagnation point's heating.
+    pub shoulder: Shoulder,
+    /// Drag coefficient against Mach number.
+    pub drag: DragTable,
+    /// Change of the entry mass below which a design is converged, kg.
+    pub mass_criterion_kg: f64,
+    /// Passes after which an answer is given as it is.
+    pub max_iterations: u32,
+    /// Fraction of each change that a pass applies.
+    pub relaxation: f64,
+}
+
+impl DesignInput {
+    /// A vehicle as flight sees it.
+    pub fn body(&self, vehicle: &Vehicle) -> Body {
+        Body {
+            mass_kg: vehicle.mass.mass_kg,
+            reference_area_m2: vehicle.dimensions.reference_area_m2,
+            nose_radius_m: vehicle.dimensions.nose_radius_m,
+            drag: Drag::Table(self.drag.clone()),
+        }
+    }
+}

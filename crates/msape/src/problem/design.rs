@@ -1,0 +1,192 @@
+//! Checks a design.
+
+use super::flight::{Angle, mission};
+use crate::case::Reader;
+use crate::design::inputs::DesignInput;
+use crate::library::{Library, Named, named};
+use crate::tps::material::TpsMaterial;
+use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::rules::WallPlace;
+use crate::vehicle::structure::{Carrier, Construction};
+use crate::vehicle::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
+use numerics::math::RADIANS_PER_DEGREE;
+
+/// Loads and thicknesses with which the passes begin: those of the vehicle of Tables 9 and 15, rounded.
+const FIRST_LOADS: Loads = Loads {
+    entry_load_earth_g: 100.0,
+    peak_stagnation_pressure_pa: 5e4,
+    terminal_speed_m_s: 35.0,
+};
+const FIRST_FOREBODY_TPS_M: f64 = 0.03;
+const FIRST_AFTBODY_TPS_M: f64 = 0.01;
+
+/// Everything that determines a design.
+pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
+    let mission = mission(reader, library, Angle::Descending);
+    let msr = reader.flag("design.msr_mode");
+    let sizes = ["diameter_m", "nose_radius_ratio", "shoulder_radius_ratio", "payload_mass_kg"]
+        .map(|name| reader.required_number(&format!("design.{name}")));
+    let payload_size = payload_size(reader);
+    let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
+    let aft_name = aftbody_material(reader, library);
+    let ground_name = choice(reader, "design.ground", &library.grounds);
+    let aero_name = choice(reader, "design.aerodynamics", &library.aerodynamics);
+    let numbers = [
+        "cone_half_angle_deg",
+        "mass_margin",
+        "crush_load_limit_earth_g",
+        "stroke_efficiency",
+        "terminal_drag_coefficient",
+        "mass_criterion_kg",
+        "max_iterations",
+        "relaxation",
+    ]
+    .map(|name| reader.number(&format!("design.{name}")));
+    let [cone_deg, margin, crush_limit, efficiency, terminal_drag, criterion, iterations, relaxation] = numbers;
+    let mut densities = Densities::read(reader);
+    let [diameter_m, nose_radius_ratio, shoulder_radius_ratio, payload_mass_kg] = sizes;
+
+    let concept = named(&library.concepts, concept_name?)?;
+    let forebody_material = named(&library.materials, &concept.tps)?.clone();
+    let aftbody_material = named(&library.materials, aft_name?)?.clone();
+    let carrier = library.vehicle.carrier.get(&concept.carrier)?;
+    let wall = |place, density: Option<f64>| with_density(carrier.carrier(place), density);
+    let vehicle = VehicleInput {
+        concept: if msr? { Concept::Msr } else { Concept::NonMsr },
+        diameter_m: diameter_m?,
+        nose_radius_ratio: nose_radius_ratio?,
+        shoulder_radius_ratio: shoulder_radius_ratio?,
+        cone_half_angle_rad: cone_deg? * RADIANS_PER_DEGREE,
+        payload_mass_kg: payload_mass_kg?,
+        payload_size: payload_size?,
+        mass_margin: margin?,
+        forebody: LayerStack {
+            tps_thickness_m: FIRST_FOREBODY_TPS_M,
+            tps_density_kg_m3: densities.forebody_tps.unwrap_or(forebody_material.density.density_kg_m3),
+            bond_thickness_m: concept.bond_thickness_m(),
+            bond_density_kg_m3: concept.bond.density_kg_m3,
+            carrier_thickness_m: None,
+            carrier: wall(WallPlace::Forebody, densities.forebody_carrier),
+        },
+        aftbody_tps_thickness_m: FIRST_AFTBODY_TPS_M,
+        aftbody_tps_density_kg_m3: densities.aftbody_tps.unwrap_or(aftbody_material.density.density_kg_m3),
+        aftbody_carrier: wall(WallPlace::Aftbody, densities.aftbody_carrier),
+        primary_carrier: wall(WallPlace::Primary, densities.primary),
+        densities: densities.fillings(library.vehicle.densities().ok()?),
+        loads: FIRST_LOADS,
+        structure_loads: library.vehicle.structure_loads().ok()?,
+        impact: ImpactInput {
+            crush_load_limit_earth_g: crush_limit?,
+            stroke_efficiency: efficiency?,
+            ground: named(&library.grounds, ground_name?)?.clone(),
+        },
+        foam_grades: library.vehicle.foam.clone(),
+        rules: library.vehicle.rules().ok()?,
+    };
+    Some(DesignInput {
+        mission: mission?,
+        vehicle,
+        soak: named(&library.soak, &concept.soak)?.clone(),
+        forebody_material,
+        aftbody_material,
+        fit_space: library.fit_space.clone(),
+        afterbody: library.heating.afterbody.clone(),
+        shoulder: library.heating.shoulder.clone(),
+        drag: named(&library.aerodynamics, aero_name?)?.with_subsonic(terminal_drag?),
+        mass_criterion_kg: criterion?,
+        max_iterations: iterations? as u32,
+        relaxation: relaxation?,
+    })
+}
+
+fn choice<'l, T>(reader: &mut Reader, key: &str, list: &'l Named<T>) -> Option<&'l str> {
+    let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
+    reader.choice(key, &names)
+}
+
+fn aftbody_material<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l str> {
+    let names: Vec<&str> = library.aftbody_materials().map(|(name, _): &(String, TpsMaterial)| name.as_str()).collect();
+    reader.choice("design.aftbody_tps", &names)
+}
+
+/// Size of the payload: one of three inputs.
+fn payload_size(reader: &mut Reader) -> Option<PayloadSize> {
+    let keys = ["design.payload_density_kg_m3", "design.payload_diameter_m", "design.payload_diameter_ratio"];
+    let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
+    match given.as_slice() {
+        [] => {
+            let message = "missing; give it, in kg/m^3, or design.payload_diameter_m, in m, or design.payload_diameter_ratio";
+            reader.fault(keys[0], message);
+            None
+        }
+        [key] => {
+            let value = reader.number(key)?;
+            Some(match *key {
+                "design.payload_density_kg_m3" => PayloadSize::DensityKgM3(value),
+                "design.payload_diameter_m" => PayloadSize::DiameterM(value),
+                _ => PayloadSize::DiameterRatio(value),
+            })
+        }
+        [_, second, ..] => {
+            reader.fault(second, "the size of the payload is given in more than one way; give one of density, diameter, diameter ratio");
+            None
+        }
+    }
+}
+
+/// Densities of the case, kg/m³, where it gives them.
+struct Densities {
+    forebody_tps: Option<f64>,
+    forebody_carrier: Option<f64>,
+    aftbody_tps: Option<f64>,
+    aftbody_carrier: Option<f64>,
+    primary: Option<f64>,
+    impact_foam: Option<f64>,
+    impact_shell: Option<f64>,
+    body_foam: Option<f64>,
+    lid_insulation: Option<f64>,
+    wing_insulation: Option<f64>,
+}
+
+impl Densities {
+    fn read(reader: &mut Reader) -> Densities {
+        let mut of = |name: &str| reader.number(&format!("design.density_kg_m3.{name}"));
+        Densities {
+            forebody_tps: of("forebody_tps"),
+            forebody_carrier: of("forebody_carrier_structure"),
+            aftbody_tps: of("aftbody_tps"),
+            aftbody_carrier: of("aftbody_carrier_structure"),
+            primary: of("primary_structure"),
+            impact_foam: of("impact_foam"),
+            impact_shell: of("impact_shell"),
+            body_foam: of("body_foam"),
+            lid_insulation: of("lid_insulation"),
+            wing_insulation: of("wing_insulation"),
+        }
+    }
+
+    fn fillings(&mut self, of_data: ComponentDensities) -> ComponentDensities {
+        ComponentDensities {
+            impact_foam_kg_m3: self.impact_foam.or(of_data.impact_foam_kg_m3),
+            impact_shell_kg_m3: self.impact_shell.unwrap_or(of_data.impact_shell_kg_m3),
+            body_foam_kg_m3: self.body_foam.unwrap_or(of_data.body_foam_kg_m3),
+            lid_insulation_kg_m3: self.lid_insulation.unwrap_or(of_data.lid_insulation_kg_m3),
+            wing_insulation_kg_m3: self.wing_insulation.unwrap_or(of_data.wing_insulation_kg_m3),
+        }
+    }
+}
+
+/// A wall of another density: of a laminate its own, of a sandwich that of its faces and core in proportion.
+fn with_density(mut carrier: Carrier, density: Option<f64>) -> Carrier {
+    if let Some(density) = density {
+        let factor = density / carrier.at_minimum_gauge().density_kg_m3;
+        match &mut carrier.construction {
+            Construction::Solid { density_kg_m3 } => *density_kg_m3 = density,
+            Construction::Sandwich { face_density_kg_m3, core_density_kg_m3, .. } => {
+                *face_density_kg_m3 *= factor;
+                *core_density_kg_m3 *= factor;
+            }
+        }
+    }
+    carrier
+}
