@@ -1,30 +1,36 @@
-//! Embeds the folder `data` as a sorted list of (path, text).
+//! Embeds the folder `data`, and the cases that ship with the program as its folder `cases`, as a sorted list of
+//! (path, text).
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    let root =
-        PathBuf::from(env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?).join("data");
+    let here = PathBuf::from(env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?);
+    let mut list = Vec::new();
+    embed(&here.join("data"), "", &mut list)?;
+    embed(&here.join("../../cases"), "cases/", &mut list)?;
+    list.sort();
+    let mut text = String::from("&[\n");
+    for (name, file) in list {
+        writeln!(text, "    ({name:?}, include_str!({file:?})),").map_err(io::Error::other)?;
+    }
+    text.push_str("]\n");
+    let out = PathBuf::from(env::var("OUT_DIR").map_err(io::Error::other)?).join("data_files.rs");
+    fs::write(out, text)
+}
+
+/// Lists the files of a folder by the name under which the core finds them.
+fn embed(root: &Path, prefix: &str, list: &mut Vec<(String, String)>) -> io::Result<()> {
     println!("cargo::rerun-if-changed={}", root.display());
     let mut files = Vec::new();
-    collect(&root, &mut files)?;
-    files.sort();
-    let mut list = String::from("&[\n");
+    collect(root, &mut files)?;
     for file in files {
-        let relative = file.strip_prefix(&root).map_err(io::Error::other)?;
+        let relative = file.strip_prefix(root).map_err(io::Error::other)?;
         let name = relative.to_string_lossy().replace('\\', "/");
-        writeln!(
-            list,
-            "    ({name:?}, include_str!({:?})),",
-            file.display().to_string()
-        )
-        .map_err(io::Error::other)?;
+        list.push((format!("{prefix}{name}"), file.display().to_string()));
     }
-    list.push_str("]\n");
-    let out = PathBuf::from(env::var("OUT_DIR").map_err(io::Error::other)?).join("data_files.rs");
-    fs::write(out, list)
+    Ok(())
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

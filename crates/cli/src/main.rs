@@ -1,2 +1,40 @@
-//! The command `msape`.
-fn main() {}
+//! The command `msape`: files, arguments and terminals around the core.
+
+mod args;
+mod failure;
+mod output;
+mod quantities;
+mod read;
+mod run;
+mod show;
+mod terminal;
+mod validate;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use failure::Failure;
+use msape::quantity::Job;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    // A panic is a fault of the program: say so, and end with the code of such faults.
+    std::panic::set_hook(Box::new(|panic| {
+        eprintln!("msape: this is a fault of the program, please report it: {panic}");
+        std::process::exit(1);
+    }));
+    let arguments = Arguments::parse();
+    let done = match arguments.command {
+        Command::Fly(arguments) => run::run(&arguments, Job::Fly),
+        Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Schema(arguments) => quantities::schema(&arguments),
+        Command::Quantities(arguments) => quantities::quantities(&arguments),
+    };
+    match done {
+        Ok(code) => code,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// What a command comes to: the code to end with.
+type Done = Result<ExitCode, Failure>;

@@ -1,5 +1,11 @@
 //! What the program answers: outcome, numbers, adjustments, findings, the record of the passes.
 
+mod json;
+#[cfg(test)]
+pub(crate) mod sample;
+
+pub use json::{json, text};
+
 use crate::design::Design;
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;

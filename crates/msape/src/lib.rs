@@ -15,6 +15,7 @@ pub mod soak;
 pub mod table;
 pub mod tps;
 pub mod units;
+pub mod validation;
 pub mod vehicle;
 
 pub use answer::{Answer, Outcome};

@@ -23,7 +23,7 @@ use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The files of the folder `data`: path and text.
+/// The files of the folder `data`, and the shipped cases as its folder `cases`: path and text.
 static FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/data_files.rs"));
 
 /// A data file that cannot be read.

@@ -1,1 +1,166 @@
-//! Tables of answers: CSV, KML. (being written)
+//! Tables of answers and of time histories: strings in, strings out, so that page and command write the same bytes.
+//!
+//! - [`results`]: one row for each design, inputs then outputs.
+//! - [`history`]: one row for each time of a trajectory.
+//! - [`kml`]: a trajectory for viewers of the globe.
+
+mod csv;
+mod input;
+pub mod kml;
+pub mod number;
+
+use crate::answer::Answer;
+use crate::case::Case;
+use crate::flight::Trajectory;
+use crate::quantity::trajectory::columns;
+use crate::quantity::{Input, Job, Output, inputs, outputs};
+use crate::units::Unit;
+use number::shortest;
+
+/// Names and units of the columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Manner {
+    /// The report's column names and units: `Entry Velocity (m/s)`, `Yes`, `SuttonGraves`.
+    Report,
+    /// Keys as in case and answer, SI units, angles in degrees: `entry.speed_m_s`, `true`, `sutton-graves`.
+    Si,
+}
+
+/// A case and its answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved<'a> {
+    /// What was asked.
+    pub case: &'a Case,
+    /// What came of it.
+    pub answer: &'a Answer,
+}
+
+/// Headers and rows of text, all of one length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// Names of the columns.
+    pub headers: Vec<String>,
+    /// Cells by row; a cell without a value is empty.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A column of a table of results.
+#[derive(Clone, Copy)]
+enum Column {
+    Name,
+    Input(&'static Input),
+    Outcome,
+    Output(&'static Output),
+}
+
+/// One row for each answer: name, inputs that are given or have a default, outcome, outputs.
+///
+/// Where an input and an output have one name in the report, there is one column: the value used.
+pub fn results(solved: &[Solved], job: Job, manner: Manner) -> Table {
+    let columns = result_columns(solved, job, manner);
+    Table {
+        headers: columns.iter().map(|c| c.header(manner)).collect(),
+        rows: solved
+            .iter()
+            .map(|row| columns.iter().map(|c| c.cell(row, manner)).collect())
+            .collect(),
+    }
+}
+
+/// Header and value of each column of [`results`] for one answer.
+pub fn pairs(solved: Solved, job: Job, manner: Manner) -> Vec<(String, String)> {
+    let columns = result_columns(&[solved], job, manner);
+    columns
+        .iter()
+        .map(|c| (c.header(manner), c.cell(&solved, manner)))
+        .collect()
+}
+
+/// One row for each time of a trajectory.
+pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
+    let value = |x: f64, unit: Option<&Unit>| match (manner, unit) {
+        (Manner::Report, Some(unit)) => shortest(unit.from_canonical(x)),
+        _ => shortest(x),
+    };
+    let header = |label: &str, unit: &str| {
+        if unit.is_empty() {
+            label.to_string()
+        } else {
+            format!("{label} ({unit})")
+        }
+    };
+    Table {
+        headers: columns()
+            .iter()
+            .map(|column| match manner {
+                Manner::Report => header(column.label, column.unit),
+                Manner::Si => column.key.to_string(),
+            })
+            .collect(),
+        rows: (0..trajectory.rows())
+            .map(|row| {
+                columns()
+                    .iter()
+                    .zip(&trajectory.values)
+                    .map(|(column, values)| {
+                        let unit = Unit::find(column.unit);
+                        values
+                            .get(row)
+                            .map_or_else(String::new, |x| value(*x, unit))
+                    })
+                    .collect()
+            })
+            .collect(),
+    }
+}
+
+fn result_columns(solved: &[Solved], job: Job, manner: Manner) -> Vec<Column> {
+    let is_output = |input: &Input| {
+        manner == Manner::Report && outputs(job).any(|output| output.header() == input.header())
+    };
+    let mut columns = vec![Column::Name];
+    columns.extend(
+        inputs()
+            .filter(|input| input::belongs(input, job) && !is_output(input))
+            .filter(|input| {
+                solved
+                    .iter()
+                    .any(|row| input::cell(row.case, input, manner).is_some())
+            })
+            .map(Column::Input),
+    );
+    columns.push(Column::Outcome);
+    columns.extend(outputs(job).map(Column::Output));
+    columns
+}
+
+impl Column {
+    fn header(self, manner: Manner) -> String {
+        match (self, manner) {
+            (Column::Name, Manner::Report) => "Run Name".to_string(),
+            (Column::Name, Manner::Si) => "name".to_string(),
+            (Column::Input(input), Manner::Report) => input.header(),
+            (Column::Input(input), Manner::Si) => input.key.to_string(),
+            (Column::Outcome, Manner::Report) => "Outcome".to_string(),
+            (Column::Outcome, Manner::Si) => "outcome".to_string(),
+            (Column::Output(output), Manner::Report) => output.header(),
+            (Column::Output(output), Manner::Si) => output.key.to_string(),
+        }
+    }
+
+    fn cell(self, solved: &Solved, manner: Manner) -> String {
+        match self {
+            Column::Name => solved.answer.name.clone(),
+            Column::Input(input) => input::cell(solved.case, input, manner).unwrap_or_default(),
+            Column::Outcome => solved.answer.outcome.name().to_string(),
+            Column::Output(output) => match ((output.get)(solved.answer), manner) {
+                (Some(x), Manner::Report) => shortest(output.shown_unit().from_canonical(x)),
+                (Some(x), Manner::Si) => shortest(x),
+                (None, _) => String::new(),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

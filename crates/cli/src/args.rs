@@ -1,0 +1,156 @@
+//! The arguments.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use msape::table::kml::Instant;
+use msape::units::{Dimension, canonical, parse_number};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  msape design cases/msr-eev-cp.toml                      a converged vehicle, as tables to read
+  msape design cases/run-page.toml --set design.diameter_m=1.2 --set entry.speed_m_s=\"13 km/s\"
+  msape design cases/galahad.toml --csv -o galahad.csv    the report's column names and units
+  msape fly cases/stardust.toml --json --trajectory       results and time history as one JSON object
+  msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
+  msape fly - < my-case.toml                              the case from standard input
+  msape quantities inputs                                 every key of a case, with unit, range and default
+
+Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
+1 for a fault of the program, and for validate when a value is beyond its tolerance.";
+
+/// Systems analysis of planetary entry vehicles, after NASA/TM-2014-218507.
+#[derive(Parser)]
+#[command(name = "msape", version, after_help = EXAMPLES, max_term_width = 120)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Fly a vehicle as it is
+    #[command(after_help = EXAMPLES)]
+    Fly(Run),
+    /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
+    #[command(after_help = EXAMPLES)]
+    Design(Run),
+    /// Solve every documented case that ships with the program and compare it with its reference
+    Validate(Validate),
+    /// Print the JSON Schema of case files, for editors
+    Schema(Plain),
+    /// List the quantities: keys of a case, results, columns of a trajectory
+    Quantities(Quantities),
+}
+
+/// Arguments of a run.
+#[derive(Args)]
+pub struct Run {
+    /// The case, TOML or JSON; `-` is standard input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case, in its unit or with another: entry.speed_m_s=13000, entry.speed_m_s="13 km/s"; an empty
+    /// value takes the key away
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Form of the output.
+    #[command(flatten)]
+    pub form: Form,
+    /// Add the time history, at the steps of the integrator; with --csv and --csv-si it is written in place of the
+    /// results
+    #[arg(long)]
+    pub trajectory: bool,
+    /// Add the time history at a uniform step in seconds, both ends included
+    #[arg(long, value_name = "S", value_parser = step)]
+    pub trajectory_step: Option<f64>,
+    /// Moment of the start, for --kml
+    #[arg(long, value_name = "UTC", value_parser = epoch, default_value = "2000-01-01T12:00:00Z")]
+    pub epoch: Instant,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// Form of the output; without any of them, tables to read.
+#[derive(Args, Clone, Copy)]
+#[group(multiple = false)]
+pub struct Form {
+    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory
+    #[arg(long)]
+    pub json: bool,
+    /// CSV with the report's column names and units
+    #[arg(long)]
+    pub csv: bool,
+    /// CSV with the keys as column names, in SI units and degrees
+    #[arg(long)]
+    pub csv_si: bool,
+    /// The time history as KML, for viewers of the globe
+    #[arg(long)]
+    pub kml: bool,
+}
+
+/// Arguments of `validate`.
+#[derive(Args)]
+pub struct Validate {
+    /// Names of the comparisons to make; all when none is given
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+    /// One JSON object instead of tables
+    #[arg(long)]
+    pub json: bool,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of a command that only prints.
+#[derive(Args)]
+pub struct Plain {
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `quantities`.
+#[derive(Args)]
+pub struct Quantities {
+    /// Which list
+    #[arg(value_enum)]
+    pub list: List,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// A list of quantities.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum List {
+    /// Keys of a case
+    Inputs,
+    /// Results
+    Outputs,
+    /// Columns of a trajectory
+    Trajectory,
+}
+
+/// Shorter steps only fill the memory; longer ones see nothing.
+const STEP_S: std::ops::RangeInclusive<f64> = 0.001..=100_000.0;
+
+fn step(text: &str) -> Result<f64, String> {
+    let value = parse_number(text, Dimension::Time, canonical(Dimension::Time))
+        .map_err(|error| error.to_string())?;
+    if STEP_S.contains(&value) {
+        Ok(value)
+    } else {
+        Err(format!(
+            "got {value} s, must be {} to {} s",
+            STEP_S.start(),
+            STEP_S.end()
+        ))
+    }
+}
+
+fn epoch(text: &str) -> Result<Instant, String> {
+    Instant::parse(text).ok_or_else(|| "must be a moment such as 2006-01-15T09:57:00Z".to_string())
+}

@@ -1,0 +1,84 @@
+//! What can go wrong, and the code to end with.
+
+use msape::library::DataError;
+use std::io;
+use std::process::ExitCode;
+
+/// Why there is no answer.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad input, every fault of it.
+    Input(Vec<String>),
+    /// A fault of the program.
+    Program(String),
+    /// The reader of our output went away.
+    ReaderGone,
+}
+
+/// More faults than this are counted only.
+const FAULTS_SHOWN: usize = 100;
+
+impl Failure {
+    /// One fault of the input.
+    pub fn input(message: impl Into<String>) -> Failure {
+        Failure::Input(vec![message.into()])
+    }
+
+    /// A failed write to standard output.
+    pub fn writing(error: &io::Error) -> Failure {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+            _ => Failure::Input(vec![format!("cannot write to standard output: {error}")]),
+        }
+    }
+
+    /// Says what went wrong.
+    pub fn report(&self) -> ExitCode {
+        match self {
+            Failure::Input(faults) => {
+                for fault in faults.iter().take(FAULTS_SHOWN) {
+                    eprintln!("msape: {}", printable(fault));
+                }
+                if faults.len() > FAULTS_SHOWN {
+                    eprintln!("msape: and {} more", faults.len() - FAULTS_SHOWN);
+                }
+                ExitCode::from(2)
+            }
+            Failure::Program(message) => {
+                eprintln!(
+                    "msape: this is a fault of the program, please report it: {}",
+                    printable(message)
+                );
+                ExitCode::from(1)
+            }
+            Failure::ReaderGone => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl From<DataError> for Failure {
+    fn from(error: DataError) -> Failure {
+        Failure::Program(error.to_string())
+    }
+}
+
+/// Text of unknown origin without what would steer a terminal.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\n' => "\n  ".to_string(),
+            c if c.is_control() => c.escape_default().to_string(),
+            c => c.to_string(),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_terminal_is_not_steered_by_the_input() {
+        assert_eq!(printable("a\u{1b}[2Jb\nc"), "a\\u{1b}[2Jb\n  c");
+    }
+}

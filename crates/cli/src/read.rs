@@ -1,0 +1,131 @@
+//! Reads a case from a file or from standard input, with what the command line sets and the files it names.
+
+use crate::failure::Failure;
+use msape::{Case, InputError};
+use msape::case::Value;
+use msape::planet::atmosphere::csv::{self, Kind};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Largest file that is read.
+const SIZE_MAX: u64 = 64 * 1024 * 1024;
+
+/// The case of `path` with `settings` applied, and faults found on the way that do not keep it from being checked.
+pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Failure> {
+    let unreadable = |faults: Vec<InputError>| {
+        let named = faults.iter().map(|fault| format!("{}: {fault}", display(path)));
+        Failure::Input(named.collect())
+    };
+    let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;
+    let mut faults = Vec::new();
+    let mut here = folder(path);
+    for setting in settings {
+        match setting.split_once('=') {
+            Some(("name", name)) => case.name = name.to_string(),
+            Some((key, value)) if !key.trim().is_empty() => {
+                case.set(key.trim(), value);
+                if key.trim() == "atmosphere.file" {
+                    // Named on the command line, a file is looked for from where the command is given.
+                    here = Path::new("");
+                }
+            }
+            _ => faults.push(format!("--set {setting}: must be KEY=VALUE")),
+        }
+    }
+    if case.name.is_empty() {
+        case.name = title(path);
+    }
+    resolve_atmosphere(&mut case, here, &mut faults);
+    Ok((case, faults))
+}
+
+fn folder(path: &Path) -> &Path {
+    if is_standard_input(path) {
+        return Path::new("");
+    }
+    path.parent().unwrap_or(Path::new(""))
+}
+
+fn title(path: &Path) -> String {
+    if is_standard_input(path) {
+        return String::new();
+    }
+    path.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
+fn is_standard_input(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn display(path: &Path) -> String {
+    if is_standard_input(path) {
+        "standard input".to_string()
+    } else {
+        path.display().to_string()
+    }
+}
+
+/// The text of a file, or of standard input for `-`.
+fn text(path: &Path) -> Result<String, Failure> {
+    let name = display(path);
+    let fault = |message: String| Failure::input(format!("{name}: {message}"));
+    let mut bytes = Vec::new();
+    let read = if is_standard_input(path) {
+        io::stdin()
+            .lock()
+            .take(SIZE_MAX + 1)
+            .read_to_end(&mut bytes)
+    } else if path.is_dir() {
+        return Err(fault("is a folder; give the file of a case".to_string()));
+    } else {
+        File::open(path).and_then(|file| file.take(SIZE_MAX + 1).read_to_end(&mut bytes))
+    };
+    read.map_err(|error| fault(format!("cannot be read: {error}")))?;
+    if bytes.len() as u64 > SIZE_MAX {
+        return Err(fault(format!("is larger than {} MiB", SIZE_MAX >> 20)));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        fault(format!(
+            "is not text: byte {} is not UTF-8",
+            error.utf8_error().valid_up_to() + 1
+        ))
+    })
+}
+
+/// Puts the rows of the file that `atmosphere.file` names in its place.
+fn resolve_atmosphere(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
+    let Some(Value::Text(name)) = case.values.get("atmosphere.file").cloned() else {
+        return;
+    };
+    case.values.remove("atmosphere.file");
+    if case.values.contains_key("atmosphere.table") {
+        faults.push(
+            "atmosphere.file: there is an atmosphere.table as well; give one of them".to_string(),
+        );
+        return;
+    }
+    let path = here.join(&name);
+    let rows = match text(&path) {
+        Ok(text) => csv::read(&text, Kind::Atmosphere),
+        Err(Failure::Input(messages)) => {
+            faults.extend(messages.iter().map(|m| format!("atmosphere.file: {m}")));
+            return;
+        }
+        Err(_) => return,
+    };
+    match rows {
+        Ok(rows) => {
+            case.values
+                .insert("atmosphere.table".to_string(), Value::Rows(rows));
+        }
+        Err(found) => faults.extend(
+            found
+                .iter()
+                .map(|fault| format!("atmosphere.file: {}: {fault}", path.display())),
+        ),
+    }
+}

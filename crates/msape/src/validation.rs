@@ -1,0 +1,293 @@
+//! The documented cases that ship with the program, solved and compared with their published or computed figures.
+//!
+//! Expectations are data: `data/validation/<name>.toml` names a case of the folder `cases` and lists quantities with
+//! their reference values, tolerances and the reasons of these. Whoever shows the comparison, the command or the page,
+//! computes it anew.
+
+mod file;
+mod points;
+
+pub use file::{Command, Expectation, File, Points, Tolerance};
+
+use crate::answer::Answer;
+use crate::case::Case;
+use crate::flight::Request;
+use crate::library::{DataError, Library, data_file, data_folder};
+use crate::quantity::{output, trajectory};
+use crate::units::Unit;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What came of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Within the tolerance.
+    Within,
+    /// Beyond the tolerance.
+    Beyond,
+    /// The quantity did not occur, or the case was refused.
+    Absent,
+    /// Shown for information, not judged.
+    Shown,
+}
+
+impl Verdict {
+    /// Name as in files and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Within => "within",
+            Verdict::Beyond => "beyond",
+            Verdict::Absent => "absent",
+            Verdict::Shown => "shown",
+        }
+    }
+
+    /// Whether it speaks against the program.
+    pub fn is_miss(self) -> bool {
+        matches!(self, Verdict::Beyond | Verdict::Absent)
+    }
+}
+
+/// One compared quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Name of the validation file, such as `msape-ref-m1`.
+    pub case: String,
+    /// Key of the quantity, as in answer or trajectory.
+    pub quantity: String,
+    /// Its label, with what was changed in the case for this row.
+    pub label: String,
+    /// Symbol of the unit of the numbers below.
+    pub unit: String,
+    /// Value to compare with.
+    pub reference: f64,
+    /// Value computed now.
+    pub ours: Option<f64>,
+    /// Ours less the reference.
+    pub difference: Option<f64>,
+    /// Largest difference allowed, in the same unit.
+    pub tolerance: Option<f64>,
+    /// The tolerance as it is written, such as `0.1 %`.
+    pub tolerance_text: String,
+    /// Why the tolerance is what it is; for a row that is only shown, why it is not judged.
+    pub reason: String,
+    /// Where the reference value comes from: key of the bibliography and place.
+    pub source: String,
+    /// Whether an assumption of the program was fitted to this value.
+    pub calibrated: bool,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// Why the case was refused, where it was.
+    pub fault: Option<String>,
+}
+
+/// The validation files that ship with the program, by name.
+///
+/// # Errors
+/// A file that cannot be read, which a test excludes.
+pub fn files() -> Result<Vec<(String, File)>, DataError> {
+    data_folder("validation")
+        .filter_map(|(path, text)| Some((path, text, path.strip_prefix("validation/")?)))
+        .filter_map(|(path, text, name)| Some((path, text, name.strip_suffix(".toml")?)))
+        .map(|(path, text, name)| match File::parse(text) {
+            Ok(file) => Ok((name.to_string(), file)),
+            Err(message) => Err(DataError {
+                file: path.to_string(),
+                message,
+            }),
+        })
+        .collect()
+}
+
+/// Every row of every file.
+///
+/// # Errors
+/// As [`files`].
+pub fn run(library: &Library) -> Result<Vec<Row>, DataError> {
+    let files = files()?;
+    let rows = files
+        .iter()
+        .map(|(name, file)| run_file(library, name, file));
+    Ok(rows.collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// The rows of one file.
+///
+/// # Errors
+/// A case file of the program that cannot be read, which a test excludes.
+pub fn run_file(library: &Library, name: &str, file: &File) -> Result<Vec<Row>, DataError> {
+    let runner = Runner::new(library, name, file)?;
+    let mut rows = runner.expectations();
+    for points in &file.points {
+        rows.push(points::row(&runner, points)?);
+    }
+    Ok(rows)
+}
+
+/// What it takes to solve the case of a file in its variants.
+struct Runner<'a> {
+    library: &'a Library,
+    name: &'a str,
+    file: &'a File,
+    case: Case,
+}
+
+impl<'a> Runner<'a> {
+    fn new(library: &'a Library, name: &'a str, file: &'a File) -> Result<Self, DataError> {
+        let path = format!("cases/{}", file.case);
+        let error = |message: String| DataError {
+            file: path.clone(),
+            message,
+        };
+        let text = data_file(&path).ok_or_else(|| error("is not there".to_string()))?;
+        let case = Case::from_text(text).map_err(|faults| error(joined(&faults)))?;
+        Ok(Runner {
+            library,
+            name,
+            file,
+            case,
+        })
+    }
+
+    /// Solves the case with some keys set; a refused case says why.
+    fn solve(&self, set: &BTreeMap<String, String>) -> Result<Answer, String> {
+        let mut case = self.case.clone();
+        for (key, text) in set {
+            case.set(key, text);
+        }
+        let request = self.file.step_s.map_or(Request::Nothing, Request::Uniform);
+        let answer = match self.file.command {
+            Command::Fly => crate::fly(&case, self.library, request),
+            Command::Design => crate::design(&case, self.library, request),
+        };
+        answer.map_err(|faults| joined(&faults))
+    }
+
+    fn expectations(&self) -> Vec<Row> {
+        // Rows with the same changes stand together and share one solution.
+        let mut solved: Option<(&BTreeMap<String, String>, Result<Answer, String>)> = None;
+        let mut rows = Vec::with_capacity(self.file.rows.len());
+        for expected in &self.file.rows {
+            let answer = match solved.take() {
+                Some((set, answer)) if *set == expected.set => answer,
+                _ => self.solve(&expected.set),
+            };
+            rows.push(self.row(expected, &answer));
+            solved = Some((&expected.set, answer));
+        }
+        rows
+    }
+
+    fn row(&self, expected: &Expectation, answer: &Result<Answer, String>) -> Row {
+        let unit = Unit::find(&expected.unit);
+        let ours = answer
+            .as_ref()
+            .ok()
+            .and_then(|answer| value(answer, &expected.quantity, expected.time_s))
+            .map(|x| unit.map_or(x, |unit| unit.from_canonical(x)));
+        let mut label = label_of(&expected.quantity);
+        if let Some(time_s) = expected.time_s {
+            label.push_str(&format!(" at {time_s} s"));
+        }
+        for (key, text) in &expected.set {
+            label.push_str(&format!(", {key} = {text}"));
+        }
+        Comparison {
+            expected,
+            label,
+            ours,
+            fault: answer.as_ref().err().cloned(),
+        }
+        .row(self)
+    }
+}
+
+/// A computed value beside its expectation.
+struct Comparison<'a> {
+    expected: &'a Expectation,
+    label: String,
+    ours: Option<f64>,
+    fault: Option<String>,
+}
+
+impl Comparison<'_> {
+    fn row(self, runner: &Runner) -> Row {
+        let Expectation {
+            quantity,
+            value,
+            unit,
+            tolerance,
+            calibrated,
+            note,
+            source,
+            place,
+            ..
+        } = self.expected;
+        let file = runner.file;
+        let tolerance = tolerance
+            .as_ref()
+            .and_then(|name| file.tolerances.get(name));
+        let allowed = tolerance.map(|tolerance| tolerance.allowed(*value));
+        let difference = self.ours.map(|ours| ours - value);
+        let verdict = match (difference, allowed) {
+            (_, None) => Verdict::Shown,
+            (None, Some(_)) => Verdict::Absent,
+            (Some(difference), Some(allowed)) if difference.abs() <= allowed => Verdict::Within,
+            _ => Verdict::Beyond,
+        };
+        let reasons = [tolerance.map(|t| t.reason.as_str()), note.as_deref()];
+        Row {
+            case: runner.name.to_string(),
+            quantity: quantity.clone(),
+            label: self.label,
+            unit: unit.clone(),
+            reference: *value,
+            ours: self.ours,
+            difference,
+            tolerance: allowed,
+            tolerance_text: tolerance.map_or_else(String::new, |t| t.text(unit)),
+            reason: reasons.into_iter().flatten().collect::<Vec<_>>().join(" "),
+            source: format!(
+                "{}, {}",
+                source.as_ref().unwrap_or(&file.source),
+                place.as_ref().unwrap_or(&file.place)
+            ),
+            calibrated: *calibrated,
+            verdict,
+            fault: self.fault,
+        }
+    }
+}
+
+/// A quantity of the answer, or of its trajectory at a time.
+fn value(answer: &Answer, key: &str, time_s: Option<f64>) -> Option<f64> {
+    let value = match time_s {
+        None => (output::find(key)?.get)(answer)?,
+        Some(time_s) => {
+            let trajectory = answer.flight.as_ref()?.trajectory.as_ref()?;
+            let row = trajectory
+                .column("time_s")?
+                .iter()
+                .position(|t| (t - time_s).abs() < 1e-6)?;
+            *trajectory.column(key)?.get(row)?
+        }
+    };
+    value.is_finite().then_some(value)
+}
+
+fn label_of(key: &str) -> String {
+    output::find(key)
+        .map(|output| output.label)
+        .or_else(|| trajectory::find(key).map(|column| column.label))
+        .unwrap_or(key)
+        .to_string()
+}
+
+fn joined(faults: &[crate::InputError]) -> String {
+    let all: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    all.join("; ")
+}
+
+#[cfg(test)]
+mod tests;
