@@ -4,10 +4,13 @@ use crate::components::chart_panel::save;
 use crate::files::{self, file_name};
 use crate::state::State;
 use leptos::prelude::*;
-use msape::Case;
+use msape::quantity::Job;
+use msape::table::kml::{Instant, kml};
+use msape::table::{self, Manner};
+use msape::{Answer, Case};
 
 /// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 struct Kind {
     button: &'static str,
     help: &'static str,
@@ -21,9 +24,40 @@ fn of_case(state: State, write: fn(&Case) -> String) -> Option<String> {
     Some(state.case.with_untracked(|case| write(case)))
 }
 
+/// The newest answer with the case that it belongs to, written.
+fn of_answer(state: State, write: impl FnOnce(&Case, &Answer) -> Option<String>) -> Option<String> {
+    let latest = state.latest.get_untracked()?;
+    write(&latest.case, &latest.answer)
+}
+
+fn results(state: State, manner: Manner) -> Option<String> {
+    of_answer(state, |case, answer| {
+        let solved = table::Solved { case, answer };
+        Some(table::results(&[solved], Job::Design, manner).to_csv())
+    })
+}
+
+fn trajectory(state: State, manner: Manner) -> Option<String> {
+    of_answer(state, |_, answer| {
+        let history = answer.flight.as_ref()?.trajectory.as_ref()?;
+        Some(table::history(history, manner).to_csv())
+    })
+}
+
+/// A flight has no date of its own: its track starts when the command line's does.
+const EPOCH: &str = "2000-01-01T12:00:00Z";
+
+fn track(state: State) -> Option<String> {
+    of_answer(state, |_, answer| kml(answer, Instant::parse(EPOCH)?))
+}
+
 const KINDS: &[Kind] = &[
     Kind { button: "Inputs (TOML)", help: "the case, for people and for the command line", suffix: "", extension: "toml", mime: "application/toml", text: |state| of_case(state, Case::to_toml) },
     Kind { button: "Inputs (JSON)", help: "the same for other programs", suffix: "", extension: "json", mime: "application/json", text: |state| of_case(state, Case::to_json) },
+    Kind { button: "Export Results to CSV", help: "the report's columns and units", suffix: "-results", extension: "csv", mime: "text/csv", text: |state| results(state, Manner::Report) },
+    Kind { button: "Results (CSV, SI)", help: "keys and SI units", suffix: "-results-si", extension: "csv", mime: "text/csv", text: |state| results(state, Manner::Si) },
+    Kind { button: "Trajectory (CSV)", help: "time history, keys and SI units", suffix: "-trajectory", extension: "csv", mime: "text/csv", text: |state| trajectory(state, Manner::Si) },
+    Kind { button: "Trajectory (KML)", help: "for viewers of the globe", suffix: "-trajectory", extension: "kml", mime: "application/vnd.google-earth.kml+xml", text: track },
 ];
 
 /// The buttons.
