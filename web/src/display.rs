@@ -29,14 +29,6 @@ impl UnitSystem {
         }
     }
 
-    /// What the name means.
-    pub fn help(self) -> &'static str {
-        match self {
-            UnitSystem::Seed => "units of the report",
-            UnitSystem::Si => "SI units",
-            UnitSystem::Us => "US customary units",
-        }
-    }
 
     /// Unit in which a quantity is shown whose unit in the report is `seed`.
     pub fn unit(self, dimension: Dimension, seed: &'static Unit) -> &'static Unit {

@@ -35,6 +35,8 @@ pub struct Section {
     pub top_mm: f64,
     /// See `top_mm`.
     pub bottom_mm: f64,
+    /// Height of the largest diameter, mm, downward positive.
+    pub shoulder_mm: f64,
 }
 
 /// Name of a component in classes of the style sheet.
@@ -74,6 +76,7 @@ pub fn section(vehicle: &Vehicle) -> Section {
         radius_mm,
         top_mm: nose_mm - height_mm,
         bottom_mm: nose_mm,
+        shoulder_mm: -vehicle.layout.outline.forebody.shoulder_center().x_m * MM,
     }
 }
 
@@ -97,7 +100,12 @@ fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) ->
             let out = (0.07 * radius_mm * (3.0 - *aft), -0.2 * radius_mm);
             ((at.0 + out.0, at.1 + out.1), Some(at))
         }
-        ComponentKind::Payload => ((0.0, middle(component).1), None),
+        // Left of the sign of the centre of gravity.
+        ComponentKind::Payload => {
+            let (x, y) = middle(component);
+            ((-x, y), None)
+        }
+        ComponentKind::ImpactShell => on_shell(component),
         _ => (middle(component), None),
     };
     Part {
@@ -133,6 +141,28 @@ fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
             (0.5 * (a.r_m + b.r_m) * MM, -0.5 * (a.x_m + b.x_m) * MM)
         }
         _ => (0.0, 0.0),
+    }
+}
+
+/// A point in the outermost arc of a shell, aft and outwards, and a place for its number further in.
+fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
+    let arcs = component
+        .profiles
+        .iter()
+        .flat_map(|profile| &profile.segments)
+        .filter_map(|segment| match segment {
+            Segment::Arc { center, radius_m, .. } => Some((*center, *radius_m)),
+            Segment::Line { .. } => None,
+        });
+    match arcs.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((center, radius_m)) => {
+            let at = |part: f64| {
+                let d = std::f64::consts::FRAC_1_SQRT_2 * part * radius_m;
+                ((center.r_m + d) * MM, -(center.x_m + d) * MM)
+            };
+            (at(0.8), Some(at(0.995)))
+        }
+        None => (middle(component), None),
     }
 }
 

@@ -59,6 +59,10 @@ pub fn ChartPanel(
                 } else {
                     view! { <h3>{title}</h3> }.into_any()
                 }}
+            </figcaption>
+            <Chart title spec=spec.into() figure points focused />
+            <div class="chart-foot">
+                <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading().unwrap_or_else(|| "\u{a0}".to_string())}</p>
                 <div class="tools">
                     <button type="button" class="small" aria-pressed=move || table_open.get().to_string()
                         aria-label=move || format!("Table of {}", title.get())
@@ -70,9 +74,7 @@ pub fn ChartPanel(
                     <button type="button" class="small" aria-label=move || format!("CSV of {}", title.get())
                         on:click=move |_| save(state, files::download(&name("csv"), "text/csv", &csv(&figure.get_untracked())))>"CSV"</button>
                 </div>
-            </figcaption>
-            <Chart title spec=spec.into() figure points focused />
-            <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading().unwrap_or_else(|| "\u{a0}".to_string())}</p>
+            </div>
             <Show when=move || table_open.get() fallback=|| ()>
                 <ChartTable figure title />
             </Show>

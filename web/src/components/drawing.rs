@@ -99,9 +99,9 @@ fn sheet(
 ) -> impl IntoView {
     let d = vehicle.dimensions;
     let r = section.radius_mm;
-    let (left, right) = (-1.3 * r, 1.42 * r);
-    let (top, bottom) = (section.top_mm - 0.22 * r, section.bottom_mm + 0.42 * r);
-    let font = 0.062 * r;
+    let (left, right) = (-1.32 * r, 1.58 * r);
+    let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
+    let font = 0.084 * r;
     let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
     let description = describe(&d, units);
     let parts = section.parts.iter().enumerate().map(|(i, part)| {
@@ -132,13 +132,13 @@ fn sheet(
             {parts}
             <path class="outline" d=section.outline.clone()></path>
             <g style:display=move || if shows(Layer::Dimensions) { "" } else { "none" } font-size=font>
-                {dimension_lines(&d, section, units, font)}
+                {dimension_lines(&d, section, units, left, font)}
                 {scale_bar(section, units, left, bottom, font)}
             </g>
             <g style:display=move || if shows(Layer::CentreOfGravity) { "" } else { "none" } font-size=font>
                 <circle class="cg" cx="0" cy=cg_mm r=0.5 * font></circle>
                 <path class="cg-quarter" d=quarters(cg_mm, 0.5 * font)></path>
-                <text x=0.75 * font y=cg_mm class="number cg-label" text-anchor="start" stroke-width=0.25 * font>"CG"</text>
+                <text x=0.7 * font y=cg_mm class="number cg-label" text-anchor="start" stroke-width=0.25 * font>"CG"</text>
             </g>
         </svg>
     }
@@ -171,9 +171,15 @@ fn describe(d: &Dimensions, units: UnitSystem) -> String {
     )
 }
 
-fn dimension_lines(d: &Dimensions, section: &Section, units: UnitSystem, font: f64) -> impl IntoView + use<> {
+fn dimension_lines(
+    d: &Dimensions,
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    font: f64,
+) -> impl IntoView + use<> {
     let r = section.radius_mm;
-    let y = section.bottom_mm + 0.2 * r;
+    let y = section.bottom_mm + 0.26 * r;
     let x = 1.16 * r;
     let a = 0.35 * font;
     let (top, bottom) = (section.top_mm, section.bottom_mm);
@@ -182,7 +188,7 @@ fn dimension_lines(d: &Dimensions, section: &Section, units: UnitSystem, font: f
     // On the nose sphere, 20 deg off the axis, to the left.
     let (nx, ny) = (-nose_r * 0.342, section.bottom_mm - nose_r * (1.0 - 0.940));
     let shoulder_r = d.shoulder_radius_m * 1e3;
-    let shoulder_y = shoulder_height(d, section);
+    let shoulder_y = section.shoulder_mm;
     view! {
         <g class="dimensions">
             <path class="dimension" d=format!("M{} {}V{}M{r} {}V{}M{} {y}H{r}", -r, shoulder_y + 0.03 * r, y + a, shoulder_y + 0.03 * r, y + a, -r)></path>
@@ -191,19 +197,12 @@ fn dimension_lines(d: &Dimensions, section: &Section, units: UnitSystem, font: f
             <path class="dimension" d=format!("M{} {top}H{}M{} {bottom}H{}M{x} {top}V{bottom}", 0.05 * r, x + a, 0.05 * r, x + a)></path>
             <path class="arrow" d=format!("M{x} {top}l{} {}h{}ZM{x} {bottom}l{} {}h{}Z", -0.5 * a, 2.0 * a, a, -0.5 * a, -2.0 * a, a)></path>
             <text x=x + 0.4 * font y=middle text-anchor="start" dominant-baseline="central">{length(d.vehicle_height_m, units)}</text>
-            <path class="leader" d=format!("M{nx} {ny}L{} {}", nx - 0.14 * r, ny + 0.16 * r)></path>
-            <text x=nx - 0.16 * r y=ny + 0.2 * r text-anchor="end">{format!("nose R {}", length(d.nose_radius_m, units))}</text>
-            <path class="leader" d=format!("M{} {}L{} {}", -r + 0.3 * shoulder_r, shoulder_y - 0.7 * shoulder_r, -r - 0.02 * r, shoulder_y - 0.3 * r)></path>
-            <text x=-r - 0.02 * r y=shoulder_y - 0.34 * r text-anchor="middle">{format!("shoulder R {}", length(d.shoulder_radius_m, units))}</text>
+            <path class="leader" d=format!("M{nx} {ny}L{} {}", nx - 0.12 * r, ny + 0.1 * r)></path>
+            <text x=nx - 0.14 * r y=ny + 0.14 * r text-anchor="end">{format!("nose R {}", length(d.nose_radius_m, units))}</text>
+            <path class="leader" d=format!("M{} {}L{} {}", -r + 0.3 * shoulder_r, shoulder_y - 0.7 * shoulder_r, -r, shoulder_y - 0.22 * r)></path>
+            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("shoulder R {}", length(d.shoulder_radius_m, units))}</text>
         </g>
     }
-}
-
-/// Height of the largest diameter on the drawing, mm: the shoulder's centre, from the outline's own geometry.
-fn shoulder_height(d: &Dimensions, section: &Section) -> f64 {
-    let cone_mm = 1e3 * (0.5 * d.diameter_m - d.shoulder_radius_m);
-    // The drawing needs only a height near it: the cone is 30 deg steep to the plane of the largest diameter.
-    section.bottom_mm + 1e3 * d.virtual_apex_ahead_m - cone_mm / 3.0_f64.sqrt()
 }
 
 fn scale_bar(section: &Section, units: UnitSystem, left: f64, bottom: f64, font: f64) -> impl IntoView + use<> {

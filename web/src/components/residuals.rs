@@ -38,8 +38,9 @@ pub fn Residuals() -> impl IntoView {
     view! {
         <div class="residuals">
             <Chart title spec figure points focused=RwSignal::new(false) still=true />
+            <div tabindex="0" role="region" aria-label="Passes">
             <table class="outputs">
-                <caption>"Passes"</caption>
+                <caption class="hidden-visually">"Passes"</caption>
                 <thead><tr><th scope="col">"Pass"</th><th scope="col">"Flight model"</th><th scope="col">"Entry mass (kg)"</th><th scope="col">"Change (kg)"</th></tr></thead>
                 <tbody>
                     {move || passes.get().unwrap_or_default().into_iter().map(|pass| view! {
@@ -52,6 +53,7 @@ pub fn Residuals() -> impl IntoView {
                     }).collect_view()}
                 </tbody>
             </table>
+            </div>
         </div>
     }
 }
