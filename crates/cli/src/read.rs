@@ -1,9 +1,9 @@
 //! Reads a case from a file or from standard input, with what the command line sets and the files it names.
 
 use crate::failure::Failure;
-use msape::{Case, InputError};
 use msape::case::Value;
 use msape::planet::atmosphere::csv::{self, Kind};
+use msape::{Case, InputError};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -14,7 +14,9 @@ const SIZE_MAX: u64 = 64 * 1024 * 1024;
 /// The case of `path` with `settings` applied, and faults found on the way that do not keep it from being checked.
 pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Failure> {
     let unreadable = |faults: Vec<InputError>| {
-        let named = faults.iter().map(|fault| format!("{}: {fault}", display(path)));
+        let named = faults
+            .iter()
+            .map(|fault| format!("{}: {fault}", display(path)));
         Failure::Input(named.collect())
     };
     let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;

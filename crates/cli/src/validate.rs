@@ -94,7 +94,12 @@ fn section(name: &str, file: &File, rows: &[Row], paint: Paint) -> String {
     for row in rows {
         table.push(cells(row, &source, &mut notes));
     }
-    let mut text = format!("{}  {} {}\n", paint.heading(name), file.title, paint.faint(&format!("[{source}]")));
+    let mut text = format!(
+        "{}  {} {}\n",
+        paint.heading(name),
+        file.title,
+        paint.faint(&format!("[{source}]"))
+    );
     for (i, line) in table.lines().enumerate() {
         let line = match i
             .checked_sub(1)

@@ -125,6 +125,9 @@ pub fn run_file(library: &Library, name: &str, file: &File) -> Result<Vec<Row>, 
     Ok(rows)
 }
 
+/// Keys of the case that a row sets, as text.
+type Settings = BTreeMap<String, String>;
+
 /// What it takes to solve the case of a file in its variants.
 struct Runner<'a> {
     library: &'a Library,
@@ -151,7 +154,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Solves the case with some keys set; a refused case says why.
-    fn solve(&self, set: &BTreeMap<String, String>) -> Result<Answer, String> {
+    fn solve(&self, set: &Settings) -> Result<Answer, String> {
         let mut case = self.case.clone();
         for (key, text) in set {
             case.set(key, text);
@@ -166,7 +169,7 @@ impl<'a> Runner<'a> {
 
     fn expectations(&self) -> Vec<Row> {
         // Rows with the same changes stand together and share one solution.
-        let mut solved: Option<(&BTreeMap<String, String>, Result<Answer, String>)> = None;
+        let mut solved: Option<(&Settings, Result<Answer, String>)> = None;
         let mut rows = Vec::with_capacity(self.file.rows.len());
         for expected in &self.file.rows {
             let answer = match solved.take() {

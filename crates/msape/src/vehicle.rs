@@ -160,7 +160,14 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         thickness_m: required_foam_m.max(input.rules.foam_thickness_min_m),
         density_kg_m3: match input.densities.impact_foam_kg_m3 {
             Some(density) => density,
-            None => impact::foam_density_kg_m3(&input.foam_grades, foam_strength_pa).unwrap_or(0.0),
+            None => {
+                let panels = match input.concept {
+                    Concept::Msr => input.densities.impact_panels_kg_m3,
+                    Concept::NonMsr => 0.0,
+                };
+                let grade = impact::foam_density_kg_m3(&input.foam_grades, foam_strength_pa);
+                grade.unwrap_or(0.0) + panels
+            }
         },
     };
     let (diameter_m, closed) = smallest_that_closes(input, foam)?;

@@ -17,12 +17,20 @@ fn a_flight_is_answered_as_one_object() {
     let answer = object(&finished.out);
     assert_eq!(answer["outcome"], "landed");
     // 29.84381 by an independent integration, within 0.1 %.
-    let peak = answer["results"]["peak_deceleration_earth_g"].as_f64().unwrap();
+    let peak = answer["results"]["peak_deceleration_earth_g"]
+        .as_f64()
+        .unwrap();
     assert!((peak / 29.84381 - 1.0).abs() < 1e-3, "{peak}");
-    assert_eq!(answer["results"]["peak_radiative_heat_flux_w_m2"], Value::Null);
+    assert_eq!(
+        answer["results"]["peak_radiative_heat_flux_w_m2"],
+        Value::Null
+    );
     let history = answer["trajectory"].as_object().unwrap();
     let times = history["time_s"].as_array().unwrap();
-    assert_eq!((times[0].as_f64(), times[1].as_f64()), (Some(0.0), Some(60.0)));
+    assert_eq!(
+        (times[0].as_f64(), times[1].as_f64()),
+        (Some(0.0), Some(60.0))
+    );
     assert_eq!(times.last(), Some(&answer["results"]["time_of_flight_s"]));
     for (key, values) in history {
         assert_eq!(values.as_array().unwrap().len(), times.len(), "{key}");
@@ -34,8 +42,14 @@ fn the_same_bits_come_from_toml_json_and_standard_input() {
     let text = fs::read_to_string(root().join(M2)).unwrap();
     let json = msape::Case::from_text(&text).unwrap().to_json();
     let from_file = msape(&["fly", M2, "--json"]).out;
-    assert_eq!(msape_with(&["fly", "-", "--json"], text.as_bytes()).out, from_file);
-    assert_eq!(msape_with(&["fly", "-", "--json"], json.as_bytes()).out, from_file);
+    assert_eq!(
+        msape_with(&["fly", "-", "--json"], text.as_bytes()).out,
+        from_file
+    );
+    assert_eq!(
+        msape_with(&["fly", "-", "--json"], json.as_bytes()).out,
+        from_file
+    );
     let set = msape(&["fly", M2, "--json", "--set", "entry.speed_m_s=12 km/s"]).out;
     assert_eq!(set, from_file);
 }
@@ -61,7 +75,11 @@ fn a_track_is_written_as_kml() {
     let finished = msape(&["fly", M2, "--kml", "--epoch", "2030-05-01T00:00:00Z"]);
     assert_eq!(finished.code, Some(0));
     assert!(finished.out.starts_with("<?xml"));
-    assert!(finished.out.contains("<when>2030-05-01T00:00:00.000Z</when>"));
+    assert!(
+        finished
+            .out
+            .contains("<when>2030-05-01T00:00:00.000Z</when>")
+    );
     assert!(finished.out.contains("<name>Peak heating</name>"));
 }
 
@@ -70,12 +88,23 @@ fn a_file_is_replaced_as_a_whole_or_not_at_all() {
     let here = folder("replace");
     let out = here.join("answer.json");
     fs::write(&out, "before").unwrap();
-    let bad = msape(&["fly", M2, "--json", "-o", path(&out), "--set", "vehicle.mass_kg=-1"]);
+    let bad = msape(&[
+        "fly",
+        M2,
+        "--json",
+        "-o",
+        path(&out),
+        "--set",
+        "vehicle.mass_kg=-1",
+    ]);
     assert_eq!(bad.code, Some(2));
     assert_eq!(fs::read_to_string(&out).unwrap(), "before");
     let good = msape(&["fly", M2, "--json", "-o", path(&out)]);
     assert_eq!((good.code, good.out.as_str()), (Some(0), ""));
-    assert_eq!(fs::read_to_string(&out).unwrap(), msape(&["fly", M2, "--json"]).out);
+    assert_eq!(
+        fs::read_to_string(&out).unwrap(),
+        msape(&["fly", M2, "--json"]).out
+    );
     assert_eq!(fs::read_dir(&here).unwrap().count(), 1);
 }
 
@@ -84,26 +113,56 @@ fn an_atmosphere_file_is_found_beside_the_case() {
     let here = folder("atmosphere");
     let case = fs::read_to_string(root().join(M2)).unwrap();
     let case = case.replace("atmosphere = \"us-1976\"\n", "");
-    fs::write(here.join("case.toml"), format!("{case}\n[atmosphere]\nfile = \"air.csv\"\n")).unwrap();
-    fs::write(here.join("air.csv"), "# two heights\naltitude (km), density (kg/m3)\n0, 1.225\n100, 5e-7\n").unwrap();
+    fs::write(
+        here.join("case.toml"),
+        format!("{case}\n[atmosphere]\nfile = \"air.csv\"\n"),
+    )
+    .unwrap();
+    fs::write(
+        here.join("air.csv"),
+        "# two heights\naltitude (km), density (kg/m3)\n0, 1.225\n100, 5e-7\n",
+    )
+    .unwrap();
     let inline = format!("{case}\n[atmosphere]\ntable = [[0.0, 1.225], [1e5, 5e-7]]\n");
     let of_file = msape(&["fly", path(&here.join("case.toml")), "--json"]);
     assert_eq!((of_file.code, of_file.err.as_str()), (Some(0), ""));
-    assert_eq!(of_file.out, msape_with(&["fly", "-", "--json"], inline.as_bytes()).out);
-    fs::write(here.join("air.csv"), "altitude (km), density (kg/m3)\n0, dense\n").unwrap();
+    assert_eq!(
+        of_file.out,
+        msape_with(&["fly", "-", "--json"], inline.as_bytes()).out
+    );
+    fs::write(
+        here.join("air.csv"),
+        "altitude (km), density (kg/m3)\n0, dense\n",
+    )
+    .unwrap();
     let refused = msape(&["fly", path(&here.join("case.toml")), "--json"]);
     assert_eq!(refused.code, Some(2));
     assert!(refused.err.contains("air.csv: line 2"), "{}", refused.err);
     fs::remove_file(here.join("air.csv")).unwrap();
-    let refused = msape(&["fly", path(&here.join("case.toml")), "--set", "vehicle.mass_kg=-1"]);
-    assert!(refused.err.contains("air.csv: cannot be read") && refused.err.contains("vehicle.mass_kg"), "{}", refused.err);
+    let refused = msape(&[
+        "fly",
+        path(&here.join("case.toml")),
+        "--set",
+        "vehicle.mass_kg=-1",
+    ]);
+    assert!(
+        refused.err.contains("air.csv: cannot be read") && refused.err.contains("vehicle.mass_kg"),
+        "{}",
+        refused.err
+    );
 }
 
 #[test]
 fn tables_to_read_name_outcome_and_modules() {
     let finished = msape(&["fly", "cases/stardust.toml"]);
-    assert!(finished.out.starts_with("Stardust: landed\n"), "{}", finished.out);
-    assert!(finished.out.contains("\nFlight mechanics\n") && finished.out.contains("\nAerothermal\n"));
+    assert!(
+        finished.out.starts_with("Stardust: landed\n"),
+        "{}",
+        finished.out
+    );
+    assert!(
+        finished.out.contains("\nFlight mechanics\n") && finished.out.contains("\nAerothermal\n")
+    );
     assert!(!finished.out.contains('\u{1b}'));
 }
 
@@ -127,9 +186,21 @@ fn help_and_lists_come_from_the_quantities() {
     assert!(msape(&["--help"]).out.contains("Examples:"));
     assert!(msape(&["--version"]).out.starts_with("msape "));
     let inputs = msape(&["quantities", "inputs"]).out;
-    assert!(inputs.lines().any(|l| l.starts_with("entry.speed_m_s") && l.contains("0 to 100000")));
-    assert!(msape(&["quantities", "outputs"]).out.contains("peak_deceleration_earth_g"));
-    assert!(msape(&["quantities", "trajectory"]).out.contains("altitude_m"));
+    assert!(
+        inputs
+            .lines()
+            .any(|l| l.starts_with("entry.speed_m_s") && l.contains("0 to 100000"))
+    );
+    assert!(
+        msape(&["quantities", "outputs"])
+            .out
+            .contains("peak_deceleration_earth_g")
+    );
+    assert!(
+        msape(&["quantities", "trajectory"])
+            .out
+            .contains("altitude_m")
+    );
 }
 
 #[test]
@@ -139,7 +210,16 @@ fn validation_judges_and_tells_by_its_exit_code() {
     let object = object(&finished.out);
     assert_eq!(object["misses"], 0);
     assert!(object["judged"].as_u64().unwrap() > 15);
-    assert!(object["rows"].as_array().unwrap().iter().any(|row| row["verdict"] == "shown"));
+    assert!(
+        object["rows"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|row| row["verdict"] == "shown")
+    );
     let table = msape(&["validate", "nesc-06"]).out;
-    assert!(table.contains("within (1)") && table.contains("Six tools agree within 0.9 ft."), "{table}");
+    assert!(
+        table.contains("within (1)") && table.contains("Six tools agree within 0.9 ft."),
+        "{table}"
+    );
 }

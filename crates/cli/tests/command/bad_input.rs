@@ -1,6 +1,6 @@
 //! Each fault is named with key, value, range and unit; nothing is written; the code is 2.
 
-use crate::{M2, Finished, folder, msape, msape_with, path};
+use crate::{Finished, M2, folder, msape, msape_with, path};
 use std::fs;
 
 #[track_caller]
@@ -13,13 +13,31 @@ fn refused(finished: &Finished, said: &str) {
 #[test]
 fn faulty_values_are_named_with_range_and_unit() {
     let faults = [
-        ("vehicle.mass_kg=-46", "vehicle.mass_kg: got -46 kg, must be above 0 kg"),
-        ("vehicle.mass_kg=nan", "vehicle.mass_kg: got NaN kg, must be above 0 kg"),
-        ("vehicle.mass_kg=46 m", "vehicle.mass_kg: unit \"m\" does not fit here: use one of kg, g, lb, slug"),
-        ("vehicle.mass_kg=", "vehicle.mass_kg: missing; Mass must be above 0 kg"),
-        ("entry.speed_km_s=12", "entry.speed_km_s: unknown key; the nearest known key is entry.speed_m_s, in m/s"),
+        (
+            "vehicle.mass_kg=-46",
+            "vehicle.mass_kg: got -46 kg, must be above 0 kg",
+        ),
+        (
+            "vehicle.mass_kg=nan",
+            "vehicle.mass_kg: got NaN kg, must be above 0 kg",
+        ),
+        (
+            "vehicle.mass_kg=46 m",
+            "vehicle.mass_kg: unit \"m\" does not fit here: use one of kg, g, lb, slug",
+        ),
+        (
+            "vehicle.mass_kg=",
+            "vehicle.mass_kg: missing; Mass must be above 0 kg",
+        ),
+        (
+            "entry.speed_km_s=12",
+            "entry.speed_km_s: unknown key; the nearest known key is entry.speed_m_s, in m/s",
+        ),
         ("entry.planet=erth", "did you mean \"earth\"?"),
-        ("entry.latitude_deg=91", "entry.latitude_deg: got 91 deg, must be -90 to 90 deg"),
+        (
+            "entry.latitude_deg=91",
+            "entry.latitude_deg: got 91 deg, must be -90 to 90 deg",
+        ),
         ("speed", "--set speed: must be KEY=VALUE"),
     ];
     for (setting, said) in faults {
@@ -29,7 +47,16 @@ fn faulty_values_are_named_with_range_and_unit() {
 
 #[test]
 fn all_faults_are_told_at_once() {
-    let finished = msape(&["fly", M2, "--set", "vehicle.mass_kg=-1", "--set", "entry.latitude_deg=100", "--set", "x=1"]);
+    let finished = msape(&[
+        "fly",
+        M2,
+        "--set",
+        "vehicle.mass_kg=-1",
+        "--set",
+        "entry.latitude_deg=100",
+        "--set",
+        "x=1",
+    ]);
     refused(&finished, "vehicle.mass_kg");
     refused(&finished, "entry.latitude_deg");
     refused(&finished, "x: unknown key");
@@ -37,7 +64,12 @@ fn all_faults_are_told_at_once() {
 
 #[test]
 fn a_design_does_not_start_upwards() {
-    let finished = msape(&["design", "cases/run-page.toml", "--set", "entry.flight_path_angle_deg=5"]);
+    let finished = msape(&[
+        "design",
+        "cases/run-page.toml",
+        "--set",
+        "entry.flight_path_angle_deg=5",
+    ]);
     refused(&finished, "entry.flight_path_angle_deg: got 5 deg");
 }
 
@@ -46,10 +78,19 @@ fn atmosphere_tables_are_checked() {
     let table = |rows: &str| {
         let case = fs::read_to_string(crate::root().join(M2)).unwrap();
         let case = case.replace("atmosphere = \"us-1976\"\n", "");
-        msape_with(&["fly", "-"], format!("{case}\n[atmosphere]\ntable = {rows}\n").as_bytes())
+        msape_with(
+            &["fly", "-"],
+            format!("{case}\n[atmosphere]\ntable = {rows}\n").as_bytes(),
+        )
     };
-    refused(&table("[[0.0, 1.2], [2e4, 0.1], [1e4, 0.4]]"), "atmosphere.table: row 3");
-    refused(&table("[[0.0, 1.2], [1e4, -0.4]]"), "atmosphere.table: row 2");
+    refused(
+        &table("[[0.0, 1.2], [2e4, 0.1], [1e4, 0.4]]"),
+        "atmosphere.table: row 3",
+    );
+    refused(
+        &table("[[0.0, 1.2], [1e4, -0.4]]"),
+        "atmosphere.table: row 2",
+    );
     assert_eq!(table("[[0.0, 1.225], [1e5, 5e-7]]").code, Some(0));
 }
 
@@ -60,14 +101,35 @@ fn files_that_are_no_cases_say_so() {
         fs::write(here.join(name), bytes).unwrap();
         msape(&["fly", path(&here.join(name)), "-o", path(&here.join("out"))])
     };
-    refused(&file("empty.toml", b""), "the file is empty; a case starts with schema = \"msape/1\"");
-    refused(&file("newer.toml", b"schema = \"msape/2\"\n"), "the case was written for a newer program");
-    refused(&file("words.toml", &b"garbage ".repeat(1_250_000)), "this is not TOML that can be read");
-    refused(&file("random.bin", &[0x80; 10_000_000]), "is not text: byte 1 is not UTF-8");
-    refused(&file("open.toml", &b"[".repeat(10_000_000)), "this is not TOML that can be read");
-    refused(&file("deep.json", &b"{\"a\":".repeat(100_000)), "this is not JSON that can be read");
+    refused(
+        &file("empty.toml", b""),
+        "the file is empty; a case starts with schema = \"msape/1\"",
+    );
+    refused(
+        &file("newer.toml", b"schema = \"msape/2\"\n"),
+        "the case was written for a newer program",
+    );
+    refused(
+        &file("words.toml", &b"garbage ".repeat(1_250_000)),
+        "this is not TOML that can be read",
+    );
+    refused(
+        &file("random.bin", &[0x80; 10_000_000]),
+        "is not text: byte 1 is not UTF-8",
+    );
+    refused(
+        &file("open.toml", &b"[".repeat(10_000_000)),
+        "this is not TOML that can be read",
+    );
+    refused(
+        &file("deep.json", &b"{\"a\":".repeat(100_000)),
+        "this is not JSON that can be read",
+    );
     refused(&msape(&["fly", path(&here)]), "is a folder");
-    refused(&msape(&["fly", "nowhere.toml"]), "nowhere.toml: cannot be read");
+    refused(
+        &msape(&["fly", "nowhere.toml"]),
+        "nowhere.toml: cannot be read",
+    );
     refused(&msape_with(&["fly", "-"], b""), "standard input");
     assert!(!here.join("out").exists());
 }
@@ -86,17 +148,35 @@ fn many_faults_are_counted_not_printed() {
 
 #[test]
 fn a_terminal_is_not_steered_by_a_case() {
-    let finished = msape_with(&["fly", "-"], b"schema = \"msape/1\"\n[entry]\nplanet = \"\\u001b[2J\"\n");
+    let finished = msape_with(
+        &["fly", "-"],
+        b"schema = \"msape/1\"\n[entry]\nplanet = \"\\u001b[2J\"\n",
+    );
     refused(&finished, "entry.planet");
     assert!(!finished.err.contains('\u{1b}'));
 }
 
 #[test]
 fn arguments_are_checked() {
-    refused(&msape(&["fly", M2, "--trajectory-step", "0"]), "must be 0.001 to 100000 s");
+    refused(
+        &msape(&["fly", M2, "--trajectory-step", "0"]),
+        "must be 0.001 to 100000 s",
+    );
     refused(&msape(&["fly", M2, "--trajectory-step", "soon"]), "soon");
-    refused(&msape(&["fly", M2, "--kml", "--epoch", "tomorrow"]), "2006-01-15T09:57:00Z");
-    refused(&msape(&["fly", M2, "--json", "--csv"]), "cannot be used with");
-    refused(&msape(&["validate", "stardst"]), "there is no comparison \"stardst\"");
-    refused(&msape(&["fly", M2, "-o", "/nowhere/at/all.json"]), "cannot write /nowhere/at/all.json");
+    refused(
+        &msape(&["fly", M2, "--kml", "--epoch", "tomorrow"]),
+        "2006-01-15T09:57:00Z",
+    );
+    refused(
+        &msape(&["fly", M2, "--json", "--csv"]),
+        "cannot be used with",
+    );
+    refused(
+        &msape(&["validate", "stardst"]),
+        "there is no comparison \"stardst\"",
+    );
+    refused(
+        &msape(&["fly", M2, "-o", "/nowhere/at/all.json"]),
+        "cannot write /nowhere/at/all.json",
+    );
 }

@@ -28,10 +28,16 @@ fn faults(schema: &Value, value: &Value, at: &str) -> Vec<String> {
     {
         fault("range");
     }
-    if schema["enum"].as_array().is_some_and(|names| !names.contains(value)) {
+    if schema["enum"]
+        .as_array()
+        .is_some_and(|names| !names.contains(value))
+    {
         fault("enum");
     }
-    if schema.get("const").is_some_and(|constant| constant != value) {
+    if schema
+        .get("const")
+        .is_some_and(|constant| constant != value)
+    {
         fault("const");
     }
     if let Some(map) = value.as_object() {
@@ -42,14 +48,18 @@ fn faults(schema: &Value, value: &Value, at: &str) -> Vec<String> {
         }
     }
     if let Some(choices) = schema["anyOf"].as_array()
-        && choices.iter().all(|choice| !faults(choice, value, at).is_empty())
+        && choices
+            .iter()
+            .all(|choice| !faults(choice, value, at).is_empty())
     {
         fault("anyOf");
     }
     for (name, child) in value.as_object().into_iter().flatten() {
         match schema["properties"].get(name) {
             Some(schema) => found.extend(faults(schema, child, &format!("{at}.{name}"))),
-            None if schema["additionalProperties"] == json!(false) => found.push(format!("{at}.{name}: unknown")),
+            None if schema["additionalProperties"] == json!(false) => {
+                found.push(format!("{at}.{name}: unknown"))
+            }
             None => {}
         }
     }
@@ -68,12 +78,20 @@ fn schema() -> Value {
 #[test]
 fn every_shipped_case_follows_the_schema() {
     let schema = schema();
-    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    assert_eq!(
+        schema["$schema"],
+        "https://json-schema.org/draft/2020-12/schema"
+    );
     let mut count = 0;
     for entry in fs::read_dir(root().join("cases")).unwrap() {
         let path = entry.unwrap().path();
         let case: Value = toml::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
-        assert_eq!(faults(&schema, &case, ""), Vec::<String>::new(), "{}", path.display());
+        assert_eq!(
+            faults(&schema, &case, ""),
+            Vec::<String>::new(),
+            "{}",
+            path.display()
+        );
         count += 1;
     }
     assert!(count >= 15);
@@ -91,12 +109,24 @@ fn what_the_program_refuses_the_schema_refuses() {
         *case.pointer_mut(pointer).unwrap() = value;
         faults(&schema, &case, "")
     };
-    assert_eq!(changed("/vehicle/mass_kg", json!(-1.0)), [".vehicle.mass_kg: anyOf"]);
+    assert_eq!(
+        changed("/vehicle/mass_kg", json!(-1.0)),
+        [".vehicle.mass_kg: anyOf"]
+    );
     assert_eq!(changed("/schema", json!("msape/2")), [".schema: const"]);
-    assert_eq!(changed("/vehicle", json!({ "mass_kg": 1.0 })), [".vehicle: without \"nose_radius_m\""]);
-    assert_eq!(changed("/entry/speed_m_s", json!(true)), [".entry.speed_m_s: anyOf"]);
+    assert_eq!(
+        changed("/vehicle", json!({ "mass_kg": 1.0 })),
+        [".vehicle: without \"nose_radius_m\""]
+    );
+    assert_eq!(
+        changed("/entry/speed_m_s", json!(true)),
+        [".entry.speed_m_s: anyOf"]
+    );
     let mut unknown = good.clone();
     unknown["entry"]["speed_km_s"] = json!(12.0);
     unknown["entry"]["planet"] = json!("vulcan");
-    assert_eq!(faults(&schema, &unknown, ""), [".entry.speed_km_s: unknown", ".entry.planet: enum"]);
+    assert_eq!(
+        faults(&schema, &unknown, ""),
+        [".entry.speed_km_s: unknown", ".entry.planet: enum"]
+    );
 }

@@ -2,7 +2,8 @@
 
 use super::{Answer, Outcome};
 use crate::finding::{Adjustment, Finding, Severity};
-use crate::flight::{Flight, LocalVelocity, Peak, Trajectory};
+use crate::flight::{Flight, Peak, Trajectory};
+use crate::planet::horizon::Velocity;
 use crate::quantity::trajectory::columns;
 
 fn peak(value: f64, time_s: f64) -> Peak {
@@ -17,7 +18,7 @@ fn peak(value: f64, time_s: f64) -> Peak {
 
 /// A flight of three rows across the date line, with a name that must be quoted, without radiation.
 pub fn flight() -> Answer {
-    let velocity = LocalVelocity {
+    let velocity = Velocity {
         speed_m_s: 12_000.0,
         flight_path_angle_rad: -0.125,
         azimuth_rad: 1.5,

@@ -168,6 +168,7 @@ impl Densities {
     fn fillings(&mut self, of_data: ComponentDensities) -> ComponentDensities {
         ComponentDensities {
             impact_foam_kg_m3: self.impact_foam.or(of_data.impact_foam_kg_m3),
+            impact_panels_kg_m3: of_data.impact_panels_kg_m3,
             impact_shell_kg_m3: self.impact_shell.unwrap_or(of_data.impact_shell_kg_m3),
             body_foam_kg_m3: self.body_foam.unwrap_or(of_data.body_foam_kg_m3),
             lid_insulation_kg_m3: self.lid_insulation.unwrap_or(of_data.lid_insulation_kg_m3),

@@ -19,11 +19,11 @@ pub(super) fn row(runner: &Runner, points: &Points) -> Result<Row, DataError> {
         })?;
     let mut sum = 0.0;
     let mut fault = None;
-    for (set, measured) in &table {
-        match runner.solve(set) {
+    for point in &table {
+        match runner.solve(&point.set) {
             // The start of the flight is the point; what the quantity is there needs no flying.
             Ok(answer) => match value(&answer, &points.expected.quantity, Some(0.0)) {
-                Some(ours) => sum += ours / measured,
+                Some(ours) => sum += ours / point.measured,
                 None => fault = fault.or_else(|| Some("the quantity did not occur".to_string())),
             },
             Err(message) => fault = fault.or(Some(message)),
@@ -44,8 +44,16 @@ pub(super) fn row(runner: &Runner, points: &Points) -> Result<Row, DataError> {
     Ok(comparison.row(runner))
 }
 
-/// For each line of the table with all its values: keys to set, and the measured value.
-fn rows(text: &str, points: &Points) -> Result<Vec<(BTreeMap<String, String>, f64)>, String> {
+/// A line of the table.
+struct Point {
+    /// Keys of the case to set.
+    set: BTreeMap<String, String>,
+    /// The measured value.
+    measured: f64,
+}
+
+/// The lines of the table that have all their values.
+fn rows(text: &str, points: &Points) -> Result<Vec<Point>, String> {
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
@@ -56,7 +64,7 @@ fn rows(text: &str, points: &Points) -> Result<Vec<(BTreeMap<String, String>, f6
             .position(|header| header == name)
             .ok_or_else(|| format!("no column is called \"{name}\""))
     };
-    let measured = column(&points.measured)?;
+    let measured_in = column(&points.measured)?;
     let keys: Vec<(&String, usize)> = points
         .set
         .iter()
@@ -66,17 +74,17 @@ fn rows(text: &str, points: &Points) -> Result<Vec<(BTreeMap<String, String>, f6
     for record in reader.records() {
         let record = record.map_err(|e| e.to_string())?;
         let cell = |i: usize| record.get(i).unwrap_or_default();
-        if cell(measured).is_empty() || keys.iter().any(|(_, i)| cell(*i).is_empty()) {
+        if cell(measured_in).is_empty() || keys.iter().any(|(_, i)| cell(*i).is_empty()) {
             continue;
         }
-        let value: f64 = cell(measured)
+        let measured: f64 = cell(measured_in)
             .parse()
-            .map_err(|_| format!("\"{}\" is not a number", cell(measured)))?;
+            .map_err(|_| format!("\"{}\" is not a number", cell(measured_in)))?;
         let set = keys
             .iter()
             .map(|(key, i)| ((*key).clone(), cell(*i).to_string()))
             .collect();
-        rows.push((set, value));
+        rows.push(Point { set, measured });
     }
     Ok(rows)
 }

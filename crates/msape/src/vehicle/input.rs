@@ -48,8 +48,10 @@ pub struct LayerStack {
 /// Densities of what fills the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComponentDensities {
-    /// Impact foam, kg/m³; `None` takes the grade that has the strength of equation 6.
+    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength of equation 6, and adds the panels.
     pub impact_foam_kg_m3: Option<f64>,
+    /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
+    pub impact_panels_kg_m3: f64,
     /// Impact shell, kg/m³.
     pub impact_shell_kg_m3: f64,
     /// Body foam, kg/m³.

@@ -160,6 +160,12 @@ impl Misfit {
     }
 }
 
+/// A shoulder this part smaller than the layers ask for is rounding: the slope of a wing at its limit carries that much.
+pub const SHOULDER_TOLERANCE: f64 = 1e-9;
+
+/// At the smallest shoulder a wing at its limit is parallel to the forebody, and the layers touch: to within this, m.
+const ROUNDING_M: f64 = 1e-9;
+
 /// How much impact foam a search may add, m.
 const MOST_ADDED_FOAM_M: f64 = 0.5;
 
@@ -260,7 +266,7 @@ impl Frame<'_> {
         };
         let wall_r = outline.lid_foot_r_m(aft) + self.depths.primary_m;
         if wall_r >= corner_r
-            || forebody.depth_x_m(fore, corner_r) >= lid.foot_x_m - aft
+            || forebody.depth_x_m(fore, corner_r) > lid.foot_x_m - aft + ROUNDING_M
             || aft >= lid.radius_m
         {
             return Err(no_room);

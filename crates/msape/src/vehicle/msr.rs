@@ -16,7 +16,7 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit};
+use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
 use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
@@ -62,7 +62,7 @@ pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
             (least_gap + spare / sin_cos(frame.steepest_rad()).0).min(most_gap.max(least_gap));
         let outline = frame.outline(frame.msr_lid(foam, gap), shoulder)?;
         let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
-        if needed > shoulder * (1.0 + 1e-12) {
+        if needed > shoulder * (1.0 + SHOULDER_TOLERANCE) {
             floor = needed;
             continue;
         }

@@ -17,7 +17,7 @@
 //! # References
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested is a choice of ours.
 
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit};
+use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
 use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
@@ -77,7 +77,7 @@ pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
         let foot = lowest_foot_x_m(frame, foam, shoulder).ok_or(too_wide)?;
         let outline = frame.outline(frame.lid_at(foam, foot), shoulder)?;
         let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
-        if needed > shoulder * (1.0 + 1e-12) {
+        if needed > shoulder * (1.0 + SHOULDER_TOLERANCE) {
             floor = needed;
             continue;
         }

@@ -192,9 +192,10 @@ impl VehicleData {
             .density
             .get("impact_foam_kg_m3")
             .map(|datum| datum.value);
-        count(&self.density, 4 + usize::from(foam.is_some()), "density")?;
+        count(&self.density, 5 + usize::from(foam.is_some()), "density")?;
         Ok(ComponentDensities {
             impact_foam_kg_m3: foam,
+            impact_panels_kg_m3: get("impact_panels_kg_m3")?,
             impact_shell_kg_m3: get("impact_shell_kg_m3")?,
             body_foam_kg_m3: get("body_foam_kg_m3")?,
             lid_insulation_kg_m3: get("lid_insulation_kg_m3")?,
