@@ -5,9 +5,9 @@
 //! that a browser may keep it for ever and an app never meets the worker of another release.
 
 use std::{
-    fs,
+    env, fs,
     hash::{DefaultHasher, Hasher},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use anyhow::{Context, Result, bail};
@@ -23,19 +23,7 @@ const BINARIES: [&str; 2] = ["app", "worker"];
 /// Builds `dist/` and prints the sizes of what is in it; returns its size, compressed, bytes.
 pub fn dist(project: &Project) -> Result<usize> {
     setup::for_build(project)?;
-    announce("Building the app for the browser");
-    let arguments = [
-        "build",
-        "--locked",
-        "--profile",
-        "web",
-        "--package",
-        "msape-web",
-        "--target",
-        setup::WASM,
-    ];
-    run(project.command("cargo").args(arguments))?;
-
+    compile(project)?;
     announce("Putting dist/ together");
     let code = project.dist.join("code");
     if project.dist.exists() {
@@ -53,6 +41,32 @@ pub fn dist(project: &Project) -> Result<usize> {
     )?;
     fs::rename(&code, project.dist.join(&named))?;
     sizes::print(&project.dist)
+}
+
+/// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.
+fn compile(project: &Project) -> Result<()> {
+    announce("Building the app for the browser");
+    let crates = env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| Some(env::home_dir()?.join(".cargo")))
+        .context("no home folder")?;
+    let flags = [(&crates, "cargo"), (&project.root, "msape")]
+        .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()));
+    let arguments = [
+        "build",
+        "--locked",
+        "--profile",
+        "web",
+        "--package",
+        "msape-web",
+        "--target",
+        setup::WASM,
+    ];
+    // The flags are separated by the character for that, so that a path may hold a space.
+    run(project
+        .command("cargo")
+        .args(arguments)
+        .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}")))
 }
 
 /// Makes the pairs of JavaScript and WebAssembly.
