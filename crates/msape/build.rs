@@ -1,4 +1,3 @@
-<<<<<<< HEAD
 //! Embeds the folder `data`, and the cases that ship with the program as its folder `cases`, as a sorted list of
 //! (path, text).
 #![allow(
@@ -6,10 +5,6 @@
     clippy::disallowed_macros,
     reason = "the script that builds the core is not the core: it reads files and speaks to cargo"
 )]
-=======
-//! Embeds the folder `data` as a sorted list of (path, text).
-#![expect(clippy::disallowed_methods, clippy::disallowed_macros, reason = "runs on the builder's machine, not in the core")]
->>>>>>> xtask
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
