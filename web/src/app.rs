@@ -9,7 +9,7 @@ use crate::state::document::{Document, Run};
 use crate::state::history::History;
 use crate::state::preferences::Preferences;
 use crate::state::{SaveState, State};
-use crate::storage::Store;
+use crate::storage::{self, Store};
 use leptos::ev::{DragEvent, KeyboardEvent};
 use leptos::prelude::*;
 use std::cell::RefCell;
@@ -84,6 +84,9 @@ fn keep(state: State, linked: bool) {
                 BTreeMap::new()
             }
         };
+        if !runs.is_empty() {
+            state.protected.set(Some(storage::is_protected().await));
+        }
         save_on_change(state, store, runs);
     });
 }
@@ -154,8 +157,8 @@ fn listen(state: State) {
             return;
         }
         match (event.key().to_lowercase().as_str(), event.shift_key()) {
-            ("z", false) => state.history.update(History::undo),
-            ("z", true) | ("y", _) => state.history.update(History::redo),
+            ("z", false) => state.undo(),
+            ("z", true) | ("y", _) => state.redo(),
             _ => return,
         }
         event.prevent_default();

@@ -63,6 +63,8 @@ pub enum SaveState {
 pub struct State {
     /// The undo stack.
     pub history: RwSignal<History>,
+    /// Count of undos and redos: what was being typed before one is forgotten.
+    pub turns: RwSignal<u32>,
     /// Its present document.
     pub document: Memo<Arc<Document>>,
     /// The case of the document.
@@ -105,6 +107,7 @@ impl State {
         });
         let state = State {
             history,
+            turns: RwSignal::new(0),
             document,
             case,
             checks,
@@ -164,6 +167,18 @@ impl State {
             self.phase.set(Phase::Updating);
             link.solve(newest.get_value(), (*case).clone());
         });
+    }
+
+    /// Takes the last change back.
+    pub fn undo(self) {
+        self.turns.update(|turns| *turns += 1);
+        self.history.update(History::undo);
+    }
+
+    /// Repeats the change last taken back.
+    pub fn redo(self) {
+        self.turns.update(|turns| *turns += 1);
+        self.history.update(History::redo);
     }
 
     /// Replaces the document; edits with one `tag` in a row are one step to undo.

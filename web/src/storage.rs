@@ -123,10 +123,18 @@ fn written<T: Serialize>(value: &T) -> JsValue {
     serde_json::to_string(value).unwrap_or_default().into()
 }
 
+/// Whether the browser has promised never to clear what is kept.
+pub async fn is_protected() -> bool {
+    answer(leptos::prelude::window().navigator().storage().persisted()).await
+}
+
 /// Asks the browser never to clear what is kept; whether it promises.
 pub async fn protect() -> bool {
-    let storage = leptos::prelude::window().navigator().storage();
-    match storage.persist() {
+    answer(leptos::prelude::window().navigator().storage().persist()).await
+}
+
+async fn answer(promise: Result<js_sys::Promise, JsValue>) -> bool {
+    match promise {
         Ok(promise) => JsFuture::from(promise)
             .await
             .is_ok_and(|answer| answer.as_bool() == Some(true)),

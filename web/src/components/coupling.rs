@@ -1,16 +1,26 @@
 //! How the modules depend on each other, and what crosses between them: the report's Figure 4, alive.
 
+use crate::components::notes::GoTo;
 use crate::components::residuals::Residuals;
 use crate::display::{number, symbol};
 use crate::state::State;
 use leptos::prelude::*;
 use msape::design::crossings::{CROSSINGS, Crossing, MODULES};
+use msape::quantity::input::{self, Preset};
 use msape::quantity::output::Module;
 use msape::units::{Unit, canonical};
+
+/// Inputs that decide when the passes end.
+const SOLVER: [&str; 3] = [
+    "design.mass_criterion_kg",
+    "design.max_iterations",
+    "design.relaxation",
+];
 
 /// The coupling view.
 #[component]
 pub fn Coupling() -> impl IntoView {
+    let state = State::expect();
     let chosen = RwSignal::new(None::<(Module, Module)>);
     view! {
         <section class="card" aria-labelledby="coupling-title">
@@ -28,6 +38,15 @@ pub fn Coupling() -> impl IntoView {
             </div>
             <Values chosen />
             <h3 class="spaced">"Convergence"</h3>
+            <ul class="solver">
+                {SOLVER.iter().filter_map(|key| input::find(key)).map(|input| {
+                    let value = move || state.case.with(|case| case.text(input.key)).unwrap_or_else(|| match input.preset {
+                        Preset::Number(value) => value.to_string(),
+                        _ => "–".to_string(),
+                    });
+                    view! { <li><span class="unit">{input.header()}</span> <strong>{value}</strong> <GoTo key=input.key.to_string() label="Change" /></li> }
+                }).collect_view()}
+            </ul>
             <Residuals />
         </section>
     }

@@ -51,7 +51,9 @@ fn layer_of(kind: ComponentKind) -> Layer {
 pub fn Drawing() -> impl IntoView {
     let state = State::expect();
     let vehicle = state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
-    let vehicle = Memo::new(move |_| vehicle.get().flatten());
+    let has_vehicle = Memo::new(move |_| vehicle.with(|vehicle| matches!(vehicle, Some(Some(_)))));
+    // A design that does not close leaves the last vehicle in view.
+    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| vehicle.get().flatten().or_else(|| before.cloned().flatten()));
     let hidden = RwSignal::new(Vec::<Layer>::new());
     let lit = RwSignal::new(None::<ComponentKind>);
     let chosen = RwSignal::new(None::<ComponentKind>);
@@ -68,7 +70,8 @@ pub fn Drawing() -> impl IntoView {
         <Show when=move || vehicle.with(Option::is_some) fallback=|| view! {
             <p class="quiet">"There is no vehicle to draw yet."</p>
         }>
-            <div class="vehicle">
+            <p class="reason" hidden=move || has_vehicle.get()>"This is the last vehicle that closed; there is none for the present inputs."</p>
+            <div class="vehicle" class:old=move || !has_vehicle.get()>
                 <div class="tools" role="group" aria-label="Layers of the drawing">
                     {LAYERS.into_iter().map(|(layer, name)| view! {
                         <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
@@ -99,7 +102,7 @@ fn sheet(
 ) -> impl IntoView {
     let d = vehicle.dimensions;
     let r = section.radius_mm;
-    let (left, right) = (-1.32 * r, 1.58 * r);
+    let (left, right) = (-1.26 * r, 1.52 * r);
     let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
     let font = 0.084 * r;
     let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
@@ -200,7 +203,8 @@ fn dimension_lines(
             <path class="leader" d=format!("M{nx} {ny}L{} {}", nx - 0.12 * r, ny + 0.1 * r)></path>
             <text x=nx - 0.14 * r y=ny + 0.14 * r text-anchor="end">{format!("nose R {}", length(d.nose_radius_m, units))}</text>
             <path class="leader" d=format!("M{} {}L{} {}", -r + 0.3 * shoulder_r, shoulder_y - 0.7 * shoulder_r, -r, shoulder_y - 0.22 * r)></path>
-            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("shoulder R {}", length(d.shoulder_radius_m, units))}</text>
+            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r - 1.2 * font text-anchor="start">"shoulder"</text>
+            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("R {}", length(d.shoulder_radius_m, units))}</text>
         </g>
     }
 }

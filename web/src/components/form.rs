@@ -48,6 +48,7 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
     let of_group: Vec<&'static Input> = inputs()
         .filter(|input| input.group == group && is_of_design(input))
         .collect();
+    let opens_at_first = matches!(group, Group::Mission | Group::Vehicle) || is_wide();
     let has_basic = of_group.iter().any(|input| input.level == Level::Basic);
     let mut fields = Vec::new();
     for input in of_group {
@@ -58,7 +59,7 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
         }
     }
     view! {
-        <details class="group" id=group_id(group) open=has_basic hidden=move || !has_basic && !expert.get()>
+        <details class="group" id=group_id(group) open=has_basic && opens_at_first hidden=move || !has_basic && !expert.get()>
             <summary><h3>{group.label()}</h3></summary>
             <div class="fields">
                 {fields.into_iter().map(|(input, alternative)| {
@@ -80,6 +81,12 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
             </div>
         </details>
     }
+}
+
+/// Whether there is room for more than one column.
+fn is_wide() -> bool {
+    let query = window().match_media("(min-width: 42rem)");
+    query.ok().flatten().is_none_or(|query| query.matches())
 }
 
 fn any_field(input: &'static Input) -> AnyView {

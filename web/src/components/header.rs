@@ -1,12 +1,10 @@
 //! The frame's head: name, undo, units, depth, theme, share.
 
-use crate::components::open::StartFrom;
 use crate::components::runs::Saved;
 use crate::components::share::Share;
 use crate::display::UnitSystem;
 use crate::state::State;
 use crate::state::document::Document;
-use crate::state::history::History;
 use crate::state::preferences::ThemeChoice;
 use leptos::prelude::*;
 
@@ -32,7 +30,6 @@ pub fn Header() -> impl IntoView {
                 <Saved />
             </div>
             <div class="commands">
-                <StartFrom />
                 <UndoRedo />
                 <Segments legend="Units" choices=UnitSystem::ALL.map(|system| (system, system.label())).to_vec()
                     now=Signal::derive(move || state.document.with(|document| document.units))
@@ -72,10 +69,10 @@ fn UndoRedo() -> impl IntoView {
         <div class="undo" role="group" aria-label="Undo and redo">
             <button type="button" class="icon" disabled=move || undo_label.get().is_none()
                 aria-label=move || words("Undo", undo_label.get()) title=move || format!("{} (Ctrl+Z)", words("Undo", undo_label.get()))
-                on:click=move |_| state.history.update(History::undo)>"↶"</button>
+                on:click=move |_| state.undo()>"↶"</button>
             <button type="button" class="icon" disabled=move || redo_label.get().is_none()
                 aria-label=move || words("Redo", redo_label.get()) title=move || format!("{} (Ctrl+Shift+Z)", words("Redo", redo_label.get()))
-                on:click=move |_| state.history.update(History::redo)>"↷"</button>
+                on:click=move |_| state.redo()>"↷"</button>
         </div>
     }
 }

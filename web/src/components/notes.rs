@@ -4,7 +4,6 @@ use crate::components::field::control_id;
 use crate::components::form::group_id;
 use crate::display::with_unit;
 use crate::state::State;
-use leptos::html;
 use leptos::prelude::*;
 use msape::finding::{Adjustment, Finding, Severity};
 use msape::quantity::input::{self, Level};
@@ -124,7 +123,12 @@ fn range_text(finding: &Finding) -> Option<String> {
 
 /// A button that goes to the field of an input.
 #[component]
-fn GoTo(key: String) -> impl IntoView {
+pub fn GoTo(
+    key: String,
+    /// Words of the button, instead of the input's own label.
+    #[prop(optional)]
+    label: Option<&'static str>,
+) -> impl IntoView {
     let state = State::expect();
     input::find(&key).map(|input| {
         let go = move |_| {
@@ -134,12 +138,9 @@ fn GoTo(key: String) -> impl IntoView {
             // The field is there after the page has been brought up to date.
             request_animation_frame(move || show_field(input));
         };
-        let button: html::HtmlElement<_, _, _> = html::button()
-            .attr("type", "button")
-            .class("small")
-            .on(leptos::ev::click, go)
-            .child(format!("Go to {}", input.label));
-        button
+        let words = label.map_or_else(|| format!("Go to {}", input.label), str::to_string);
+        let name = label.map(|label| format!("{label} {}", input.label));
+        view! { <button type="button" class="small" aria-label=name on:click=go>{words}</button> }
     })
 }
 

@@ -22,9 +22,10 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
     let value = Memo::new(move |_| state.case.with(|case| case.values.get(input.key).cloned()));
     let canonical_value = Memo::new(move |_| value.with(|value| canonical_number(input, value.as_ref())));
     // What is typed while the field has the focus; the case holds what it means.
-    let draft = RwSignal::new(None::<String>);
+    let draft = RwSignal::new(None::<(u32, String)>);
+    let typing = move || draft.get().filter(|(turn, _)| *turn == state.turns.get()).map(|(_, text)| text);
     let at_focus = StoredValue::new(None::<Option<Value>>);
-    let text = Memo::new(move |_| draft.get().unwrap_or_else(|| field_text(input, value.get(), unit.get())));
+    let text = Memo::new(move |_| typing().unwrap_or_else(|| field_text(input, value.get(), unit.get())));
     let tag = format!("number {}", input.key);
 
     let put = {
@@ -44,11 +45,11 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         let put = put.clone();
         move |text: String| {
             put(meaning(input, &text, unit.get_untracked()));
-            draft.set(Some(text));
+            draft.set(Some((state.turns.get_untracked(), text)));
         }
     };
     let settle = move || {
-        if let Some(text) = draft.get_untracked()
+        if let Some((_, text)) = draft.get_untracked()
             && let Some(chosen) = typed_unit(&text, input)
             && chosen.symbol != unit.get_untracked().symbol
         {

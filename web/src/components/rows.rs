@@ -11,8 +11,9 @@ use msape::quantity::input::{Column, Input};
 pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl IntoView {
     let state = State::expect();
     let value = Memo::new(move |_| state.case.with(|case| case.values.get(input.key).cloned()));
-    let draft = RwSignal::new(None::<String>);
-    let text = move || draft.get().unwrap_or_else(|| written(value.get().as_ref()));
+    let draft = RwSignal::new(None::<(u32, String)>);
+    let typing = move || draft.get().filter(|(turn, _)| *turn == state.turns.get()).map(|(_, text)| text);
+    let text = move || typing().unwrap_or_else(|| written(value.get().as_ref()));
     let check = state.check(input.key);
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
     let names = names.join(", ");
@@ -34,7 +35,7 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                 on:input:target=move |event| {
                     let text = event.target().value();
                     let value = parsed(&text);
-                    draft.set(Some(text));
+                    draft.set(Some((state.turns.get_untracked(), text)));
                     state.edit(input.label, Some(&tag), |document| {
                         document.with_case(|case| {
                             match value {

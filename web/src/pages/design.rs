@@ -8,7 +8,7 @@ use crate::components::export::Export;
 use crate::components::form::Form;
 use crate::components::headline::{Headline, Strip};
 use crate::components::notes::Notes;
-use crate::components::open::Open;
+use crate::components::open::{Open, StartFrom};
 use crate::components::results::Results;
 use crate::components::runs::Runs;
 use crate::state::{Phase, State};
@@ -29,28 +29,29 @@ pub fn Design() -> impl IntoView {
     view! {
         <Strip />
         <main id="main" class="design" tabindex="-1">
-            <div class="column-results">
-                <Headline />
-            </div>
             <section class="column-inputs" aria-labelledby="inputs-title">
                 <h2 id="inputs-title">"Inputs"</h2>
+                <StartFrom />
                 <Form />
             </section>
             <div class="column-main">
-                <section class="card" aria-labelledby="vehicle-title">
+                <section class="card panel-vehicle" aria-labelledby="vehicle-title">
                     <h2 id="vehicle-title">"Vehicle"</h2>
-                    <div class:stale=stale>
+                    <div class:stale-figure=stale>
                         <Drawing />
                     </div>
                 </section>
                 <section class="card" aria-labelledby="flight-title">
                     <h2 id="flight-title">"Flight"</h2>
-                    <div class="charts" class:stale=stale>
+                    <div class="charts" class:stale-figure=stale>
                         {REPORT_PLOTS.into_iter().map(|plot| view! { <ChartPanel spec=spec(plot) /> }).collect_view()}
                         <ChartPanel spec=free free=true />
                     </div>
                 </section>
                 <Coupling />
+            </div>
+            <div class="column-results">
+                <Headline />
             </div>
             <div class="column-side">
                 <Notes />
