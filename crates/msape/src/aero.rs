@@ -47,10 +47,16 @@ impl DragTable {
         }
         for (i, &(mach, coefficient)) in rows.iter().enumerate() {
             if !(0.0..=1e3).contains(&mach) {
-                faults.push(format!("row {}: Mach number {mach}, must be 0 to 1000", i + 1));
+                faults.push(format!(
+                    "row {}: Mach number {mach}, must be 0 to 1000",
+                    i + 1
+                ));
             }
             if !(0.0..=100.0).contains(&coefficient) {
-                faults.push(format!("row {}: drag coefficient {coefficient}, must be 0 to 100", i + 1));
+                faults.push(format!(
+                    "row {}: drag coefficient {coefficient}, must be 0 to 100",
+                    i + 1
+                ));
             }
             if i > 0 && mach <= rows[i - 1].0 {
                 faults.push(format!(
@@ -91,7 +97,10 @@ impl DragTable {
 
     /// Rows of Mach number and drag coefficient.
     pub fn rows(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        self.mach.iter().copied().zip(self.coefficient.iter().copied())
+        self.mach
+            .iter()
+            .copied()
+            .zip(self.coefficient.iter().copied())
     }
 }
 
@@ -128,7 +137,9 @@ impl AxialForce {
                 .map(|value| value.trim().to_string())
                 .ok_or_else(|| format!("no header line \"# {name}:\""))
         };
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .from_reader(text.as_bytes());
         let mut rows = Vec::new();
         for row in reader.deserialize() {
             let row: Row = row.map_err(|e| e.to_string())?;
@@ -136,14 +147,25 @@ impl AxialForce {
         }
         Ok(AxialForce {
             title: header("title")?,
-            cone_half_angle_deg: header("cone_half_angle_deg")?.parse().map_err(|e| format!("{e}"))?,
+            cone_half_angle_deg: header("cone_half_angle_deg")?
+                .parse()
+                .map_err(|e| format!("{e}"))?,
             table: DragTable::try_new(&rows).map_err(|faults| faults.join("; "))?,
         })
     }
 
     /// The database with another coefficient below Mach 0.5.
     pub fn with_subsonic(&self, coefficient: f64) -> DragTable {
-        let replaced = |(mach, c)| (mach, if mach <= SUBSONIC_MACH_MAX { coefficient } else { c });
+        let replaced = |(mach, c)| {
+            (
+                mach,
+                if mach <= SUBSONIC_MACH_MAX {
+                    coefficient
+                } else {
+                    c
+                },
+            )
+        };
         let (mach, coefficient) = self.table.rows().map(replaced).unzip();
         DragTable { mach, coefficient }
     }
@@ -156,7 +178,10 @@ mod tests {
     #[test]
     fn linear_between_rows_and_held_outside() {
         let table = DragTable::try_new(&[(0.5, 1.0), (1.5, 2.0)]).unwrap();
-        assert_eq!([table.at(0.0), table.at(1.0), table.at(1.5), table.at(9.0)], [1.0, 1.5, 2.0, 2.0]);
+        assert_eq!(
+            [table.at(0.0), table.at(1.0), table.at(1.5), table.at(9.0)],
+            [1.0, 1.5, 2.0, 2.0]
+        );
     }
 
     #[test]
@@ -167,7 +192,8 @@ mod tests {
 
     #[test]
     fn the_built_in_database_reads() {
-        let database = AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
+        let database =
+            AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
         assert_eq!(database.cone_half_angle_deg, 60.0);
         assert_eq!(database.table.at(24.7), 1.4816);
         let table = database.with_subsonic(0.73);

@@ -31,6 +31,10 @@ pub struct Design {
     pub aftbody_heat_load_j_m2: f64,
     /// Largest heat flux on the shoulder with margins, W/m².
     pub shoulder_heat_flux_w_m2: f64,
+    /// The same over that of the stagnation point.
+    pub shoulder_heat_flux_ratio: f64,
+    /// Largest pressure on the aftbody, Pa.
+    pub aftbody_pressure_pa: f64,
     /// Peak temperature of the payload container, K.
     pub payload_temperature_k: f64,
     /// Drag coefficient at impact.

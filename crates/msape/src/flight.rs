@@ -106,7 +106,11 @@ impl Flight {
 /// Flies a vehicle: the flight, how it ended, and why.
 pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome, Option<String>) {
     if mission.solver.model == Model::AllenEggers {
-        return (allen_eggers::fly(mission, body, request), Outcome::Landed, None);
+        return (
+            allen_eggers::fly(mission, body, request),
+            Outcome::Landed,
+            None,
+        );
     }
     let record = three_dof::integrate(mission, body);
     let flight = summary::summarize(mission, body, &record, request);

@@ -14,10 +14,10 @@ use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::us_1976::UsStandard1976;
 use crate::quantity::input::Choices;
 use crate::soak::SoakCorrelation;
+use crate::tps::Side;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
-use crate::tps::Side;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
@@ -99,14 +99,20 @@ impl Library {
         let planets = folder("planets", Planet::parse)?;
         let earth = parsed("heating/tauber-sutton.toml", TauberSutton::parse)?;
         Ok(Library {
-            atmospheres: vec![("us-1976".to_string(), ("U.S. Standard Atmosphere 1976".to_string(), standard))],
+            atmospheres: vec![(
+                "us-1976".to_string(),
+                ("U.S. Standard Atmosphere 1976".to_string(), standard),
+            )],
             us_1976,
             heating: HeatingModels {
                 sutton_graves: sutton_graves(&planets)?,
                 tauber_sutton: vec![
                     ("earth".to_string(), earth.clone()),
                     ("earth-msape".to_string(), earth),
-                    ("mars".to_string(), parsed("heating/tauber-sutton-mars.toml", TauberSutton::parse)?),
+                    (
+                        "mars".to_string(),
+                        parsed("heating/tauber-sutton-mars.toml", TauberSutton::parse)?,
+                    ),
                 ],
                 brandis_johnston: parsed("heating/brandis-johnston.toml", BrandisJohnston::parse)?,
                 wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
@@ -126,24 +132,30 @@ impl Library {
 
     /// Heat-shield materials that are made for the aftbody.
     pub fn aftbody_materials(&self) -> impl Iterator<Item = &(String, TpsMaterial)> {
-        self.materials.iter().filter(|(_, material)| material.sides.contains(&Side::Aftbody))
+        self.materials
+            .iter()
+            .filter(|(_, material)| material.sides.contains(&Side::Aftbody))
     }
 
     /// Names and titles of what can be chosen.
     pub fn choices(&self, choices: Choices) -> Vec<(String, String)> {
         fn titles<T>(list: &Named<T>, title: impl Fn(&T) -> &str) -> Vec<(String, String)> {
-            list.iter().map(|(name, thing)| (name.clone(), title(thing).to_string())).collect()
+            list.iter()
+                .map(|(name, thing)| (name.clone(), title(thing).to_string()))
+                .collect()
         }
         match choices {
-            Choices::Fixed(fixed) => {
-                fixed.iter().map(|(name, label)| (name.to_string(), label.to_string())).collect()
-            }
+            Choices::Fixed(fixed) => fixed
+                .iter()
+                .map(|(name, label)| (name.to_string(), label.to_string()))
+                .collect(),
             Choices::Planets => titles(&self.planets, |planet| &planet.title),
             Choices::Atmospheres => titles(&self.atmospheres, |(title, _)| title),
             Choices::ForebodyConcepts => titles(&self.concepts, |concept| &concept.name),
-            Choices::AftbodyMaterials => {
-                self.aftbody_materials().map(|(name, material)| (name.clone(), material.name.clone())).collect()
-            }
+            Choices::AftbodyMaterials => self
+                .aftbody_materials()
+                .map(|(name, material)| (name.clone(), material.name.clone()))
+                .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
         }
@@ -152,12 +164,17 @@ impl Library {
 
 /// The thing with this name.
 pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
-    list.iter().find(|(known, _)| known == name).map(|(_, thing)| thing)
+    list.iter()
+        .find(|(known, _)| known == name)
+        .map(|(_, thing)| thing)
 }
 
 /// Text of a data file by its path below `data`, such as `planets/earth.toml`.
 pub fn data_file(path: &str) -> Option<&'static str> {
-    FILES.iter().find(|(name, _)| *name == path).map(|(_, text)| *text)
+    FILES
+        .iter()
+        .find(|(name, _)| *name == path)
+        .map(|(_, text)| *text)
 }
 
 /// Paths and texts of the data files in one folder, such as `planets`.
@@ -187,7 +204,12 @@ fn sutton_graves(planets: &Named<Planet>) -> Result<Named<SuttonGraves>, DataErr
     let file = "heating/sutton-graves.toml";
     planets
         .iter()
-        .map(|(name, _)| Ok((name.clone(), parsed(file, |text| SuttonGraves::parse(text, name))?)))
+        .map(|(name, _)| {
+            Ok((
+                name.clone(),
+                parsed(file, |text| SuttonGraves::parse(text, name))?,
+            ))
+        })
         .collect()
 }
 

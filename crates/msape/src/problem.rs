@@ -30,7 +30,11 @@ fn settled<T>(reader: Reader, problem: Option<T>) -> Result<Checked<T>, Vec<Inpu
     }
 }
 
-pub(crate) fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+pub(crate) fn fly(
+    case: &Case,
+    library: &Library,
+    request: Request,
+) -> Result<Answer, Vec<InputError>> {
     let mut reader = Reader::new(case);
     check_step(&mut reader, request);
     let mission = flight::mission(&mut reader, library, flight::Angle::Any);
@@ -52,7 +56,11 @@ pub(crate) fn fly(case: &Case, library: &Library, request: Request) -> Result<An
     })
 }
 
-pub(crate) fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+pub(crate) fn design(
+    case: &Case,
+    library: &Library,
+    request: Request,
+) -> Result<Answer, Vec<InputError>> {
     let mut reader = Reader::new(case);
     check_step(&mut reader, request);
     let input = design::design(&mut reader, library);
@@ -66,6 +74,9 @@ fn check_step(reader: &mut Reader, request: Request) {
     if let Request::Uniform(step_s) = request
         && !(step_s > 0.0 && step_s.is_finite())
     {
-        reader.fault("trajectory step", format!("got {step_s} s, must be above 0 s"));
+        reader.fault(
+            "trajectory step",
+            format!("got {step_s} s, must be above 0 s"),
+        );
     }
 }

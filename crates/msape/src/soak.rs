@@ -108,7 +108,7 @@ impl SoakCorrelation {
     pub fn findings(&self, input: &SoakInput) -> Vec<Finding> {
         const MODEL: &str = "soak correlation";
         const SOURCE: &str = "NASA/TM-2014-218507, section 3.6";
-        const KEY: &str = "peak_payload_temperature_k";
+        const KEY: &str = "max_payload_temperature_k";
         let temperature = Some(self.peak_temperature_k(input));
         let note = |message: &str| Finding {
             severity: Severity::Note,

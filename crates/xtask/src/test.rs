@@ -125,7 +125,7 @@ fn browser(project: &Project) -> Result<()> {
         .args(tests)
         .env(
             "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER",
-            "wasm-bindgen-test-runner",
+            project.tools.join("wasm-bindgen-test-runner"),
         )
         .env("CHROMEDRIVER", driver))
 }

@@ -66,7 +66,18 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
         };
         let outcome = outcome.or((number >= input.max_iterations).then_some(Outcome::NotConverged));
         if let Some(outcome) = outcome {
-            return Finished { input, name, request, vehicle, body, flown, sized, passes, outcome }.answer();
+            return Finished {
+                input,
+                name,
+                request,
+                vehicle,
+                body,
+                flown,
+                sized,
+                passes,
+                outcome,
+            }
+            .answer();
         }
         relax(&mut vehicle_input, input.relaxation, number, &flown, &sized);
         mass_before_kg = Some(mass_kg);
@@ -83,11 +94,26 @@ fn three_dof_before(passes: &[Pass], model: Model) -> bool {
 fn relax(vehicle: &mut VehicleInput, relaxation: f64, number: u32, flown: &Flown, sized: &Sized) {
     let omega = if number == 1 { 1.0 } else { relaxation };
     let towards = |value: &mut f64, target: f64| *value += omega * (target - *value);
-    towards(&mut vehicle.loads.entry_load_earth_g, flown.flight.peak_deceleration_earth_g.value);
-    towards(&mut vehicle.loads.peak_stagnation_pressure_pa, flown.flight.peak_stagnation_pressure_pa.value);
-    towards(&mut vehicle.loads.terminal_speed_m_s, flown.impact_speed_m_s);
-    towards(&mut vehicle.forebody.tps_thickness_m, sized.forebody.thickness_m);
-    towards(&mut vehicle.aftbody_tps_thickness_m, sized.aftbody.thickness_m);
+    towards(
+        &mut vehicle.loads.entry_load_earth_g,
+        flown.flight.peak_deceleration_earth_g.value,
+    );
+    towards(
+        &mut vehicle.loads.peak_stagnation_pressure_pa,
+        flown.flight.peak_stagnation_pressure_pa.value,
+    );
+    towards(
+        &mut vehicle.loads.terminal_speed_m_s,
+        flown.impact_speed_m_s,
+    );
+    towards(
+        &mut vehicle.forebody.tps_thickness_m,
+        sized.forebody.thickness_m,
+    );
+    towards(
+        &mut vehicle.aftbody_tps_thickness_m,
+        sized.aftbody.thickness_m,
+    );
 }
 
 /// A flight of one pass.
@@ -104,7 +130,11 @@ impl Flown {
     fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
         let mission = &input.mission;
         let (flight, outcome, reason) = match model {
-            Model::AllenEggers => (allen_eggers::fly(mission, body, Request::Nothing), Outcome::Landed, None),
+            Model::AllenEggers => (
+                allen_eggers::fly(mission, body, Request::Nothing),
+                Outcome::Landed,
+                None,
+            ),
             Model::ThreeDof => {
                 let record = three_dof::integrate(mission, body);
                 let flight = summary::summarize(mission, body, &record, Request::Nothing);
@@ -114,8 +144,18 @@ impl Flown {
         let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
         let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
         let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped);
-        let impact_speed_m_s = if came_down { flight.final_speed_m_s } else { terminal_speed_m_s };
-        Flown { flight, outcome, reason, terminal_speed_m_s, impact_speed_m_s }
+        let impact_speed_m_s = if came_down {
+            flight.final_speed_m_s
+        } else {
+            terminal_speed_m_s
+        };
+        Flown {
+            flight,
+            outcome,
+            reason,
+            terminal_speed_m_s,
+            impact_speed_m_s,
+        }
     }
 }
 
@@ -208,19 +248,36 @@ struct Finished<'a> {
 impl Finished<'_> {
     fn answer(self) -> Answer {
         let findings = self.findings();
-        let Finished { input, name, request, vehicle, body, flown, sized, passes, outcome } = self;
+        let Finished {
+            input,
+            name,
+            request,
+            vehicle,
+            body,
+            flown,
+            sized,
+            passes,
+            outcome,
+        } = self;
         let flight = match request {
             Request::Nothing => flown.flight,
             // Only the last flight keeps its history.
             _ => flight::fly(&input.mission, &body, request).0,
         };
         let adjustments = vehicle.adjustments.clone();
-        let shoulder_ratio = 2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
+        let shoulder_ratio =
+            2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
+        let shoulder_factor = input.shoulder.ratio(shoulder_ratio);
         let last = passes.last();
         let reason = match outcome {
             Outcome::NotConverged => {
-                let change = last.and_then(|pass| pass.mass_change_kg).unwrap_or(f64::NAN);
-                Some(format!("the mass still changed by {change:.3e} kg in pass {}, the last one allowed", passes.len()))
+                let change = last
+                    .and_then(|pass| pass.mass_change_kg)
+                    .unwrap_or(f64::NAN);
+                Some(format!(
+                    "the mass still changed by {change:.3e} kg in pass {}, the last one allowed",
+                    passes.len()
+                ))
             }
             _ => flown.reason,
         };
@@ -231,7 +288,9 @@ impl Finished<'_> {
             aftbody_tps_density_kg_m3: input.vehicle.aftbody_tps_density_kg_m3,
             aftbody_heat_flux_w_m2: sized.aft_environment.peak_heat_flux_w_m2,
             aftbody_heat_load_j_m2: sized.aft_environment.heat_load_j_m2,
-            shoulder_heat_flux_w_m2: sized.environment.peak_heat_flux_w_m2 * input.shoulder.ratio(shoulder_ratio),
+            shoulder_heat_flux_w_m2: sized.environment.peak_heat_flux_w_m2 * shoulder_factor,
+            shoulder_heat_flux_ratio: shoulder_factor,
+            aftbody_pressure_pa: sized.aft_environment.peak_pressure_pa,
             payload_temperature_k: sized.payload_temperature_k,
             impact_drag_coefficient: input.drag.at(0.0),
             terminal_speed_m_s: flown.terminal_speed_m_s,
@@ -254,11 +313,31 @@ impl Finished<'_> {
     }
 
     fn findings(&self) -> Vec<Finding> {
-        let Finished { input, vehicle, body, flown, sized, .. } = self;
-        let shoulder_ratio = 2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
-        let mut findings = limits::findings(&input.forebody_material, &sized.environment, &sized.forebody);
-        findings.extend(limits::findings(&input.aftbody_material, &sized.aft_environment, &sized.aftbody));
-        findings.extend(input.fit_space.findings(&sized.environment, flown.flight.ballistic_coefficient_kg_m2));
+        let Finished {
+            input,
+            vehicle,
+            body,
+            flown,
+            sized,
+            ..
+        } = self;
+        let shoulder_ratio =
+            2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
+        let mut findings = limits::findings(
+            &input.forebody_material,
+            &sized.environment,
+            &sized.forebody,
+        );
+        findings.extend(limits::findings(
+            &input.aftbody_material,
+            &sized.aft_environment,
+            &sized.aftbody,
+        ));
+        findings.extend(
+            input
+                .fit_space
+                .findings(&sized.environment, flown.flight.ballistic_coefficient_kg_m2),
+        );
         findings.extend(flight::findings(&input.mission, body, &flown.flight));
         findings.extend(input.shoulder.findings(shoulder_ratio));
         findings.extend(input.soak.findings(&sized.soak));

@@ -63,7 +63,10 @@ impl Equations<'_> {
     pub fn surroundings<S: Scalar>(&self, y: &[S; STATES]) -> Surroundings<S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let local = self.mission.planet.local([x_m, y_m, z_m]);
-        let density_kg_m3 = self.mission.atmosphere.density_in(self.layer, local.altitude_m);
+        let density_kg_m3 = self
+            .mission
+            .atmosphere
+            .density_in(self.layer, local.altitude_m);
         let air_velocity_m_s = match &self.mission.wind {
             Wind::Calm => [vx, vy, vz],
             wind => {
@@ -78,7 +81,10 @@ impl Equations<'_> {
         let drag_coefficient = match &self.body.drag {
             Drag::Constant(coefficient) => S::constant(*coefficient),
             Drag::Table(table) => {
-                let sound = self.mission.atmosphere.speed_of_sound_in(self.layer, local.altitude_m);
+                let sound = self
+                    .mission
+                    .atmosphere
+                    .speed_of_sound_in(self.layer, local.altitude_m);
                 table.at(air_speed_m_s / sound)
             }
         };

@@ -32,7 +32,10 @@ pub fn loads(equations: &Equations, y: &[f64; STATES]) -> Loads {
     let rate = equations.drag_rate(&around);
     Loads {
         deceleration_earth_g: rate * around.air_speed_m_s / EARTH_G_M_S2,
-        dynamic_pressure_pa: 0.5 * around.density_kg_m3 * around.air_speed_m_s * around.air_speed_m_s,
+        dynamic_pressure_pa: 0.5
+            * around.density_kg_m3
+            * around.air_speed_m_s
+            * around.air_speed_m_s,
         heat_flux: equations.heat_flux(&around),
     }
 }
@@ -40,10 +43,16 @@ pub fn loads(equations: &Equations, y: &[f64; STATES]) -> Loads {
 /// Pressure at the stagnation point at one state, Pa.
 pub fn stagnation_pressure(equations: &Equations, y: &[f64; STATES]) -> f64 {
     let around = equations.surroundings(y);
-    let air = equations.mission.atmosphere.air_in(equations.layer, around.altitude_m);
+    let air = equations
+        .mission
+        .atmosphere
+        .air_in(equations.layer, around.altitude_m);
     let stream = Stream {
         pressure_pa: air.pressure_pa,
-        dynamic_pressure_pa: 0.5 * around.density_kg_m3 * around.air_speed_m_s * around.air_speed_m_s,
+        dynamic_pressure_pa: 0.5
+            * around.density_kg_m3
+            * around.air_speed_m_s
+            * around.air_speed_m_s,
         mach: around.air_speed_m_s / air.speed_of_sound_m_s,
     };
     stagnation_pressure_pa(&stream, GAMMA)
@@ -52,15 +61,17 @@ pub fn stagnation_pressure(equations: &Equations, y: &[f64; STATES]) -> f64 {
 /// Mach number relative to the air at one state.
 pub fn mach(equations: &Equations, y: &[f64; STATES]) -> f64 {
     let around = equations.surroundings(y);
-    around.air_speed_m_s / equations.mission.atmosphere.speed_of_sound_in(equations.layer, around.altitude_m)
+    around.air_speed_m_s
+        / equations
+            .mission
+            .atmosphere
+            .speed_of_sound_in(equations.layer, around.altitude_m)
 }
 
 /// Temperature at which the stagnation point radiates away heat fluxes that carry their margins, K.
 pub fn wall_temperature_k(mission: &Mission, margined: &HeatFlux<f64>, air_speed_m_s: f64) -> f64 {
     match mission.heating.options.wall {
-        Wall::Cold => {
-            radiating_temperature_k(margined.total_w_m2(), mission.wall_emissivity)
-        }
+        Wall::Cold => radiating_temperature_k(margined.total_w_m2(), mission.wall_emissivity),
         _ => mission.heating.gas.radiative_equilibrium_temperature_k(
             &ColdWall {
                 convective_w_m2: margined.convective_w_m2,
@@ -78,11 +89,23 @@ pub fn position(mission: &Mission, y: &[f64; STATES]) -> Geodetic<f64> {
 }
 
 /// Appends the row of one instant to a time history.
-pub fn record(trajectory: &mut Trajectory, equations: &Equations, t: f64, y: &[f64; STATES], start: &Geodetic<f64>) {
+pub fn record(
+    trajectory: &mut Trajectory,
+    equations: &Equations,
+    t: f64,
+    y: &[f64; STATES],
+    start: &Geodetic<f64>,
+) {
     let mission = equations.mission;
     let around = equations.surroundings(y);
-    let air = mission.atmosphere.air_in(equations.layer, around.altitude_m);
-    let Loads { deceleration_earth_g, dynamic_pressure_pa, heat_flux } = loads(equations, y);
+    let air = mission
+        .atmosphere
+        .air_in(equations.layer, around.altitude_m);
+    let Loads {
+        deceleration_earth_g,
+        dynamic_pressure_pa,
+        heat_flux,
+    } = loads(equations, y);
     let margined = mission.heating.margined(&heat_flux);
     let place = position(mission, y);
     let velocity = [y[3], y[4], y[5]];

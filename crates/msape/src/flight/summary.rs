@@ -17,7 +17,11 @@ const PEAK_TOLERANCE: f64 = 1e-6;
 
 /// Summarizes a record.
 pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Request) -> Flight {
-    let flight = Reading { mission, body, record };
+    let flight = Reading {
+        mission,
+        body,
+        record,
+    };
     let nodes = flight.nodes();
     let peak = |value: &dyn Fn(&Loads) -> f64| flight.peak(&nodes, value);
     let deceleration = peak(&|l| l.deceleration_earth_g);
@@ -33,7 +37,8 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         entry_relative: mission.start.relative,
         entry_inertial: mission.start.inertial,
         peak_deceleration_earth_g: deceleration,
-        peak_stagnation_pressure_pa: flight.peak_stagnation_pressure(&nodes, dynamic_pressure.value),
+        peak_stagnation_pressure_pa: flight
+            .peak_stagnation_pressure(&nodes, dynamic_pressure.value),
         peak_dynamic_pressure_pa: dynamic_pressure,
         peak_convective_heat_flux_w_m2: peak(&|l| l.heat_flux.convective_w_m2),
         peak_radiative_heat_flux_w_m2: (radiative.value > 0.0).then_some(radiative),
@@ -50,7 +55,10 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
         final_latitude_rad: end.latitude_rad,
         final_longitude_rad: end.longitude_rad,
-        final_density_kg_m3: flight.equations(layer_end).surroundings(&y_end).density_kg_m3,
+        final_density_kg_m3: flight
+            .equations(layer_end)
+            .surroundings(&y_end)
+            .density_kg_m3,
         downrange_m: great_circle_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s),
         trajectory: flight.trajectory(request),
@@ -74,7 +82,11 @@ struct Reading<'a> {
 
 impl<'a> Reading<'a> {
     fn equations(&self, layer: usize) -> Equations<'a> {
-        Equations { mission: self.mission, body: self.body, layer }
+        Equations {
+            mission: self.mission,
+            body: self.body,
+            layer,
+        }
     }
 
     fn end(&self) -> (f64, [f64; STATES], usize) {
@@ -86,10 +98,20 @@ impl<'a> Reading<'a> {
 
     /// The states between the steps: one more than steps.
     fn nodes(&self) -> Vec<Node> {
-        let node = |t, y: [f64; STATES], layer| Node { t, y, layer, loads: sample::loads(&self.equations(layer), &y) };
+        let node = |t, y: [f64; STATES], layer| Node {
+            t,
+            y,
+            layer,
+            loads: sample::loads(&self.equations(layer), &y),
+        };
         let mut nodes = Vec::with_capacity(self.record.legs.len() + 1);
         nodes.push(node(0.0, self.record.start, self.record.start_layer));
-        nodes.extend(self.record.legs.iter().map(|leg| node(leg.step.t1, leg.step.y1, leg.layer)));
+        nodes.extend(
+            self.record
+                .legs
+                .iter()
+                .map(|leg| node(leg.step.t1, leg.step.y1, leg.layer)),
+        );
         nodes
     }
 
@@ -108,7 +130,10 @@ impl<'a> Reading<'a> {
     fn peak_stagnation_pressure(&self, nodes: &[Node], dynamic_pressure_pa: f64) -> Peak {
         let (mut best, mut highest) = (0, f64::NEG_INFINITY);
         for (i, node) in nodes.iter().enumerate() {
-            if i == 0 || i + 1 == nodes.len() || node.loads.dynamic_pressure_pa > 0.5 * dynamic_pressure_pa {
+            if i == 0
+                || i + 1 == nodes.len()
+                || node.loads.dynamic_pressure_pa > 0.5 * dynamic_pressure_pa
+            {
                 let pressure = sample::stagnation_pressure(&self.equations(node.layer), &node.y);
                 if pressure > highest {
                     (best, highest) = (i, pressure);
@@ -128,10 +153,17 @@ impl<'a> Reading<'a> {
     ) -> Peak {
         let (mut t, mut y, mut layer, mut highest) = (node.t, node.y, node.layer, value);
         for i in [index.wrapping_sub(1), index] {
-            let Some(Leg { step, layer: here }) = self.record.legs.get(i) else { continue };
+            let Some(Leg { step, layer: here }) = self.record.legs.get(i) else {
+                continue;
+            };
             let equations = self.equations(*here);
             let tolerance = PEAK_TOLERANCE * (step.t1 - step.t0);
-            let (t_top, top) = root::maximum(|t| along(&equations, &step.at(t)), step.t0, step.t1, tolerance);
+            let (t_top, top) = root::maximum(
+                |t| along(&equations, &step.at(t)),
+                step.t0,
+                step.t1,
+                tolerance,
+            );
             if top > highest {
                 (t, y, layer, highest) = (t_top, step.at(t_top), *here, top);
             }
@@ -149,7 +181,10 @@ impl<'a> Reading<'a> {
     /// The leg in which an instant lies.
     fn leg(&self, t: f64) -> Option<&Leg> {
         let legs = &self.record.legs;
-        legs.get(legs.partition_point(|leg| leg.step.t1 < t).min(legs.len().saturating_sub(1)))
+        legs.get(
+            legs.partition_point(|leg| leg.step.t1 < t)
+                .min(legs.len().saturating_sub(1)),
+        )
     }
 
     fn state(&self, t: f64) -> ([f64; STATES], usize) {
@@ -162,14 +197,24 @@ impl<'a> Reading<'a> {
     /// Drag coefficient at an instant; never zero, so that it may divide.
     fn around(&self, t: f64) -> f64 {
         let (y, layer) = self.state(t);
-        self.equations(layer).surroundings(&y).drag_coefficient.max(f64::MIN_POSITIVE)
+        self.equations(layer)
+            .surroundings(&y)
+            .drag_coefficient
+            .max(f64::MIN_POSITIVE)
     }
 
     fn wall_temperature_k(&self, t: f64) -> f64 {
         let (y, layer) = self.state(t);
         let equations = self.equations(layer);
-        let margined = self.mission.heating.margined(&sample::loads(&equations, &y).heat_flux);
-        sample::wall_temperature_k(self.mission, &margined, equations.surroundings(&y).air_speed_m_s)
+        let margined = self
+            .mission
+            .heating
+            .margined(&sample::loads(&equations, &y).heat_flux);
+        sample::wall_temperature_k(
+            self.mission,
+            &margined,
+            equations.surroundings(&y).air_speed_m_s,
+        )
     }
 
     /// Downward crossings of [`MACH_MARKS`] after `t_peak`.

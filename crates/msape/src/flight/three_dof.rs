@@ -110,18 +110,30 @@ impl<'a> Integration<'a> {
         let position = tolerance * POSITION_SCALE_M;
         let load = tolerance * HEAT_LOAD_SCALE_J_M2;
         let tolerance = Tolerance {
-            relative: [0.0, 0.0, 0.0, tolerance, tolerance, tolerance, tolerance, tolerance],
-            absolute: [position, position, position, speed, speed, speed, load, load],
+            relative: [
+                0.0, 0.0, 0.0, tolerance, tolerance, tolerance, tolerance, tolerance,
+            ],
+            absolute: [
+                position, position, position, speed, speed, speed, load, load,
+            ],
         };
-        let altitude_m = mission.planet.local([start[0], start[1], start[2]]).altitude_m;
+        let altitude_m = mission
+            .planet
+            .local([start[0], start[1], start[2]])
+            .altitude_m;
         let layer = mission.atmosphere.layer(altitude_m);
         let exit_m = match mission.planet.gravity {
             Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
             Gravity::Uniform { .. } => None,
         };
         Integration {
-            equations: Equations { mission, body, layer },
-            integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start).with_maximum_steps(MOST_STEPS),
+            equations: Equations {
+                mission,
+                body,
+                layer,
+            },
+            integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start)
+                .with_maximum_steps(MOST_STEPS),
             start_layer: layer,
             legs: Vec::with_capacity(256),
             ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
@@ -133,12 +145,15 @@ impl<'a> Integration<'a> {
     fn run(&mut self) -> (Outcome, Option<String>) {
         let mission = self.equations.mission;
         let t_end = mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S);
-        if self.altitude_m(self.integrator.y()) <= self.ground_m && self.vertical_speed_m_s(self.integrator.y()) < 0.0 {
+        if self.altitude_m(self.integrator.y()) <= self.ground_m
+            && self.vertical_speed_m_s(self.integrator.y()) < 0.0
+        {
             return self.grounded();
         }
         loop {
             if self.integrator.t() >= t_end {
-                let reason = (mission.stop.time_s.is_none()).then(|| "still in flight after 30 days".to_string());
+                let reason = (mission.stop.time_s.is_none())
+                    .then(|| "still in flight after 30 days".to_string());
                 return (Outcome::Stopped, reason);
             }
             let equations = self.equations;
@@ -148,12 +163,18 @@ impl<'a> Integration<'a> {
                 Err(error) => return given_up(&error),
             };
             let Some((t, gate)) = self.first_gate(&step) else {
-                self.legs.push(Leg { step, layer: equations.layer });
+                self.legs.push(Leg {
+                    step,
+                    layer: equations.layer,
+                });
                 continue;
             };
             if t > step.t0 {
                 match self.integrator.retake(&mut f, t) {
-                    Ok(step) => self.legs.push(Leg { step, layer: equations.layer }),
+                    Ok(step) => self.legs.push(Leg {
+                        step,
+                        layer: equations.layer,
+                    }),
                     Err(error) => return given_up(&error),
                 }
             }
@@ -180,13 +201,24 @@ impl<'a> Integration<'a> {
     fn first_gate(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
         let boundaries = self.equations.mission.atmosphere.boundaries_m();
         let layer = self.equations.layer;
-        let floor_m = layer.checked_sub(1).and_then(|below| boundaries.get(below)).copied();
+        let floor_m = layer
+            .checked_sub(1)
+            .and_then(|below| boundaries.get(below))
+            .copied();
         let ceiling_m = boundaries.get(layer).copied();
-        let (w0, w1) = (self.vertical_speed_m_s(&step.y0), self.vertical_speed_m_s(&step.y1));
+        let (w0, w1) = (
+            self.vertical_speed_m_s(&step.y0),
+            self.vertical_speed_m_s(&step.y1),
+        );
         let t_turn = if (w0 < 0.0) == (w1 < 0.0) {
             step.t1
         } else {
-            self.when(step, [step.t0, step.t1], |y| self.vertical_speed_m_s(y), 1e-6)
+            self.when(
+                step,
+                [step.t0, step.t1],
+                |y| self.vertical_speed_m_s(y),
+                1e-6,
+            )
         };
         for (span, falling) in [([step.t0, t_turn], w0 < 0.0), ([t_turn, step.t1], w1 < 0.0)] {
             if span[0] >= span[1] {
@@ -216,10 +248,13 @@ impl<'a> Integration<'a> {
                 _ => (self.ground_m, Gate::Ground),
             };
             // What begins below the ground was climbing and has not been above it.
-            let below = end_m < level_m && (gate == Gate::Floor || self.altitude_m(&step.at(span[0])) >= level_m);
+            let below = end_m < level_m
+                && (gate == Gate::Floor || self.altitude_m(&step.at(span[0])) >= level_m);
             return below.then(|| (self.reaches(step, span, level_m), gate));
         }
-        let exit_m = self.exit_m.filter(|_| self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
+        let exit_m = self
+            .exit_m
+            .filter(|_| self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
         let (level_m, gate) = match (ceiling_m, exit_m) {
             (Some(ceiling_m), Some(exit_m)) if ceiling_m < exit_m => (ceiling_m, Gate::Ceiling),
             (_, Some(exit_m)) => (exit_m, Gate::Exit),
@@ -230,7 +265,12 @@ impl<'a> Integration<'a> {
     }
 
     fn reaches(&self, step: &Step<STATES>, span: [f64; 2], level_m: f64) -> f64 {
-        self.when(step, span, |y| self.altitude_m(y) - level_m, BOUNDARY_TOLERANCE_M)
+        self.when(
+            step,
+            span,
+            |y| self.altitude_m(y) - level_m,
+            BOUNDARY_TOLERANCE_M,
+        )
     }
 
     /// When `g` is zero to within `tolerance` along a step, by false position with halving (Illinois).
@@ -262,7 +302,11 @@ impl<'a> Integration<'a> {
     }
 
     fn altitude_m(&self, y: &[f64; STATES]) -> f64 {
-        self.equations.mission.planet.local([y[0], y[1], y[2]]).altitude_m
+        self.equations
+            .mission
+            .planet
+            .local([y[0], y[1], y[2]])
+            .altitude_m
     }
 
     fn vertical_speed_m_s(&self, y: &[f64; STATES]) -> f64 {
@@ -286,7 +330,10 @@ impl<'a> Integration<'a> {
         match self.equations.mission.stop.altitude_m {
             Some(altitude_m) if altitude_m > 0.0 => (Outcome::Stopped, None),
             Some(_) => (Outcome::Landed, None),
-            None => (Outcome::Landed, Some(format!("fell to {DEEPEST_M} m, below any ground"))),
+            None => (
+                Outcome::Landed,
+                Some(format!("fell to {DEEPEST_M} m, below any ground")),
+            ),
         }
     }
 
@@ -303,7 +350,10 @@ impl<'a> Integration<'a> {
 }
 
 fn given_up(error: &OdeError) -> (Outcome, Option<String>) {
-    (Outcome::Stopped, Some(format!("the integration was given up: {error}")))
+    (
+        Outcome::Stopped,
+        Some(format!("the integration was given up: {error}")),
+    )
 }
 
 impl Leg {
@@ -312,4 +362,3 @@ impl Leg {
         self.step.t1
     }
 }
-

@@ -78,7 +78,7 @@ impl Shoulder {
         let outside = Check {
             severity: Severity::Extrapolated,
             model: "shoulder factor",
-            key: "shoulder_radius_ratio",
+            key: "design.shoulder_radius_ratio",
             quantity: "Shoulder radius over vehicle radius",
             value: shoulder_radius_ratio,
             range: Range { min, max },

@@ -160,7 +160,7 @@ impl StagnationHeating {
         }
         if wall != Wall::Cold {
             findings.push(note(
-                "convective_heat_flux_w_m2",
+                "peak_convective_heat_flux_w_m2",
                 self.heat_flux(&Flow {
                     density_kg_m3: peak.density_kg_m3,
                     speed_m_s: peak.speed_m_s,

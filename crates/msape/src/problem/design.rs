@@ -24,8 +24,13 @@ const FIRST_AFTBODY_TPS_M: f64 = 0.01;
 pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
     let mission = mission(reader, library, Angle::Descending);
     let msr = reader.flag("design.msr_mode");
-    let sizes = ["diameter_m", "nose_radius_ratio", "shoulder_radius_ratio", "payload_mass_kg"]
-        .map(|name| reader.required_number(&format!("design.{name}")));
+    let sizes = [
+        "diameter_m",
+        "nose_radius_ratio",
+        "shoulder_radius_ratio",
+        "payload_mass_kg",
+    ]
+    .map(|name| reader.required_number(&format!("design.{name}")));
     let payload_size = payload_size(reader);
     let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
     let aft_name = aftbody_material(reader, library);
@@ -42,9 +47,23 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         "relaxation",
     ]
     .map(|name| reader.number(&format!("design.{name}")));
-    let [cone_deg, margin, crush_limit, efficiency, terminal_drag, criterion, iterations, relaxation] = numbers;
+    let [
+        cone_deg,
+        margin,
+        crush_limit,
+        efficiency,
+        terminal_drag,
+        criterion,
+        iterations,
+        relaxation,
+    ] = numbers;
     let mut densities = Densities::read(reader);
-    let [diameter_m, nose_radius_ratio, shoulder_radius_ratio, payload_mass_kg] = sizes;
+    let [
+        diameter_m,
+        nose_radius_ratio,
+        shoulder_radius_ratio,
+        payload_mass_kg,
+    ] = sizes;
 
     let concept = named(&library.concepts, concept_name?)?;
     let forebody_material = named(&library.materials, &concept.tps)?.clone();
@@ -62,14 +81,18 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         mass_margin: margin?,
         forebody: LayerStack {
             tps_thickness_m: FIRST_FOREBODY_TPS_M,
-            tps_density_kg_m3: densities.forebody_tps.unwrap_or(forebody_material.density.density_kg_m3),
+            tps_density_kg_m3: densities
+                .forebody_tps
+                .unwrap_or(forebody_material.density.density_kg_m3),
             bond_thickness_m: concept.bond_thickness_m(),
             bond_density_kg_m3: concept.bond.density_kg_m3,
             carrier_thickness_m: None,
             carrier: wall(WallPlace::Forebody, densities.forebody_carrier),
         },
         aftbody_tps_thickness_m: FIRST_AFTBODY_TPS_M,
-        aftbody_tps_density_kg_m3: densities.aftbody_tps.unwrap_or(aftbody_material.density.density_kg_m3),
+        aftbody_tps_density_kg_m3: densities
+            .aftbody_tps
+            .unwrap_or(aftbody_material.density.density_kg_m3),
         aftbody_carrier: wall(WallPlace::Aftbody, densities.aftbody_carrier),
         primary_carrier: wall(WallPlace::Primary, densities.primary),
         densities: densities.fillings(library.vehicle.densities().ok()?),
@@ -105,13 +128,20 @@ fn choice<'l, T>(reader: &mut Reader, key: &str, list: &'l Named<T>) -> Option<&
 }
 
 fn aftbody_material<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l str> {
-    let names: Vec<&str> = library.aftbody_materials().map(|(name, _): &(String, TpsMaterial)| name.as_str()).collect();
+    let names: Vec<&str> = library
+        .aftbody_materials()
+        .map(|(name, _): &(String, TpsMaterial)| name.as_str())
+        .collect();
     reader.choice("design.aftbody_tps", &names)
 }
 
 /// Size of the payload: one of three inputs.
 fn payload_size(reader: &mut Reader) -> Option<PayloadSize> {
-    let keys = ["design.payload_density_kg_m3", "design.payload_diameter_m", "design.payload_diameter_ratio"];
+    let keys = [
+        "design.payload_density_kg_m3",
+        "design.payload_diameter_m",
+        "design.payload_diameter_ratio",
+    ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
         [] => {
@@ -172,7 +202,9 @@ impl Densities {
             impact_shell_kg_m3: self.impact_shell.unwrap_or(of_data.impact_shell_kg_m3),
             body_foam_kg_m3: self.body_foam.unwrap_or(of_data.body_foam_kg_m3),
             lid_insulation_kg_m3: self.lid_insulation.unwrap_or(of_data.lid_insulation_kg_m3),
-            wing_insulation_kg_m3: self.wing_insulation.unwrap_or(of_data.wing_insulation_kg_m3),
+            wing_insulation_kg_m3: self
+                .wing_insulation
+                .unwrap_or(of_data.wing_insulation_kg_m3),
         }
     }
 }
@@ -183,7 +215,11 @@ fn with_density(mut carrier: Carrier, density: Option<f64>) -> Carrier {
         let factor = density / carrier.at_minimum_gauge().density_kg_m3;
         match &mut carrier.construction {
             Construction::Solid { density_kg_m3 } => *density_kg_m3 = density,
-            Construction::Sandwich { face_density_kg_m3, core_density_kg_m3, .. } => {
+            Construction::Sandwich {
+                face_density_kg_m3,
+                core_density_kg_m3,
+                ..
+            } => {
                 *face_density_kg_m3 *= factor;
                 *core_density_kg_m3 *= factor;
             }

@@ -28,7 +28,9 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let atmosphere = atmosphere(reader, library);
     let wind = wind(reader);
     let start = start(reader, planet.as_ref().map(|(planet, _)| planet), angle);
-    let heating_planet = planet.as_ref().map_or("earth-msape", |(_, name)| name.as_str());
+    let heating_planet = planet
+        .as_ref()
+        .map_or("earth-msape", |(_, name)| name.as_str());
     let heating = heating(reader, library, heating_planet);
     let stop = stop(reader);
     let solver = solver(reader);
@@ -50,7 +52,10 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
     let altitude_m = altitude.then(|| reader.number("entry.altitude_m"));
     let radius_m = radius.then(|| reader.number("entry.radius_m"));
     match (altitude, radius) {
-        (true, true) => reader.fault("entry.radius_m", "given together with entry.altitude_m; give one of them"),
+        (true, true) => reader.fault(
+            "entry.radius_m",
+            "given together with entry.altitude_m; give one of them",
+        ),
         (false, false) => reader.missing("entry.altitude_m"),
         _ => {}
     }
@@ -65,7 +70,9 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         && gamma >= 0.0
     {
         let got = gamma / RADIANS_PER_DEGREE;
-        let message = format!("got {got} deg, must be -90 to below 0 deg: a design enters, so its angle points below the horizon");
+        let message = format!(
+            "got {got} deg, must be -90 to below 0 deg: a design enters, so its angle points below the horizon"
+        );
         reader.fault("entry.flight_path_angle_deg", message);
     }
     let planet = planet?;
@@ -76,10 +83,15 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         (None, None) => return None,
     };
     if radius && altitude_m < LOWEST_START_M {
-        let message = format!("gives an altitude of {altitude_m:.0} m, must be at least {LOWEST_START_M} m");
+        let message =
+            format!("gives an altitude of {altitude_m:.0} m, must be at least {LOWEST_START_M} m");
         reader.fault("entry.radius_m", message);
     }
-    let place = Geodetic { altitude_m, latitude_rad, longitude_rad };
+    let place = Geodetic {
+        altitude_m,
+        latitude_rad,
+        longitude_rad,
+    };
     let position_m = planet.cartesian_m(&place);
     let horizon = planet.horizon(position_m);
     let given = Velocity {
@@ -105,7 +117,11 @@ const LOWEST_START_M: f64 = -5_000.0;
 /// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
 fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
     let excess = |altitude_m: f64| {
-        let [x, y, z] = planet.cartesian_m(&Geodetic { altitude_m, latitude_rad, longitude_rad: 0.0 });
+        let [x, y, z] = planet.cartesian_m(&Geodetic {
+            altitude_m,
+            latitude_rad,
+            longitude_rad: 0.0,
+        });
         (x * x + y * y + z * z).sqrt() - radius_m
     };
     // The distance is within the flattening of altitude plus equatorial radius.
@@ -125,7 +141,9 @@ fn stop(reader: &mut Reader) -> Stop {
 }
 
 fn solver(reader: &mut Reader) -> Option<Solver> {
-    let tolerance = reader.number("solver.tolerance").unwrap_or(DEFAULT_TOLERANCE);
+    let tolerance = reader
+        .number("solver.tolerance")
+        .unwrap_or(DEFAULT_TOLERANCE);
     let step = reader.number("solver.step_s");
     let method = match choice(reader, "solver.method")? {
         "dormand-prince-853" => Method::DormandPrince853,
@@ -136,7 +154,11 @@ fn solver(reader: &mut Reader) -> Option<Solver> {
         "allen-eggers" => Model::AllenEggers,
         _ => Model::ThreeDof,
     };
-    Some(Solver { model, method, tolerance })
+    Some(Solver {
+        model,
+        method,
+        tolerance,
+    })
 }
 
 /// The vehicle that is flown as it is.
@@ -147,8 +169,14 @@ pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
     let diameter_m = reader.number("vehicle.diameter_m");
     let given = ["vehicle.reference_area_m2", "vehicle.diameter_m"].map(|key| reader.given(key));
     match given {
-        [true, true] => reader.fault("vehicle.diameter_m", "given together with vehicle.reference_area_m2; give one of them"),
-        [false, false] => reader.fault("vehicle.reference_area_m2", "missing; give it, in m^2, or vehicle.diameter_m, in m"),
+        [true, true] => reader.fault(
+            "vehicle.diameter_m",
+            "given together with vehicle.reference_area_m2; give one of them",
+        ),
+        [false, false] => reader.fault(
+            "vehicle.reference_area_m2",
+            "missing; give it, in m^2, or vehicle.diameter_m, in m",
+        ),
         _ => {}
     }
     let drag = drag(reader, library);
@@ -161,23 +189,38 @@ pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
 }
 
 fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
-    let keys = ["vehicle.drag_coefficient", "vehicle.drag_table", "vehicle.aerodynamics"];
+    let keys = [
+        "vehicle.drag_coefficient",
+        "vehicle.drag_table",
+        "vehicle.aerodynamics",
+    ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
-        [only] if *only == keys[0] => reader.number("vehicle.drag_coefficient").map(Drag::Constant),
+        [only] if *only == keys[0] => reader
+            .number("vehicle.drag_coefficient")
+            .map(Drag::Constant),
         [only] if *only == keys[1] => {
-            let rows: Vec<(f64, f64)> =
-                reader.rows("vehicle.drag_table")?.iter().filter_map(|row| Some((*row.first()?, *row.get(1)?))).collect();
+            let rows: Vec<(f64, f64)> = reader
+                .rows("vehicle.drag_table")?
+                .iter()
+                .filter_map(|row| Some((*row.first()?, *row.get(1)?)))
+                .collect();
             match DragTable::try_new(&rows) {
                 Ok(table) => Some(Drag::Table(table)),
                 Err(faults) => {
-                    faults.iter().for_each(|fault| reader.fault("vehicle.drag_table", fault.as_str()));
+                    faults
+                        .iter()
+                        .for_each(|fault| reader.fault("vehicle.drag_table", fault.as_str()));
                     None
                 }
             }
         }
         [_] => {
-            let names: Vec<&str> = library.aerodynamics.iter().map(|(name, _)| name.as_str()).collect();
+            let names: Vec<&str> = library
+                .aerodynamics
+                .iter()
+                .map(|(name, _)| name.as_str())
+                .collect();
             let name = reader.choice("vehicle.aerodynamics", &names)?;
             named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
         }

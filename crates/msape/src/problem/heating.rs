@@ -10,21 +10,31 @@ use crate::library::{Library, named};
 use crate::quantity::input::{self, Choices, Kind};
 
 /// Heating at the stagnation point on a planet, and the emissivity of the wall.
-pub(super) fn heating(reader: &mut Reader, library: &Library, planet: &str) -> Option<(StagnationHeating, f64)> {
+pub(super) fn heating(
+    reader: &mut Reader,
+    library: &Library,
+    planet: &str,
+) -> Option<(StagnationHeating, f64)> {
     let models = &library.heating;
     let convective = match choice(reader, "heating.convective")? {
         "brandis-johnston" => earth_only(reader, "heating.convective", planet)
             .then(|| Convective::BrandisJohnston(models.brandis_johnston.convective.clone())),
-        _ => named(&models.sutton_graves, planet).cloned().map(Convective::SuttonGraves),
+        _ => named(&models.sutton_graves, planet)
+            .cloned()
+            .map(Convective::SuttonGraves),
     };
     let radiative = match choice(reader, "heating.radiative")? {
         "none" => Some(Radiative::None),
         "brandis-johnston" => earth_only(reader, "heating.radiative", planet)
             .then(|| Radiative::BrandisJohnston(models.brandis_johnston.radiative.clone())),
         _ => {
-            let relation = named(&models.tauber_sutton, planet).cloned().map(Radiative::TauberSutton);
+            let relation = named(&models.tauber_sutton, planet)
+                .cloned()
+                .map(Radiative::TauberSutton);
             if relation.is_none() {
-                let message = format!("got \"tauber-sutton\", which has no relation for {planet}; choose \"none\"");
+                let message = format!(
+                    "got \"tauber-sutton\", which has no relation for {planet}; choose \"none\""
+                );
                 reader.fault("heating.radiative", message);
             }
             relation
@@ -57,7 +67,10 @@ pub(super) fn heating(reader: &mut Reader, library: &Library, planet: &str) -> O
 fn earth_only(reader: &mut Reader, key: &str, planet: &str) -> bool {
     let on_earth = planet.starts_with("earth");
     if !on_earth {
-        reader.fault(key, format!("got \"brandis-johnston\", which is for the Earth, not for {planet}"));
+        reader.fault(
+            key,
+            format!("got \"brandis-johnston\", which is for the Earth, not for {planet}"),
+        );
     }
     on_earth
 }

@@ -16,7 +16,11 @@ const ENTRY_INTERFACE_M: f64 = 125_000.0;
 
 /// The planet, and the name under which its heating relations are found.
 pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, String)> {
-    let names: Vec<&str> = library.planets.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = library
+        .planets
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
     let name = reader.choice("entry.planet", &names);
     if !section_given(reader, "planet.") {
         let name = name?;
@@ -26,15 +30,23 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
         overridden(reader, "entry.planet", "planet");
     }
     let equatorial_radius_m = reader.required_number("planet.equatorial_radius_m");
-    let polar_radius_m = reader.number("planet.polar_radius_m").or(equatorial_radius_m);
+    let polar_radius_m = reader
+        .number("planet.polar_radius_m")
+        .or(equatorial_radius_m);
     let rotation_rate_rad_s = reader.number("planet.rotation_rate_rad_s").unwrap_or(0.0);
     let mu_m3_s2 = reader.number("planet.mu_m3_s2");
     let uniform_m_s2 = reader.number("planet.uniform_gravity_m_s2");
-    let zonal = ["planet.j2", "planet.j3", "planet.j4"].map(|key| reader.number(key).unwrap_or(0.0));
-    let reference_radius_m = reader.number("planet.j_reference_radius_m").or(equatorial_radius_m);
+    let zonal =
+        ["planet.j2", "planet.j3", "planet.j4"].map(|key| reader.number(key).unwrap_or(0.0));
+    let reference_radius_m = reader
+        .number("planet.j_reference_radius_m")
+        .or(equatorial_radius_m);
     let gravity = match (mu_m3_s2, uniform_m_s2) {
         (Some(_), Some(_)) => {
-            reader.fault("planet.uniform_gravity_m_s2", "given together with planet.mu_m3_s2; give one of them");
+            reader.fault(
+                "planet.uniform_gravity_m_s2",
+                "given together with planet.mu_m3_s2; give one of them",
+            );
             None
         }
         (None, Some(acceleration_m_s2)) => Some(Gravity::Uniform { acceleration_m_s2 }),
@@ -47,7 +59,10 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
         }),
         (None, None) => {
             if !reader.given("planet.mu_m3_s2") && !reader.given("planet.uniform_gravity_m_s2") {
-                reader.fault("planet.mu_m3_s2", "missing; give it, in m^3/s^2, or planet.uniform_gravity_m_s2, in m/s^2");
+                reader.fault(
+                    "planet.mu_m3_s2",
+                    "missing; give it, in m^3/s^2, or planet.uniform_gravity_m_s2, in m/s^2",
+                );
             }
             None
         }
@@ -69,12 +84,18 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
     for fault in &faults {
         reader.fault("planet", fault.to_string());
     }
-    faults.is_empty().then(|| (planet, "earth-msape".to_string()))
+    faults
+        .is_empty()
+        .then(|| (planet, "earth-msape".to_string()))
 }
 
 /// The atmosphere.
 pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmosphere> {
-    let names: Vec<&str> = library.atmospheres.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = library
+        .atmospheres
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
     let name = reader.choice("entry.atmosphere", &names);
     let [table, file] = ["atmosphere.table", "atmosphere.file"].map(|key| reader.given(key));
     let exponential = section_given(reader, "atmosphere.exponential.");
@@ -85,12 +106,18 @@ pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmos
         overridden(reader, "entry.atmosphere", "atmosphere");
     }
     if usize::from(table) + usize::from(file) + usize::from(exponential) > 1 {
-        reader.fault("atmosphere", "given in more than one way; give one of table, file and exponential");
+        reader.fault(
+            "atmosphere",
+            "given in more than one way; give one of table, file and exponential",
+        );
         return None;
     }
     let standard = library.us_1976.standard_air();
     if file {
-        reader.fault("atmosphere.file", "was not read; give its rows as atmosphere.table");
+        reader.fault(
+            "atmosphere.file",
+            "was not read; give its rows as atmosphere.table",
+        );
         return None;
     }
     if exponential {
@@ -99,7 +126,9 @@ pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmos
         return match Exponential::try_new(density?, height?, standard) {
             Ok(model) => Some(Atmosphere::Exponential(Arc::new(model))),
             Err(faults) => {
-                faults.iter().for_each(|fault| reader.fault("atmosphere.exponential", fault.to_string()));
+                faults
+                    .iter()
+                    .for_each(|fault| reader.fault("atmosphere.exponential", fault.to_string()));
                 None
             }
         };
@@ -108,7 +137,9 @@ pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmos
     match Table::try_new(&rows, standard) {
         Ok(model) => Some(Atmosphere::Table(Arc::new(model))),
         Err(faults) => {
-            faults.iter().for_each(|fault| reader.fault("atmosphere.table", fault.to_string()));
+            faults
+                .iter()
+                .for_each(|fault| reader.fault("atmosphere.table", fault.to_string()));
             None
         }
     }
@@ -129,14 +160,19 @@ pub(super) fn wind(reader: &mut Reader) -> Option<Wind> {
         });
     }
     if constant {
-        reader.fault("wind.table", "given together with a constant wind; give one of them");
+        reader.fault(
+            "wind.table",
+            "given together with a constant wind; give one of them",
+        );
         return None;
     }
     let rows = reader.rows("wind.table")?;
     match WindTable::try_new(&rows) {
         Ok(table) => Some(Wind::Table(table)),
         Err(faults) => {
-            faults.iter().for_each(|fault| reader.fault("wind.table", fault.to_string()));
+            faults
+                .iter()
+                .for_each(|fault| reader.fault("wind.table", fault.to_string()));
             None
         }
     }
@@ -154,7 +190,9 @@ fn overridden(reader: &mut Reader, key: &str, section: &str) {
         key: key.to_string(),
         value: None,
         valid: (None, None),
-        message: format!("The case brings its own [{section}], which is used in place of the one named."),
+        message: format!(
+            "The case brings its own [{section}], which is used in place of the one named."
+        ),
         source: "convention of this program".to_string(),
         field: Some(key.to_string()),
     });

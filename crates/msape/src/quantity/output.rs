@@ -1,5 +1,6 @@
 //! The outputs: one entry for each number of an answer.
 
+mod design;
 mod flight;
 
 use crate::answer::Answer;
@@ -139,7 +140,7 @@ pub enum Job {
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
     let of_design: &[Output] = match job {
         Job::Fly => &[],
-        Job::Design => &[],
+        Job::Design => design::OUTPUTS,
     };
     of_design.iter().chain(flight::OUTPUTS)
 }

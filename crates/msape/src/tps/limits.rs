@@ -28,8 +28,19 @@ pub fn findings(
     let side = environment.side.name();
     let model = format!("mer {}", material.name);
     let key = |quantity: &str| format!("{side}_{quantity}");
-    let (flux_key, thickness_key) = (key("peak_heat_flux_w_m2"), key("tps_thickness_m"));
-    let pressure_key = key("peak_pressure_pa");
+    let (flux_key, thickness_key) = (
+        if side == "forebody" {
+            "peak_total_margined_heat_flux_w_m2".to_string()
+        } else {
+            key("peak_heat_flux_w_m2")
+        },
+        key("tps_thickness_m"),
+    );
+    let pressure_key = if side == "forebody" {
+        "peak_stagnation_pressure_pa".to_string()
+    } else {
+        key("peak_pressure_pa")
+    };
     let field = format!("design.{side}_tps");
     let limits = material.limits;
     let pressure = Check {
@@ -355,7 +366,7 @@ mod tests {
         );
         assert_eq!(
             (pressed.len(), pressed[0].key.as_str()),
-            (1, "forebody_peak_pressure_pa")
+            (1, "peak_stagnation_pressure_pa")
         );
         let thick = found(
             5,

@@ -102,3 +102,17 @@ fn a_row_of_the_trajectory_is_found_by_its_time() {
     assert_eq!(value(&answer, "altitude_m", Some(3.0)), None);
     assert_eq!(value(&answer, "temperature_k", Some(2.0)), None);
 }
+
+#[test]
+fn quantities_of_flights_are_in_the_lists() {
+    for (name, file) in files().unwrap() {
+        for row in file.rows.iter().filter(|_| file.command == Command::Fly) {
+            let known = match row.time_s {
+                None => output::find(&row.quantity).map(|output| output.dimension),
+                Some(_) => trajectory::find(&row.quantity).map(|column| column.dimension),
+            };
+            let unit = Unit::find(&row.unit).map(|unit| unit.dimension);
+            assert!(known.is_some() && known == unit, "{name}: {}", row.quantity);
+        }
+    }
+}

@@ -88,7 +88,7 @@ pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<F
         list.push(Finding {
             severity: Severity::Note,
             model: "mass properties".to_owned(),
-            key: "vehicle_cg_location_from_apex_m".to_owned(),
+            key: "vertical_cg_location_m".to_owned(),
             value: Some(closed.mass.cg_x_m),
             valid: (None, Some(payload_x_m)),
             message: "The centre of gravity stands behind the payload: the heaviest part should be the foremost.".to_owned(),

@@ -82,9 +82,9 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("design.crush_load_limit_earth_g", "Crush Load Limit", Group::Impact, Dimension::Load, Range::above(0.0, 1e6))
         .unit("g's")
         .usual(500.0, 5_000.0)
-        .preset(Preset::Number(1_500.0))
+        .preset(Preset::Number(3_500.0))
         .basic()
-        .help("Design impact load of the payload on a rigid surface; a higher one needs less stroke.", IMPACT),
+        .help("Design impact load of the payload on a rigid surface; a higher one needs less stroke. Not printed; 3500 g is assumed, with which the vehicle of Table 15 closes.", IMPACT),
     Input::number("design.stroke_efficiency", "Stroke Efficiency", Group::Impact, Dimension::One, RATIO)
         .usual(0.3, 0.9)
         .preset(Preset::Number(0.55))
