@@ -115,7 +115,11 @@ fn interpolated(time_s: &[f64], points: &[(f64, f64)], at_s: f64) -> Option<f64>
     let (i, j) = (after.saturating_sub(1).min(last), after.min(last));
     let (t0, t1) = (*time_s.get(i)?, *time_s.get(j)?);
     let (x0, x1) = (points.get(i)?.0, points.get(j)?.0);
-    let part = if t1 > t0 { (at_s - t0) / (t1 - t0) } else { 0.0 };
+    let part = if t1 > t0 {
+        (at_s - t0) / (t1 - t0)
+    } else {
+        0.0
+    };
     Some(x0 + (x1 - x0) * part.clamp(0.0, 1.0))
 }
 

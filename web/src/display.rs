@@ -29,7 +29,6 @@ impl UnitSystem {
         }
     }
 
-
     /// Unit in which a quantity is shown whose unit in the report is `seed`.
     pub fn unit(self, dimension: Dimension, seed: &'static Unit) -> &'static Unit {
         match self {
@@ -89,8 +88,9 @@ pub fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_string();
     }
-    if value == 0.0 {
-        return "0".to_string();
+    let is_whole = value % 1.0 == 0.0 && value.abs() < 1e6;
+    if is_whole {
+        return format!("{}", value + 0.0).replace('-', "\u{2212}");
     }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -117,9 +117,13 @@ pub fn input_number(value: f64) -> String {
 
 /// A number with its unit.
 pub fn with_unit(value: f64, digits: usize, unit: &Unit) -> String {
-    format!("{} {}", number(unit.from_canonical(value), digits), symbol(unit))
-        .trim_end()
-        .to_string()
+    format!(
+        "{} {}",
+        number(unit.from_canonical(value), digits),
+        symbol(unit)
+    )
+    .trim_end()
+    .to_string()
 }
 
 #[cfg(test)]
@@ -133,6 +137,8 @@ mod tests {
         assert_eq!(number(-0.012_345, 3), "\u{2212}0.0123");
         assert_eq!(number(1.302e7, 4), "1.302e7");
         assert_eq!(number(9.999_96, 4), "10.00");
+        assert_eq!(number(13.0, 4), "13");
+        assert_eq!(number(-0.0, 4), "0");
     }
 
     #[test]

@@ -82,7 +82,10 @@ pub fn section(vehicle: &Vehicle) -> Section {
 
 fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) -> Part {
     let kind = component.kind;
-    let fill = component.profiles.iter().map(|profile| both(profile, Ends::All));
+    let fill = component
+        .profiles
+        .iter()
+        .map(|profile| both(profile, Ends::All));
     let edges = component
         .profiles
         .iter()
@@ -129,7 +132,11 @@ fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
     sides.sort_by(|a, b| b.0.total_cmp(&a.0));
     let on = |(_, start, end): &(f64, Point, Point)| {
         // From the axis outwards, whichever way the side is run.
-        let (inner, outer) = if start.r_m < end.r_m { (start, end) } else { (end, start) };
+        let (inner, outer) = if start.r_m < end.r_m {
+            (start, end)
+        } else {
+            (end, start)
+        };
         Point {
             x_m: inner.x_m + fraction * (outer.x_m - inner.x_m),
             r_m: inner.r_m + fraction * (outer.r_m - inner.r_m),
@@ -151,7 +158,9 @@ fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
         .iter()
         .flat_map(|profile| &profile.segments)
         .filter_map(|segment| match segment {
-            Segment::Arc { center, radius_m, .. } => Some((*center, *radius_m)),
+            Segment::Arc {
+                center, radius_m, ..
+            } => Some((*center, *radius_m)),
             Segment::Line { .. } => None,
         });
     match arcs.max_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -251,9 +260,14 @@ mod tests {
             std::f64::consts::PI,
             -std::f64::consts::FRAC_PI_2,
         );
-        let profile = Profile { segments: vec![arc] };
+        let profile = Profile {
+            segments: vec![arc],
+        };
         let path = both(&profile, Ends::WithoutAxis);
-        assert!(path.starts_with("M0.000 1000.000A1000.000 1000.000 0 0 0 707.107 707.107"), "{path}");
+        assert!(
+            path.starts_with("M0.000 1000.000A1000.000 1000.000 0 0 0 707.107 707.107"),
+            "{path}"
+        );
         assert!(path.contains("0 0 1 -707.107 707.107"), "{path}");
     }
 

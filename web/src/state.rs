@@ -103,7 +103,9 @@ impl State {
         let case = Memo::new(move |_| document.with(|document| document.case.clone()));
         let stored_library = StoredValue::new(library);
         let checks = Memo::new(move |_| {
-            Arc::new(stored_library.with_value(|library| check_inputs(&case.get(), library.as_ref())))
+            Arc::new(
+                stored_library.with_value(|library| check_inputs(&case.get(), library.as_ref())),
+            )
         });
         let state = State {
             history,
@@ -183,7 +185,9 @@ impl State {
 
     /// Replaces the document; edits with one `tag` in a row are one step to undo.
     pub fn edit(self, label: &str, tag: Option<&str>, change: impl FnOnce(&Document) -> Document) {
-        let document = self.history.with_untracked(|history| change(history.present()));
+        let document = self
+            .history
+            .with_untracked(|history| change(history.present()));
         self.history
             .update(|history| history.edit(label, tag, document));
     }
@@ -202,7 +206,8 @@ impl State {
                 .unwrap_or_default();
             self.faults.with(|faults| {
                 for fault in faults.iter().filter(|fault| fault.key == key) {
-                    if !check.faults.contains(&fault.message) && self.phase.get() == Phase::AtFault {
+                    if !check.faults.contains(&fault.message) && self.phase.get() == Phase::AtFault
+                    {
                         check.faults.push(fault.message.clone());
                     }
                 }

@@ -16,10 +16,7 @@ pub const ALTERNATIVES: &[(&str, &[&str])] = &[
             "design.payload_diameter_ratio",
         ],
     ),
-    (
-        "Start given by",
-        &["entry.altitude_m", "entry.radius_m"],
-    ),
+    ("Start given by", &["entry.altitude_m", "entry.radius_m"]),
 ];
 
 /// The group of alternatives that an input is the first of.

@@ -69,7 +69,11 @@ pub fn Chart(
     let on_key = move |event: KeyboardEvent| {
         let count = points.with_untracked(Vec::len);
         let last = count.saturating_sub(1);
-        let step = if event.shift_key() { (count / 20).max(1) } else { 1 };
+        let step = if event.shift_key() {
+            (count / 20).max(1)
+        } else {
+            1
+        };
         let now = state.cursor.get_untracked();
         let next = match event.key().as_str() {
             "ArrowRight" => Some(now.map_or(0, |row| (row + step).min(last))),
@@ -88,7 +92,11 @@ pub fn Chart(
     let description = move || {
         let title = title.get();
         let words = figure.with(summary);
-        let keys = if still { "" } else { " Left and right arrow keys move the cursor." };
+        let keys = if still {
+            ""
+        } else {
+            " Left and right arrow keys move the cursor."
+        };
         format!("{title}. {words}{keys}")
     };
 
@@ -132,7 +140,11 @@ fn nearest(
 ) -> Option<usize> {
     let distance = |(x, y): &(f64, f64)| {
         let dx = mapping.x.px(*x)? - x_px;
-        let dy = if along_x { 0.0 } else { mapping.y.px(*y)? - y_px };
+        let dy = if along_x {
+            0.0
+        } else {
+            mapping.y.px(*y)? - y_px
+        };
         Some(dx * dx + dy * dy)
     };
     points
@@ -172,6 +184,8 @@ fn watch_size(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>) {
 }
 
 /// The page has one thread; clean-up asks for what could change threads.
-fn send_wrapper(observer: ResizeObserver) -> leptos::__reexports::send_wrapper::SendWrapper<ResizeObserver> {
+fn send_wrapper(
+    observer: ResizeObserver,
+) -> leptos::__reexports::send_wrapper::SendWrapper<ResizeObserver> {
     leptos::__reexports::send_wrapper::SendWrapper::new(observer)
 }

@@ -27,28 +27,49 @@ pub fn ChartPanel(
     let units = Memo::new(move |_| state.document.with(|document| document.units));
     let figure = Memo::new(move |_| {
         let (spec, units) = (spec.get(), units.get());
-        state.latest.with(|latest| {
-            let flight = latest.as_ref()?.answer.flight.as_ref()?;
-            Some(spec.figure(flight, units))
-        }).unwrap_or_default()
+        state
+            .latest
+            .with(|latest| {
+                let flight = latest.as_ref()?.answer.flight.as_ref()?;
+                Some(spec.figure(flight, units))
+            })
+            .unwrap_or_default()
     });
-    let points = Memo::new(move |_| figure.with(|figure| {
-        figure.series.first().map(|series| series.points.clone()).unwrap_or_default()
-    }));
+    let points = Memo::new(move |_| {
+        figure.with(|figure| {
+            figure
+                .series
+                .first()
+                .map(|series| series.points.clone())
+                .unwrap_or_default()
+        })
+    });
     let title = Signal::derive(move || spec.with(ChartSpec::title));
     let table_open = RwSignal::new(false);
     // Of all charts, only the one with the focus speaks.
     let focused = RwSignal::new(false);
-    let reading = move || state.cursor.get().and_then(|row| {
-        points.with(|points| points.get(row.min(points.len().checked_sub(1)?)).copied())
-    }).map(|(x, y)| {
-        let (spec, units) = (spec.get(), units.get());
-        let part = |key: &str, value| find(key).map(|column| {
-            let symbol = symbol(units.of_column(column));
-            format!("{} {} {symbol}", column.label, number(value, 5)).trim_end().to_string()
-        }).unwrap_or_default();
-        format!("{}, {}", part(&spec.x, x), part(&spec.y, y))
-    });
+    let reading = move || {
+        state
+            .cursor
+            .get()
+            .and_then(|row| {
+                points.with(|points| points.get(row.min(points.len().checked_sub(1)?)).copied())
+            })
+            .map(|(x, y)| {
+                let (spec, units) = (spec.get(), units.get());
+                let part = |key: &str, value| {
+                    find(key)
+                        .map(|column| {
+                            let symbol = symbol(units.of_column(column));
+                            format!("{} {} {symbol}", column.label, number(value, 5))
+                                .trim_end()
+                                .to_string()
+                        })
+                        .unwrap_or_default()
+                };
+                format!("{}, {}", part(&spec.x, x), part(&spec.y, y))
+            })
+    };
     let name = move |extension| files::file_name(&title.get_untracked(), extension);
 
     view! {

@@ -12,16 +12,31 @@ const ROWS: usize = 25;
 pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView {
     let page = RwSignal::new(0_usize);
     let count = Memo::new(move |_| {
-        figure.with(|figure| figure.series.first().map_or(0, |series| series.points.len()))
+        figure.with(|figure| {
+            figure
+                .series
+                .first()
+                .map_or(0, |series| series.points.len())
+        })
     });
     let pages = move || count.get().div_ceil(ROWS).max(1);
     let now = Memo::new(move |_| page.get().min(pages() - 1));
     let rows = move || {
         figure.with(|figure| {
-            figure.series.first().map(|series| {
-                let start = now.get() * ROWS;
-                series.points.iter().skip(start).take(ROWS).copied().collect::<Vec<_>>()
-            }).unwrap_or_default()
+            figure
+                .series
+                .first()
+                .map(|series| {
+                    let start = now.get() * ROWS;
+                    series
+                        .points
+                        .iter()
+                        .skip(start)
+                        .take(ROWS)
+                        .copied()
+                        .collect::<Vec<_>>()
+                })
+                .unwrap_or_default()
         })
     };
     view! {

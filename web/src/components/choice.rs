@@ -10,7 +10,10 @@ use msape::quantity::input::{Choices, Input, Preset};
 #[component]
 pub fn ChoiceField(input: &'static Input, choices: Choices) -> impl IntoView {
     let state = State::expect();
-    let choices = state.library.with_value(|library| library.as_ref().map(|library| library.choices(choices))).unwrap_or_default();
+    let choices = state
+        .library
+        .with_value(|library| library.as_ref().map(|library| library.choices(choices)))
+        .unwrap_or_default();
     view! { <Select input choices to_value=|name: &str| Value::Text(name.to_string()) /> }
 }
 
@@ -43,7 +46,10 @@ fn Select(
     // A name that is not in the list stays visible, with its fault.
     let foreign = Memo::new(move |_| {
         let now = now.get();
-        let is_foreign = !now.is_empty() && known.iter().all(|(name, _)| squeezed(name) != squeezed(&now));
+        let is_foreign = !now.is_empty()
+            && known
+                .iter()
+                .all(|(name, _)| squeezed(name) != squeezed(&now));
         is_foreign.then_some(now)
     });
     let check = state.check(input.key);

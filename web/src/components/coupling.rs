@@ -91,7 +91,9 @@ fn Values(chosen: RwSignal<Option<(Module, Module)>>) -> impl IntoView {
     let passes = state.of_answer(|answer| answer.passes.clone());
     let unit = move |crossing: &'static Crossing| {
         let seed = Unit::find(crossing.unit).unwrap_or_else(|| canonical(crossing.dimension));
-        state.document.with(|document| document.units.unit(crossing.dimension, seed))
+        state
+            .document
+            .with(|document| document.units.unit(crossing.dimension, seed))
     };
     view! {
         {move || chosen.get().map(|(from, to)| {

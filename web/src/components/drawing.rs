@@ -50,10 +50,16 @@ fn layer_of(kind: ComponentKind) -> Layer {
 #[component]
 pub fn Drawing() -> impl IntoView {
     let state = State::expect();
-    let vehicle = state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
+    let vehicle =
+        state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
     let has_vehicle = Memo::new(move |_| vehicle.with(|vehicle| matches!(vehicle, Some(Some(_)))));
     // A design that does not close leaves the last vehicle in view.
-    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| vehicle.get().flatten().or_else(|| before.cloned().flatten()));
+    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| {
+        vehicle
+            .get()
+            .flatten()
+            .or_else(|| before.cloned().flatten())
+    });
     let hidden = RwSignal::new(Vec::<Layer>::new());
     let lit = RwSignal::new(None::<ComponentKind>);
     let chosen = RwSignal::new(None::<ComponentKind>);
@@ -102,7 +108,7 @@ fn sheet(
 ) -> impl IntoView {
     let d = vehicle.dimensions;
     let r = section.radius_mm;
-    let (left, right) = (-1.26 * r, 1.52 * r);
+    let (left, right) = (-1.26 * r, 1.62 * r);
     let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
     let font = 0.084 * r;
     let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
@@ -149,17 +155,27 @@ fn sheet(
 
 /// Opposite quarters of the sign of a centre of gravity.
 fn quarters(y: f64, r: f64) -> String {
-    format!("M0 {y}V{}A{r} {r} 0 0 1 {r} {y}ZM0 {y}V{}A{r} {r} 0 0 1 {} {y}Z", y - r, y + r, -r)
+    format!(
+        "M0 {y}V{}A{r} {r} 0 0 1 {r} {y}ZM0 {y}V{}A{r} {r} 0 0 1 {} {y}Z",
+        y - r,
+        y + r,
+        -r
+    )
 }
 
 /// A length in the units shown.
 fn length(metres: f64, units: UnitSystem) -> String {
     let unit = length_unit(units);
-    format!("{} {}", number(unit.from_canonical(metres), 3), symbol(unit))
+    format!(
+        "{} {}",
+        number(unit.from_canonical(metres), 3),
+        symbol(unit)
+    )
 }
 
 fn length_unit(units: UnitSystem) -> &'static Unit {
-    let seed = output::find("diameter_m").map_or(canonical(Dimension::Length), |output| output.shown_unit());
+    let seed = output::find("diameter_m")
+        .map_or(canonical(Dimension::Length), |output| output.shown_unit());
     units.unit(Dimension::Length, seed)
 }
 
@@ -209,7 +225,13 @@ fn dimension_lines(
     }
 }
 
-fn scale_bar(section: &Section, units: UnitSystem, left: f64, bottom: f64, font: f64) -> impl IntoView + use<> {
+fn scale_bar(
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    bottom: f64,
+    font: f64,
+) -> impl IntoView + use<> {
     let length_mm = scale_bar_mm(2.0 * section.radius_mm);
     let (x, y) = (left + 0.5 * font, bottom - 0.6 * font);
     let end = x + length_mm;

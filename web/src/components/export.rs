@@ -52,12 +52,54 @@ fn track(state: State) -> Option<String> {
 }
 
 const KINDS: &[Kind] = &[
-    Kind { button: "Inputs (TOML)", help: "the case, for people and for the command line", suffix: "", extension: "toml", mime: "application/toml", text: |state| of_case(state, Case::to_toml) },
-    Kind { button: "Inputs (JSON)", help: "the same for other programs", suffix: "", extension: "json", mime: "application/json", text: |state| of_case(state, Case::to_json) },
-    Kind { button: "Export Results to CSV", help: "the report's columns and units", suffix: "-results", extension: "csv", mime: "text/csv", text: |state| results(state, Manner::Report) },
-    Kind { button: "Results (CSV, SI)", help: "keys and SI units", suffix: "-results-si", extension: "csv", mime: "text/csv", text: |state| results(state, Manner::Si) },
-    Kind { button: "Trajectory (CSV)", help: "time history, keys and SI units", suffix: "-trajectory", extension: "csv", mime: "text/csv", text: |state| trajectory(state, Manner::Si) },
-    Kind { button: "Trajectory (KML)", help: "for viewers of the globe", suffix: "-trajectory", extension: "kml", mime: "application/vnd.google-earth.kml+xml", text: track },
+    Kind {
+        button: "Inputs (TOML)",
+        help: "the case, for people and for the command line",
+        suffix: "",
+        extension: "toml",
+        mime: "application/toml",
+        text: |state| of_case(state, Case::to_toml),
+    },
+    Kind {
+        button: "Inputs (JSON)",
+        help: "the same for other programs",
+        suffix: "",
+        extension: "json",
+        mime: "application/json",
+        text: |state| of_case(state, Case::to_json),
+    },
+    Kind {
+        button: "Export Results to CSV",
+        help: "the report's columns and units",
+        suffix: "-results",
+        extension: "csv",
+        mime: "text/csv",
+        text: |state| results(state, Manner::Report),
+    },
+    Kind {
+        button: "Results (CSV, SI)",
+        help: "keys and SI units",
+        suffix: "-results-si",
+        extension: "csv",
+        mime: "text/csv",
+        text: |state| results(state, Manner::Si),
+    },
+    Kind {
+        button: "Trajectory (CSV)",
+        help: "time history, keys and SI units",
+        suffix: "-trajectory",
+        extension: "csv",
+        mime: "text/csv",
+        text: |state| trajectory(state, Manner::Si),
+    },
+    Kind {
+        button: "Trajectory (KML)",
+        help: "for viewers of the globe",
+        suffix: "-trajectory",
+        extension: "kml",
+        mime: "application/vnd.google-earth.kml+xml",
+        text: track,
+    },
 ];
 
 /// The buttons.
@@ -67,9 +109,18 @@ pub fn Export() -> impl IntoView {
     let hand_over = move |kind: &Kind| match (kind.text)(state) {
         Some(text) => {
             let name = state.case.with_untracked(|case| case.name.clone());
-            save(state, files::download(&file_name(&format!("{name}{}", kind.suffix), kind.extension), kind.mime, &text));
+            save(
+                state,
+                files::download(
+                    &file_name(&format!("{name}{}", kind.suffix), kind.extension),
+                    kind.mime,
+                    &text,
+                ),
+            );
         }
-        None => state.notice.set("There is no result to export yet.".to_string()),
+        None => state
+            .notice
+            .set("There is no result to export yet.".to_string()),
     };
     view! {
         <ul class="exports">

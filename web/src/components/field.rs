@@ -103,7 +103,8 @@ pub fn Field(
             document.with_case(|case| case.reset(input))
         });
     };
-    let can_reset = Memo::new(move |_| check.with(|check| check.changed) && input.preset != Preset::Absent);
+    let can_reset =
+        Memo::new(move |_| check.with(|check| check.changed) && input.preset != Preset::Absent);
 
     view! {
         <div class="field" class:field-fault=move || standing.get() == Standing::Fault data-key=input.key>
@@ -179,7 +180,11 @@ fn allowed_text(input: &Input) -> Option<String> {
         return None;
     };
     let unit = canonical(dimension).symbol;
-    let from = if allowed.min_included { "from" } else { "above" };
+    let from = if allowed.min_included {
+        "from"
+    } else {
+        "above"
+    };
     let to = if allowed.max < 1e9 {
         format!(" to {}", crate::display::input_number(allowed.max))
     } else {

@@ -59,8 +59,16 @@ pub fn Header() -> impl IntoView {
 #[component]
 fn UndoRedo() -> impl IntoView {
     let state = State::expect();
-    let undo_label = Memo::new(move |_| state.history.with(|history| history.undo_label().map(str::to_string)));
-    let redo_label = Memo::new(move |_| state.history.with(|history| history.redo_label().map(str::to_string)));
+    let undo_label = Memo::new(move |_| {
+        state
+            .history
+            .with(|history| history.undo_label().map(str::to_string))
+    });
+    let redo_label = Memo::new(move |_| {
+        state
+            .history
+            .with(|history| history.redo_label().map(str::to_string))
+    });
     let words = |word: &'static str, label: Option<String>| match label {
         Some(label) => format!("{word}: {label}"),
         None => format!("{word}: nothing"),

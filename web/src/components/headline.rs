@@ -43,12 +43,19 @@ pub fn Freshness() -> impl IntoView {
     let text = move || match state.phase.get() {
         Phase::Fresh => state.latest.with(|latest| {
             latest.as_ref().map_or_else(String::new, |solved| {
-                format!("up to date, solved in {} ms", number(solved.duration_ms.max(1.0), 2))
+                format!(
+                    "up to date, solved in {} ms",
+                    number(solved.duration_ms.max(1.0), 2)
+                )
             })
         }),
         Phase::Updating => "updating".to_string(),
-        Phase::AtFault => "input at fault; these are the results of the last good input".to_string(),
-        Phase::Failed(message) => format!("the solver failed: {message}. Change an input to try again."),
+        Phase::AtFault => {
+            "input at fault; these are the results of the last good input".to_string()
+        }
+        Phase::Failed(message) => {
+            format!("the solver failed: {message}. Change an input to try again.")
+        }
     };
     view! { <p class="freshness" role="status">{text}</p> }
 }
@@ -57,7 +64,8 @@ pub fn Freshness() -> impl IntoView {
 #[component]
 pub fn Headline() -> impl IntoView {
     let state = State::expect();
-    let outcome = state.of_answer(|answer| (answer.outcome, answer.reason.clone(), answer.passes.len()));
+    let outcome =
+        state.of_answer(|answer| (answer.outcome, answer.reason.clone(), answer.passes.len()));
     let units = Memo::new(move |_| state.document.with(|document| document.units));
     view! {
         <section class="card headline" aria-labelledby="headline-title">
@@ -88,10 +96,15 @@ pub fn Headline() -> impl IntoView {
 }
 
 #[component]
-fn Number(output: &'static Output, name: &'static str, units: Memo<crate::display::UnitSystem>) -> impl IntoView {
+fn Number(
+    output: &'static Output,
+    name: &'static str,
+    units: Memo<crate::display::UnitSystem>,
+) -> impl IntoView {
     let state = State::expect();
     let value = state.of_answer(move |answer| (output.get)(answer));
-    let deviation = state.of_answer(move |answer| deviation_of(output.key).and_then(|output| (output.get)(answer)));
+    let deviation = state
+        .of_answer(move |answer| deviation_of(output.key).and_then(|output| (output.get)(answer)));
     let mark = state.of_answer(move |answer| validity(answer, output.key));
     view! {
         <div>
@@ -113,10 +126,10 @@ fn Number(output: &'static Output, name: &'static str, units: Memo<crate::displa
     }
 }
 
-/// The output that holds the standard deviation of another.
+/// The output that holds the standard deviation of a thickness.
 fn deviation_of(key: &str) -> Option<&'static Output> {
-    let (stem, unit) = key.rsplit_once('_')?;
-    output::find(&format!("{stem}_standard_deviation_{unit}"))
+    output::find(&key.replace("_thickness_", "_standard_deviation_"))
+        .filter(|output| output.key != key)
 }
 
 /// The first of them in one line, which stays in view on a small screen.

@@ -26,7 +26,12 @@ pub fn Legend(
         vehicle.with(|vehicle| {
             vehicle
                 .as_ref()
-                .map(|vehicle| drawn(vehicle).iter().map(|component| component.kind).collect::<Vec<_>>())
+                .map(|vehicle| {
+                    drawn(vehicle)
+                        .iter()
+                        .map(|component| component.kind)
+                        .collect::<Vec<_>>()
+                })
                 .unwrap_or_default()
         })
     });
@@ -34,11 +39,17 @@ pub fn Legend(
         vehicle.with(|vehicle| {
             vehicle
                 .as_ref()
-                .and_then(|vehicle| vehicle.components.iter().find(|component| component.kind == kind))
+                .and_then(|vehicle| {
+                    vehicle
+                        .components
+                        .iter()
+                        .find(|component| component.kind == kind)
+                })
                 .map(|component| component.mass_with_margin_kg)
         })
     };
-    let total = move || vehicle.with(|vehicle| vehicle.as_ref().map(|vehicle| vehicle.mass.mass_kg));
+    let total =
+        move || vehicle.with(|vehicle| vehicle.as_ref().map(|vehicle| vehicle.mass.mass_kg));
     let shown = |value: Option<f64>| value.map_or("–".to_string(), |value| number(value, 3));
     view! {
         <table class="legend">
@@ -75,8 +86,15 @@ pub fn Detail(
         let kind = chosen.get()?;
         vehicle.with(|vehicle| {
             let vehicle = vehicle.as_ref()?;
-            let component = vehicle.components.iter().find(|component| component.kind == kind)?;
-            Some((component.clone(), vehicle.mass.mass_kg, vehicle.dimensions.virtual_apex_ahead_m))
+            let component = vehicle
+                .components
+                .iter()
+                .find(|component| component.kind == kind)?;
+            Some((
+                component.clone(),
+                vehicle.mass.mass_kg,
+                vehicle.dimensions.virtual_apex_ahead_m,
+            ))
         })
     });
     view! {

@@ -40,7 +40,9 @@ pub fn Notes() -> impl IntoView {
     };
     let nothing = move || {
         let none = |list: Option<usize>| list.unwrap_or(0) == 0;
-        none(findings.get().map(|f| f.len())) && none(adjustments.get().map(|a| a.len())) && faults.with(|f| f.is_empty())
+        none(findings.get().map(|f| f.len()))
+            && none(adjustments.get().map(|a| a.len()))
+            && faults.with(|f| f.is_empty())
     };
     view! {
         <section class="card" aria-labelledby="notes-title" id="notes">
@@ -88,7 +90,8 @@ fn Remark(finding: Finding, class: &'static str) -> impl IntoView {
 
 #[component]
 fn Adjusted(adjustment: Adjustment) -> impl IntoView {
-    let label = input::find(&adjustment.key).map_or(adjustment.key.clone(), |input| input.label.to_string());
+    let label = input::find(&adjustment.key)
+        .map_or(adjustment.key.clone(), |input| input.label.to_string());
     let shown = |value| {
         input::find(&adjustment.key).map_or_else(
             || value_text(value),
@@ -112,7 +115,8 @@ fn range_text(finding: &Finding) -> Option<String> {
     let unit = output::find(&finding.key)
         .map(|output| output.shown_unit())
         .or_else(|| input::find(&finding.key).map(|input| canonical(input.dimension())));
-    let shown = |value: f64| unit.map_or_else(|| value_text(value), |unit| with_unit(value, 4, unit));
+    let shown =
+        |value: f64| unit.map_or_else(|| value_text(value), |unit| with_unit(value, 4, unit));
     match finding.valid {
         (Some(min), Some(max)) => Some(format!("from {} to {}", shown(min), shown(max))),
         (Some(min), None) => Some(format!("from {}", shown(min))),

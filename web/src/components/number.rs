@@ -20,12 +20,19 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
     };
     let unit = Memo::new(move |_| state.document.with(|document| shown_unit(input, document)));
     let value = Memo::new(move |_| state.case.with(|case| case.values.get(input.key).cloned()));
-    let canonical_value = Memo::new(move |_| value.with(|value| canonical_number(input, value.as_ref())));
+    let canonical_value =
+        Memo::new(move |_| value.with(|value| canonical_number(input, value.as_ref())));
     // What is typed while the field has the focus; the case holds what it means.
     let draft = RwSignal::new(None::<(u32, String)>);
-    let typing = move || draft.get().filter(|(turn, _)| *turn == state.turns.get()).map(|(_, text)| text);
+    let typing = move || {
+        draft
+            .get()
+            .filter(|(turn, _)| *turn == state.turns.get())
+            .map(|(_, text)| text)
+    };
     let at_focus = StoredValue::new(None::<Option<Value>>);
-    let text = Memo::new(move |_| typing().unwrap_or_else(|| field_text(input, value.get(), unit.get())));
+    let text =
+        Memo::new(move |_| typing().unwrap_or_else(|| field_text(input, value.get(), unit.get())));
     let tag = format!("number {}", input.key);
 
     let put = {
@@ -70,7 +77,11 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
             let shown = unit.from_canonical(now);
             let size = step_size(input, shown, unit)
                 * if event.shift_key() { 10.0 } else { 1.0 }
-                * if event.alt_key() && !whole(input) { 0.1 } else { 1.0 };
+                * if event.alt_key() && !whole(input) {
+                    0.1
+                } else {
+                    1.0
+                };
             let next = ((shown / size).round() + if up { 1.0 } else { -1.0 }) * size;
             let Ok(next) = input_number(next).parse::<f64>() else {
                 return;
@@ -100,7 +111,10 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         if let Ok(shown) = text.parse::<f64>() {
             let shown: f64 = format!("{shown:.3e}").parse().unwrap_or(shown);
             let shown = if whole(input) { shown.round() } else { shown };
-            put(Some(Value::Number(within(input, unit.get_untracked().to_canonical(shown)))));
+            put(Some(Value::Number(within(
+                input,
+                unit.get_untracked().to_canonical(shown),
+            ))));
         }
     };
     let caption = move || {
@@ -114,7 +128,11 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
     };
     let echo = move || {
         let symbol = canonical(dimension).symbol;
-        canonical_value.get().map(|value| format!("{} {symbol}", input_number(value)).trim_end().to_string())
+        canonical_value.get().map(|value| {
+            format!("{} {symbol}", input_number(value))
+                .trim_end()
+                .to_string()
+        })
     };
     let fault = state.check(input.key);
     let units: Vec<&'static Unit> = units_of(dimension).collect();
@@ -184,11 +202,23 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
     }
 }
 
-fn caption_value(value: Memo<Option<f64>>, unit: Memo<&'static Unit>) -> impl Fn() -> String + Send + Sync {
-    move || value.get().map_or_else(|| "not set".to_string(), |value| {
-        let unit = unit.get();
-        format!("{} {}", input_number(unit.from_canonical(value)), unit.symbol)
-    })
+fn caption_value(
+    value: Memo<Option<f64>>,
+    unit: Memo<&'static Unit>,
+) -> impl Fn() -> String + Send + Sync {
+    move || {
+        value.get().map_or_else(
+            || "not set".to_string(),
+            |value| {
+                let unit = unit.get();
+                format!(
+                    "{} {}",
+                    input_number(unit.from_canonical(value)),
+                    unit.symbol
+                )
+            },
+        )
+    }
 }
 
 /// Unit in which a document shows an input.
@@ -253,9 +283,7 @@ fn typed_unit(text: &str, input: &Input) -> Option<&'static Unit> {
 
 fn placeholder(input: &Input, unit: &Unit) -> String {
     match input.preset {
-        msape::quantity::input::Preset::Number(number) => {
-            input_number(unit.from_canonical(number))
-        }
+        msape::quantity::input::Preset::Number(number) => input_number(unit.from_canonical(number)),
         _ => "not given".to_string(),
     }
 }
@@ -312,7 +340,10 @@ mod tests {
         let speed = input("entry.speed_m_s");
         let unit = Unit::find("km/s").unwrap();
         assert_eq!(meaning(speed, "11,5", unit), Some(Value::Number(11_500.0)));
-        assert_eq!(meaning(speed, "fast", unit), Some(Value::Text("fast".into())));
+        assert_eq!(
+            meaning(speed, "fast", unit),
+            Some(Value::Text("fast".into()))
+        );
         assert_eq!(meaning(speed, " ", unit), None);
     }
 
@@ -323,7 +354,10 @@ mod tests {
         assert_eq!(unit("38000 ft/s", "entry.speed_m_s"), Some("ft/s"));
         assert_eq!(unit("=1.3*0.25/2 m", "design.diameter_m"), Some("m"));
         assert_eq!(unit("12", "design.diameter_m"), None);
-        assert_eq!(unit("1.2 g/cm³", "design.payload_density_kg_m3"), Some("g/cm^3"));
+        assert_eq!(
+            unit("1.2 g/cm³", "design.payload_density_kg_m3"),
+            Some("g/cm^3")
+        );
     }
 
     #[test]

@@ -24,14 +24,26 @@ pub fn open_text(state: State, source: &str, text: &str) {
     match Case::from_text(text) {
         Ok(case) => {
             let faults = Reader::new(&case).faults;
-            let name = if case.name.is_empty() { source.to_string() } else { case.name.clone() };
+            let name = if case.name.is_empty() {
+                source.to_string()
+            } else {
+                case.name.clone()
+            };
             replace_case(state, &format!("Open {name}"), case);
-            state.notice.set(format!("{name} is open; undo brings the case before back."));
-            state.file_faults.set(faults.iter().map(ToString::to_string).collect());
+            state
+                .notice
+                .set(format!("{name} is open; undo brings the case before back."));
+            state
+                .file_faults
+                .set(faults.iter().map(ToString::to_string).collect());
         }
         Err(faults) => {
-            state.notice.set(format!("{source} was not opened; nothing has changed."));
-            state.file_faults.set(faults.iter().map(ToString::to_string).collect());
+            state
+                .notice
+                .set(format!("{source} was not opened; nothing has changed."));
+            state
+                .file_faults
+                .set(faults.iter().map(ToString::to_string).collect());
         }
     }
 }
@@ -54,7 +66,12 @@ pub fn StartFrom() -> impl IntoView {
     let starts = StoredValue::new(starts());
     let now = Memo::new(move |_| {
         state.case.with(|case| {
-            starts.with_value(|starts| starts.iter().find(|start| start.case == **case).map(|start| start.id.clone()))
+            starts.with_value(|starts| {
+                starts
+                    .iter()
+                    .find(|start| start.case == **case)
+                    .map(|start| start.id.clone())
+            })
         })
     });
     view! {

@@ -1,7 +1,7 @@
 //! How the mass settles from pass to pass.
 
-use crate::components::chart::Chart;
 use crate::charts::ChartSpec;
+use crate::components::chart::Chart;
 use crate::display::number;
 use crate::state::State;
 use leptos::prelude::*;
@@ -19,7 +19,10 @@ pub fn Residuals() -> impl IntoView {
         })
     });
     let figure = Memo::new(move |_| {
-        let points: Vec<(f64, f64)> = passes.get().unwrap_or_default().iter()
+        let points: Vec<(f64, f64)> = passes
+            .get()
+            .unwrap_or_default()
+            .iter()
             .filter_map(|pass| Some((f64::from(pass.number), pass.mass_change_kg?.abs())))
             .collect();
         let mut series = Series::line("Mass change", points, 0);
@@ -28,13 +31,31 @@ pub fn Residuals() -> impl IntoView {
             x: Axis::new("Pass", ""),
             y: Axis::new("Change of entry mass", "kg").with_scale(Scale::Log),
             series: vec![series],
-            limits: criterion_kg.get().map(|y| LimitLine { y, label: "criterion".to_string() }).into_iter().collect(),
+            limits: criterion_kg
+                .get()
+                .map(|y| LimitLine {
+                    y,
+                    label: "criterion".to_string(),
+                })
+                .into_iter()
+                .collect(),
             ..Figure::default()
         }
     });
-    let points = Memo::new(move |_| figure.with(|figure| figure.series.first().map(|series| series.points.clone()).unwrap_or_default()));
+    let points = Memo::new(move |_| {
+        figure.with(|figure| {
+            figure
+                .series
+                .first()
+                .map(|series| series.points.clone())
+                .unwrap_or_default()
+        })
+    });
     let title = Signal::derive(|| "Change of the entry mass by pass".to_string());
-    let spec = Signal::derive(|| ChartSpec { x: String::new(), y: String::new() });
+    let spec = Signal::derive(|| ChartSpec {
+        x: String::new(),
+        y: String::new(),
+    });
     view! {
         <div class="residuals">
             <Chart title spec figure points focused=RwSignal::new(false) still=true />

@@ -83,7 +83,13 @@ pub fn Results() -> impl IntoView {
     let state = State::expect();
     let search = RwSignal::new(String::new());
     let wanted = Memo::new(move |_| search.with(|text| text.trim().to_lowercase()));
-    let count = Memo::new(move |_| wanted.with(|wanted| outputs(Job::Design).filter(|output| matches(output, wanted)).count()));
+    let count = Memo::new(move |_| {
+        wanted.with(|wanted| {
+            outputs(Job::Design)
+                .filter(|output| matches(output, wanted))
+                .count()
+        })
+    });
     let copy = move |_| {
         let text = tsv(state, &wanted.get_untracked());
         spawn_local(async move {
@@ -118,7 +124,8 @@ fn ModuleTable(module: Module, wanted: Memo<String>) -> impl IntoView {
         .filter(|output| output.module == module)
         .collect();
     let any = of_module.clone();
-    let is_empty = Memo::new(move |_| wanted.with(|wanted| !any.iter().any(|output| matches(output, wanted))));
+    let is_empty =
+        Memo::new(move |_| wanted.with(|wanted| !any.iter().any(|output| matches(output, wanted))));
     view! {
         <table class="outputs" hidden=move || is_empty.get()>
             <caption>{module.label()}</caption>
@@ -137,7 +144,11 @@ fn OutputRow(output: &'static Output, wanted: Memo<String>) -> impl IntoView {
     let state = State::expect();
     let value = state.of_answer(move |answer| (output.get)(answer));
     let mark = state.of_answer(move |answer| validity(answer, output.key));
-    let unit = Memo::new(move |_| state.document.with(|document| document.units.of_output(output)));
+    let unit = Memo::new(move |_| {
+        state
+            .document
+            .with(|document| document.units.of_output(output))
+    });
     let open = RwSignal::new(false);
     let id = format!("out-{}", output.key);
     let help_id = format!("{id}-source");
@@ -172,7 +183,12 @@ fn tsv(state: State, wanted: &str) -> String {
                 let unit = units.of_output(output);
                 let value = answer.and_then(|answer| (output.get)(answer));
                 let value = value.map(|value| unit.from_canonical(value).to_string());
-                format!("{}\t{}\t{}", output.label, value.unwrap_or_default(), unit.symbol)
+                format!(
+                    "{}\t{}\t{}",
+                    output.label,
+                    value.unwrap_or_default(),
+                    unit.symbol
+                )
             })
             .collect::<Vec<_>>()
     });

@@ -12,7 +12,12 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
     let state = State::expect();
     let value = Memo::new(move |_| state.case.with(|case| case.values.get(input.key).cloned()));
     let draft = RwSignal::new(None::<(u32, String)>);
-    let typing = move || draft.get().filter(|(turn, _)| *turn == state.turns.get()).map(|(_, text)| text);
+    let typing = move || {
+        draft
+            .get()
+            .filter(|(turn, _)| *turn == state.turns.get())
+            .map(|(_, text)| text)
+    };
     let text = move || typing().unwrap_or_else(|| written(value.get().as_ref()));
     let check = state.check(input.key);
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();

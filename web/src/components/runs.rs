@@ -19,13 +19,20 @@ pub fn Runs() -> impl IntoView {
     let state = State::expect();
     let runs = Memo::new(move |_| state.document.with(|document| document.runs.clone()));
     let name = RwSignal::new(None::<String>);
-    let shown_name = move || name.get().unwrap_or_else(|| state.case.with(|case| case.name.clone()));
+    let shown_name = move || {
+        name.get()
+            .unwrap_or_else(|| state.case.with(|case| case.name.clone()))
+    };
     let keep = move |_| {
         keep_run(state, shown_name());
         name.set(None);
     };
     let newest_first = move || {
-        let mut list: Vec<(String, Run)> = runs.get().iter().map(|(id, run)| (id.clone(), run.clone())).collect();
+        let mut list: Vec<(String, Run)> = runs
+            .get()
+            .iter()
+            .map(|(id, run)| (id.clone(), run.clone()))
+            .collect();
         list.sort_by(|a, b| b.1.saved_ms.total_cmp(&a.1.saved_ms));
         list
     };
@@ -51,7 +58,11 @@ pub fn Runs() -> impl IntoView {
 }
 
 fn keep_run(state: State, name: String) {
-    let name = if name.trim().is_empty() { "Unnamed".to_string() } else { name.trim().to_string() };
+    let name = if name.trim().is_empty() {
+        "Unnamed".to_string()
+    } else {
+        name.trim().to_string()
+    };
     let saved_ms = js_sys::Date::now();
     let headline = state.latest.with_untracked(|latest| {
         let answer = latest.as_ref().map(|solved| &solved.answer);
@@ -63,12 +74,19 @@ fn keep_run(state: State, name: String) {
     });
     state.edit(&format!("Save run {name}"), None, |document| {
         let named = document.with_case(|case| case.name.clone_from(&name));
-        let run = Run { name: name.clone(), saved_ms, case: named.case.to_toml(), headline };
+        let run = Run {
+            name: name.clone(),
+            saved_ms,
+            case: named.case.to_toml(),
+            headline,
+        };
         // Two runs of one millisecond are two runs.
         let id = format!("{saved_ms:.0}-{}", named.runs.len());
         named.with_runs(|runs| drop(runs.insert(id, run)))
     });
-    state.notice.set(format!("Run {name} is saved in this browser."));
+    state
+        .notice
+        .set(format!("Run {name} is saved in this browser."));
     if state.protected.get_untracked().is_none() {
         spawn_local(async move { state.protected.set(Some(storage::protect().await)) });
     }
@@ -85,18 +103,27 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
             Ok(case) => {
                 let case = std::sync::Arc::new(case);
                 state.edit(&format!("Open run {}", run.name), None, |document| {
-                    crate::state::document::Document { case: case.clone(), ..document.clone() }
+                    crate::state::document::Document {
+                        case: case.clone(),
+                        ..document.clone()
+                    }
                 });
                 state.notice.set(format!("Run {} is open.", run.name));
             }
-            Err(faults) => state.file_faults.set(faults.iter().map(ToString::to_string).collect()),
+            Err(faults) => state
+                .file_faults
+                .set(faults.iter().map(ToString::to_string).collect()),
         }
     };
     let delete = {
         let (id, name) = (id.clone(), name.clone());
         move |_| {
-            state.edit(&format!("Delete run {name}"), None, |document| document.with_runs(|runs| drop(runs.remove(&id))));
-            state.notice.set(format!("Run {name} is deleted; undo brings it back."));
+            state.edit(&format!("Delete run {name}"), None, |document| {
+                document.with_runs(|runs| drop(runs.remove(&id)))
+            });
+            state
+                .notice
+                .set(format!("Run {name} is deleted; undo brings it back."));
         }
     };
     let rename = {
@@ -107,21 +134,40 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
                 return;
             }
             state.edit(&format!("Rename run {name}"), None, |document| {
-                document.with_runs(|runs| if let Some(run) = runs.get_mut(&id) { run.name = new.trim().to_string() })
+                document.with_runs(|runs| {
+                    if let Some(run) = runs.get_mut(&id) {
+                        run.name = new.trim().to_string()
+                    }
+                })
             });
         }
     };
     let headline = move || {
         let units = state.document.with(|document| document.units);
-        run.headline.iter().filter_map(|(key, value)| {
-            let output = output::find(key)?;
-            let short = HEADLINE.iter().find(|(headline, _)| headline == key)?.1;
-            let unit = units.of_output(output);
-            Some(format!("{short} {} {}", number(unit.from_canonical(*value), 4), symbol(unit)))
-        }).collect::<Vec<_>>().join(" · ")
+        run.headline
+            .iter()
+            .filter_map(|(key, value)| {
+                let output = output::find(key)?;
+                let short = HEADLINE.iter().find(|(headline, _)| headline == key)?.1;
+                let unit = units.of_output(output);
+                Some(format!(
+                    "{short} {} {}",
+                    number(unit.from_canonical(*value), 4),
+                    symbol(unit)
+                ))
+            })
+            .collect::<Vec<_>>()
+            .join(" · ")
     };
-    let date = String::from(js_sys::Date::new(&run.saved_ms.into()).to_locale_string("en-GB", &wasm_bindgen::JsValue::UNDEFINED));
-    let (open_label, rename_label, delete_label) = (format!("Open {name}"), format!("Rename {name}"), format!("Delete {name}"));
+    let date = String::from(
+        js_sys::Date::new(&run.saved_ms.into())
+            .to_locale_string("en-GB", &wasm_bindgen::JsValue::UNDEFINED),
+    );
+    let (open_label, rename_label, delete_label) = (
+        format!("Open {name}"),
+        format!("Rename {name}"),
+        format!("Delete {name}"),
+    );
     let shown = name.clone();
     view! {
         <li>

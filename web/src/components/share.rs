@@ -9,7 +9,9 @@ use wasm_bindgen_futures::spawn_local;
 
 /// Address of the app with the case after `#`.
 pub fn address(state: State) -> String {
-    let fragment = state.case.with_untracked(|case| link::fragment(case, &starts()));
+    let fragment = state
+        .case
+        .with_untracked(|case| link::fragment(case, &starts()));
     let page = window().location().href().unwrap_or_default();
     let page = page.split('#').next().unwrap_or_default();
     format!("{page}#{fragment}")

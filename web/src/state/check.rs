@@ -29,7 +29,9 @@ pub fn check_inputs(case: &Case, library: Option<&Library>) -> Checks {
                 Kind::Number { .. } => drop(reader.number(input.key)),
                 Kind::Flag => drop(reader.flag(input.key)),
                 Kind::Choice(choices) => {
-                    let choices = library.map(|library| library.choices(choices)).unwrap_or_default();
+                    let choices = library
+                        .map(|library| library.choices(choices))
+                        .unwrap_or_default();
                     let names: Vec<&str> = choices.iter().map(|(name, _)| name.as_str()).collect();
                     if !names.is_empty() {
                         reader.choice(input.key, &names);

@@ -63,7 +63,11 @@ impl History {
         let before = std::mem::replace(&mut self.present, Arc::new(document));
         if goes_on {
             // Back where the step began: there is nothing to undo.
-            if self.past.last().is_some_and(|step| step.document == self.present) {
+            if self
+                .past
+                .last()
+                .is_some_and(|step| step.document == self.present)
+            {
                 self.past.pop();
                 self.open = None;
             }
