@@ -292,7 +292,7 @@ impl<'a> Sum<'a> {
             model: "allen-eggers".to_string(),
             entry_relative: mission.start.relative,
             entry_inertial: mission.start.inertial,
-            peak_deceleration_earth_g: deceleration,
+            peak_deceleration_earth_g: self.exact_deceleration(deceleration),
             peak_dynamic_pressure_pa: dynamic,
             peak_stagnation_pressure_pa: stagnation,
             peak_convective_heat_flux_w_m2: convective,
@@ -322,6 +322,23 @@ impl<'a> Sum<'a> {
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
             evaluations: 0,
+        }
+    }
+
+    /// The largest deceleration by its closed form, where it is on the way; its time is that of the nearest altitude.
+    fn exact_deceleration(&self, sampled: Peak) -> Peak {
+        let altitude_m = self.entry.peak_deceleration_altitude_m();
+        let start_m = self.place.altitude_m;
+        let end_m = self.before.map_or(start_m, |(altitude_m, ..)| altitude_m);
+        if !(end_m..=start_m).contains(&altitude_m) {
+            return sampled;
+        }
+        Peak {
+            value: self.entry.peak_deceleration_m_s2() / EARTH_G_M_S2,
+            altitude_m,
+            speed_m_s: self.entry.speed_at_m_s(altitude_m),
+            density_kg_m3: self.entry.density_kg_m3(altitude_m),
+            ..sampled
         }
     }
 
