@@ -27,6 +27,7 @@ pub fn App() -> impl IntoView {
     provide_context(state);
     keep(state, linked.is_some());
     listen(state);
+    forget_notices(state);
     view! {
         <a class="skip" href="#main" on:click=|event| {
             // The address after # belongs to links.
@@ -148,6 +149,19 @@ fn save_on_change(state: State, store: Store, runs: BTreeMap<String, Run>) {
             }
             busy.replace(false);
         });
+    });
+}
+
+/// Takes a notice away when it has been there long enough to be read.
+fn forget_notices(state: State) {
+    Effect::new(move |_| {
+        let shown = state.notice.get();
+        let forget = move || {
+            if state.notice.with_untracked(|notice| *notice == shown) {
+                state.notice.set(String::new());
+            }
+        };
+        set_timeout(forget, std::time::Duration::from_secs(8));
     });
 }
 

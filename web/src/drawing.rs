@@ -106,9 +106,10 @@ fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) ->
         // Left of the sign of the centre of gravity.
         ComponentKind::Payload => {
             let (x, y) = middle(component);
-            ((-x, y), None)
+            ((-1.35 * x, y), None)
         }
         ComponentKind::ImpactShell => on_shell(component),
+        ComponentKind::ImpactFoam => (in_ball(component).unwrap_or(middle(component)), None),
         _ => (middle(component), None),
     };
     Part {
@@ -151,9 +152,18 @@ fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
     }
 }
 
-/// A point in the outermost arc of a shell, aft and outwards, and a place for its number further in.
-fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
-    let arcs = component
+/// A point between two concentric arcs, ahead and outwards; `None` where there are none.
+fn in_ball(component: &Component) -> Option<(f64, f64)> {
+    let arcs = arcs(component);
+    let (outer_center, outer_m) = arcs.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (inner_center, inner_m) = arcs.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let is_ball = (outer_center.x_m - inner_center.x_m).abs() < 1e-6 && inner_m < outer_m;
+    let d = std::f64::consts::FRAC_1_SQRT_2 * 0.5 * (outer_m + inner_m);
+    is_ball.then(|| ((outer_center.r_m + d) * MM, -(outer_center.x_m - d) * MM))
+}
+
+fn arcs(component: &Component) -> Vec<(Point, f64)> {
+    component
         .profiles
         .iter()
         .flat_map(|profile| &profile.segments)
@@ -162,7 +172,13 @@ fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
                 center, radius_m, ..
             } => Some((*center, *radius_m)),
             Segment::Line { .. } => None,
-        });
+        })
+        .collect()
+}
+
+/// A point in the outermost arc of a shell, aft and outwards, and a place for its number further in.
+fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
+    let arcs = arcs(component).into_iter();
     match arcs.max_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((center, radius_m)) => {
             let at = |part: f64| {
