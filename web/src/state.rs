@@ -5,7 +5,7 @@ pub mod document;
 pub mod history;
 pub mod preferences;
 
-use crate::protocol::Fault;
+use crate::protocol::{Fault, Reply};
 use crate::worker::{News, WorkerLink};
 use check::{Check, Checks, check_inputs};
 use document::Document;
@@ -13,6 +13,7 @@ use history::History;
 use leptos::prelude::*;
 use msape::{Answer, Case, Library};
 use preferences::Preferences;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// An answer together with the case that it belongs to.
@@ -135,40 +136,63 @@ impl State {
 
     fn solve_on_change(self) {
         let newest = StoredValue::new(0_u64);
-        let asked: StoredValue<Option<Arc<Case>>> = StoredValue::new(None);
+        // The cases of jobs that have no reply yet.
+        let asked: StoredValue<BTreeMap<u64, Arc<Case>>> = StoredValue::new(BTreeMap::new());
+        let replies: StoredValue<Option<Reply>> = StoredValue::new(None);
+        let take = move || {
+            let Some(reply) = replies.try_update_value(Option::take).flatten() else {
+                return;
+            };
+            let case = asked.try_update_value(|asked| {
+                let case = asked.remove(&reply.id);
+                asked.retain(|id, _| *id > reply.id);
+                case
+            });
+            if let Some(case) = case.flatten() {
+                self.take(reply, newest.get_value(), case);
+            }
+        };
         let link = WorkerLink::start(move |news| match news {
             News::Failed(message) => self.phase.set(Phase::Failed(message)),
+            // The screen shows one answer a frame; of several, the newest.
             News::Reply(reply) => {
-                let is_newest = reply.id == newest.get_value();
-                match reply.result {
-                    Ok(answer) => {
-                        let solved = Solved {
-                            id: reply.id,
-                            case: asked.get_value().unwrap_or_default(),
-                            answer,
-                            duration_ms: reply.duration_ms,
-                        };
-                        self.latest.set(Some(Arc::new(solved)));
-                        if is_newest {
-                            self.faults.set(Arc::default());
-                            self.phase.set(Phase::Fresh);
-                        }
-                    }
-                    Err(faults) if is_newest => {
-                        self.faults.set(Arc::new(faults));
-                        self.phase.set(Phase::AtFault);
-                    }
-                    Err(_) => {}
+                let waits = replies.with_value(Option::is_some);
+                replies.set_value(Some(*reply));
+                if !waits {
+                    request_animation_frame(take);
                 }
             }
         });
         Effect::new(move |_| {
             let case = self.case.get();
             newest.update_value(|id| *id += 1);
-            asked.set_value(Some(case.clone()));
+            asked.update_value(|asked| drop(asked.insert(newest.get_value(), case.clone())));
             self.phase.set(Phase::Updating);
             link.solve(newest.get_value(), (*case).clone());
         });
+    }
+
+    fn take(self, reply: Reply, newest: u64, case: Arc<Case>) {
+        let is_newest = reply.id == newest;
+        match reply.result {
+            Ok(answer) => {
+                self.latest.set(Some(Arc::new(Solved {
+                    id: reply.id,
+                    case,
+                    answer,
+                    duration_ms: reply.duration_ms,
+                })));
+                if is_newest {
+                    self.faults.set(Arc::default());
+                    self.phase.set(Phase::Fresh);
+                }
+            }
+            Err(faults) if is_newest => {
+                self.faults.set(Arc::new(faults));
+                self.phase.set(Phase::AtFault);
+            }
+            Err(_) => {}
+        }
     }
 
     /// Takes the last change back.

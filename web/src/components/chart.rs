@@ -2,12 +2,13 @@
 
 use crate::charts::ChartSpec;
 use crate::state::State;
+use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::ev::{KeyboardEvent, PointerEvent};
 use leptos::html::{Canvas, Div};
 use leptos::prelude::*;
 use msape_plot::{CanvasSize, Figure, Mapping, Theme, canvas, summary};
 use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::ResizeObserver;
+use web_sys::{IntersectionObserver, IntersectionObserverEntry, ResizeObserver};
 
 /// Draws a figure; `points` are those of its first series, one for each row of the time history.
 #[component]
@@ -26,9 +27,10 @@ pub fn Chart(
     let surface = NodeRef::<Canvas>::new();
     let size = RwSignal::new((0.0, 0.0));
     let mapping = RwSignal::new(None::<Mapping>);
-    watch_size(frame, size);
+    let in_view = RwSignal::new(true);
+    watch(frame, size, in_view);
 
-    Effect::new(move |_| {
+    let draw = move || {
         let (width_px, height_px) = size.get();
         let theme = theme(state.preferences.dark.get());
         let Some(element) = surface.get() else {
@@ -46,6 +48,23 @@ pub fn Chart(
             Ok(drawn) => mapping.set(Some(drawn)),
             Err(error) => leptos::logging::error!("the chart cannot be drawn: {error:?}"),
         }
+    };
+    let newest = StoredValue::new(0_u64);
+    Effect::new(move |_| {
+        newest.update_value(|count| *count += 1);
+        if in_view.get() {
+            draw();
+            return;
+        }
+        // A chart out of sight waits until the edits have settled.
+        let this = newest.get_value();
+        figure.track();
+        let draw_later = move || {
+            if newest.try_get_value() == Some(this) {
+                untrack(draw);
+            }
+        };
+        set_timeout(draw_later, std::time::Duration::from_millis(300));
     });
 
     let at_cursor = Memo::new(move |_| {
@@ -155,37 +174,42 @@ fn nearest(
         .map(|(row, _)| row)
 }
 
-/// Keeps `size` at the size of an element.
-fn watch_size(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>) {
+/// Keeps `size` at the size of an element, and `in_view` at whether it is on the screen.
+fn watch(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>, in_view: RwSignal<bool>) {
     Effect::new(move |_| {
         let Some(element) = frame.get() else {
             return;
         };
+        // The observers outlive the chart by a moment: hence `try_`.
         let measured = element.clone();
         let on_size = Closure::<dyn Fn()>::new(move || {
             let now = (
                 f64::from(measured.client_width()),
                 f64::from(measured.client_height()),
             );
-            // The observer outlives the chart by a moment.
             if size.try_get_untracked().is_some_and(|before| before != now) {
                 size.set(now);
             }
         });
+        let on_view = Closure::<dyn Fn(js_sys::Array)>::new(move |entries: js_sys::Array| {
+            let newest = entries.pop().dyn_into::<IntersectionObserverEntry>();
+            if let (Ok(entry), Some(before)) = (newest, in_view.try_get_untracked())
+                && entry.is_intersecting() != before
+            {
+                in_view.set(!before);
+            }
+        });
         if let Ok(observer) = ResizeObserver::new(on_size.as_ref().unchecked_ref()) {
             observer.observe(&element);
-            on_cleanup({
-                let observer = send_wrapper(observer);
-                move || observer.disconnect()
-            });
+            let observer = SendWrapper::new(observer);
+            on_cleanup(move || observer.disconnect());
+        }
+        if let Ok(observer) = IntersectionObserver::new(on_view.as_ref().unchecked_ref()) {
+            observer.observe(&element);
+            let observer = SendWrapper::new(observer);
+            on_cleanup(move || observer.disconnect());
         }
         on_size.forget();
+        on_view.forget();
     });
-}
-
-/// The page has one thread; clean-up asks for what could change threads.
-fn send_wrapper(
-    observer: ResizeObserver,
-) -> leptos::__reexports::send_wrapper::SendWrapper<ResizeObserver> {
-    leptos::__reexports::send_wrapper::SendWrapper::new(observer)
 }

@@ -35,18 +35,15 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         Memo::new(move |_| typing().unwrap_or_else(|| field_text(input, value.get(), unit.get())));
     let tag = format!("number {}", input.key);
 
-    let put = {
-        let tag = tag.clone();
-        move |value: Option<Value>| {
-            state.edit(input.label, Some(&tag), |document| {
-                document.with_case(|case| {
-                    match value {
-                        Some(value) => case.values.insert(input.key.to_string(), value),
-                        None => case.values.remove(input.key),
-                    };
-                })
-            });
-        }
+    let put = move |value: Option<Value>| {
+        state.edit(input.label, Some(&tag), |document| {
+            document.with_case(|case| {
+                match value {
+                    Some(value) => case.values.insert(input.key.to_string(), value),
+                    None => case.values.remove(input.key),
+                };
+            })
+        });
     };
     let typed = {
         let put = put.clone();
@@ -56,14 +53,6 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         }
     };
     let settle = move || {
-        if let Some((_, text)) = draft.get_untracked()
-            && let Some(chosen) = typed_unit(&text, input)
-            && chosen.symbol != unit.get_untracked().symbol
-        {
-            state.edit(input.label, Some(&tag), |document| {
-                document.with_unit_of(input.key, chosen.symbol)
-            });
-        }
         draft.set(None);
         state.close_step();
     };
@@ -91,7 +80,7 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         }
     };
     let on_key = {
-        let (put, settle) = (put.clone(), settle.clone());
+        let put = put.clone();
         move |event: KeyboardEvent| match event.key().as_str() {
             "ArrowUp" | "ArrowDown" => {
                 event.prevent_default();
@@ -267,20 +256,6 @@ fn meaning(input: &Input, text: &str, unit: &Unit) -> Option<Value> {
     })
 }
 
-/// The unit that a text names, if it is understood.
-fn typed_unit(text: &str, input: &Input) -> Option<&'static Unit> {
-    let bare = text
-        .trim()
-        .trim_start_matches(|c: char| !c.is_alphabetic() && c != '%')
-        .trim();
-    let dimension = input.dimension();
-    units_of(dimension).find(|unit| {
-        let plain = unit.symbol.replace('^', "");
-        !plain.is_empty() && bare.replace(['^', '²', '³'], "") == plain.replace(['2', '3'], "")
-            || unit.symbol == bare && !bare.is_empty()
-    })
-}
-
 fn placeholder(input: &Input, unit: &Unit) -> String {
     match input.preset {
         msape::quantity::input::Preset::Number(number) => input_number(unit.from_canonical(number)),
@@ -345,19 +320,6 @@ mod tests {
             Some(Value::Text("fast".into()))
         );
         assert_eq!(meaning(speed, " ", unit), None);
-    }
-
-    #[test]
-    fn the_unit_typed_is_recognized() {
-        let unit = |text, key| typed_unit(text, input(key)).map(|unit| unit.symbol);
-        assert_eq!(unit("38e3 ft/s", "entry.speed_m_s"), None);
-        assert_eq!(unit("38000 ft/s", "entry.speed_m_s"), Some("ft/s"));
-        assert_eq!(unit("=1.3*0.25/2 m", "design.diameter_m"), Some("m"));
-        assert_eq!(unit("12", "design.diameter_m"), None);
-        assert_eq!(
-            unit("1.2 g/cm³", "design.payload_density_kg_m3"),
-            Some("g/cm^3")
-        );
     }
 
     #[test]
