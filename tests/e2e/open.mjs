@@ -14,11 +14,6 @@ for (const colorScheme of ["light", "dark"]) {
   );
 }
 
-pageTest("the worker answers", async (page) => {
-  await page.getByLabel("Number").fill("16");
-  await page.locator("output", { hasText: /^4$/ }).waitFor();
-});
-
 pageTest(
   "the page may ask no other origin",
   async (page) => {

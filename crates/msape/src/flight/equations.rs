@@ -58,17 +58,19 @@ pub struct Equations<'a> {
     pub layer: usize,
     /// Figure of the planet.
     pub ellipsoid: Ellipsoid,
-    /// Whether radiative heating is computed.
+    /// How radiative heating is computed.
     pub radiation: Radiation,
 }
 
-/// Whether radiative heating is computed; the relations end at once below a speed, which the integrator meets with the
-/// end of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How radiative heating is computed; the relations end at once below a speed, which the integrator meets with the end
+/// of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Radiation {
-    /// It is.
-    Computed,
-    /// The vehicle is slower than the relation reaches down.
+    /// By the relation.
+    Exact,
+    /// With at least this speed, m/s: continued smoothly beyond the end of the relation, for the stages of a step.
+    Continued(f64),
+    /// Not at all: the vehicle is slower than the relation reaches down.
     Over,
 }
 
@@ -80,7 +82,7 @@ impl<'a> Equations<'a> {
             body,
             layer,
             ellipsoid: mission.planet.ellipsoid(),
-            radiation: Radiation::Computed,
+            radiation: Radiation::Exact,
         }
     }
 
@@ -140,7 +142,8 @@ impl<'a> Equations<'a> {
             nose_radius_m: self.body.nose_radius_m,
         };
         match self.radiation {
-            Radiation::Computed => self.mission.heating.heat_flux(&flow),
+            Radiation::Exact => self.mission.heating.heat_flux(&flow),
+            Radiation::Continued(least_m_s) => self.mission.heating.continued(&flow, least_m_s),
             Radiation::Over => self.mission.heating.without_radiation(&flow),
         }
     }

@@ -34,9 +34,6 @@ const SPEED_SCALE_M_S: f64 = 10.0;
 /// Heat load below which the error of a step does not shrink any more, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
-/// Part of the tolerance that a heat load is integrated with.
-const HEAT_LOAD_SHARE: f64 = 0.2;
-
 /// A step of a flight, and the piece of the atmosphere in which it was taken.
 #[derive(Clone, Debug)]
 pub struct Leg {
@@ -104,8 +101,8 @@ struct Place {
     climb_m_s: f64,
 }
 
-/// A step ends this much above the speed at which radiative heating ends, so that no stage is beyond it, m/s.
-const ONSET_MARGIN_M_S: f64 = 0.01;
+/// A kink of radiative heating is met to this speed, m/s.
+const KINK_TOLERANCE_M_S: f64 = 1e-3;
 
 struct Integration<'a> {
     equations: Equations<'a>,
@@ -129,12 +126,10 @@ impl<'a> Integration<'a> {
         let tolerance = mission.solver.tolerance;
         let speed = tolerance * SPEED_SCALE_M_S;
         let position = tolerance * POSITION_SCALE_M;
-        // A heat load adds up over the steps of the pulse, the state forgets its errors.
-        let of_load = tolerance * HEAT_LOAD_SHARE;
-        let load = of_load * HEAT_LOAD_SCALE_J_M2;
+        let load = tolerance * HEAT_LOAD_SCALE_J_M2;
         let tolerance = Tolerance {
             relative: [
-                0.0, 0.0, 0.0, tolerance, tolerance, tolerance, of_load, of_load,
+                0.0, 0.0, 0.0, tolerance, tolerance, tolerance, tolerance, tolerance,
             ],
             absolute: [
                 position, position, position, speed, speed, speed, load, load,
@@ -149,10 +144,17 @@ impl<'a> Integration<'a> {
             Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
             Gravity::Uniform { .. } => None,
         };
-        let equations = Equations::new(mission, body, layer);
+        let mut equations = Equations::new(mission, body, layer);
+        let kinks_m_s = mission.heating.radiative.kinks_m_s();
+        if let Some(onset_m_s) = kinks_m_s.first() {
+            equations.radiation = match speed_m_s(&start) > *onset_m_s {
+                true => Radiation::Continued(*onset_m_s),
+                false => Radiation::Over,
+            };
+        }
         Integration {
             here: place(&equations, &start),
-            kinks_m_s: mission.heating.radiative.kinks_m_s(),
+            kinks_m_s,
             equations,
             integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start)
                 .with_maximum_steps(MOST_STEPS),
@@ -263,18 +265,18 @@ impl<'a> Integration<'a> {
     /// Where a step slows down to a kink of the radiative relation; with radiation over, takes it up again when the speed
     /// rises.
     fn kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
-        let onset_m_s = *self.kinks_m_s.first()? + ONSET_MARGIN_M_S;
+        let onset_m_s = *self.kinks_m_s.first()?;
         let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
         if self.equations.radiation == Radiation::Over {
-            if after > onset_m_s + ONSET_MARGIN_M_S {
-                self.equations.radiation = Radiation::Computed;
+            if after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S {
+                self.equations.radiation = Radiation::Continued(onset_m_s);
                 self.integrator.renew();
             }
             return None;
         }
         let below = self
             .kinks_m_s
-            .partition_point(|kink| *kink < before - ONSET_MARGIN_M_S);
+            .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
         let (level_m_s, gate) = match below.checked_sub(1) {
             None | Some(0) => (onset_m_s, Gate::Onset),
             Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
@@ -286,7 +288,7 @@ impl<'a> Integration<'a> {
         let t = if before <= level_m_s {
             step.t0
         } else {
-            self.when(step, [step.t0, step.t1], gap, 0.1 * ONSET_MARGIN_M_S)
+            self.when(step, [step.t0, step.t1], gap, KINK_TOLERANCE_M_S)
         };
         Some((t, gate))
     }

@@ -27,7 +27,7 @@ pub struct Point {
 
 /// A piece of a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
+#[serde(rename_all = "kebab-case")]
 pub enum Segment {
     /// A straight line.
     Line {

@@ -1,0 +1,144 @@
+//! Figures of a flight: which columns, in which units, with which events.
+
+use crate::display::{UnitSystem, symbol};
+use msape::flight::{Flight, Trajectory};
+use msape::quantity::trajectory::{Column, find};
+use msape_plot::{Axis, EventLine, Figure, Series};
+
+/// A column over another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChartSpec {
+    /// Key of the horizontal column.
+    pub x: String,
+    /// Key of the vertical column.
+    pub y: String,
+}
+
+/// The four plots of the report: vertical and horizontal column.
+pub const REPORT_PLOTS: [(&str, &str); 4] = [
+    ("altitude_m", "time_s"),
+    ("total_heat_flux_w_m2", "time_s"),
+    ("deceleration_earth_g", "time_s"),
+    ("altitude_m", "speed_m_s"),
+];
+
+impl ChartSpec {
+    /// Heading: "Altitude over Time".
+    pub fn title(&self) -> String {
+        let label = |key| find(key).map_or("", |column| column.label);
+        format!("{} over {}", label(&self.y), label(&self.x).to_lowercase())
+    }
+
+    /// Points in the units shown, one for each row of the time history.
+    pub fn points(&self, trajectory: &Trajectory, units: UnitSystem) -> Vec<(f64, f64)> {
+        let values = |key: &str| {
+            let column = find(key)?;
+            Some((trajectory.column(key)?, units.of_column(column)))
+        };
+        match (values(&self.x), values(&self.y)) {
+            (Some((x, x_unit)), Some((y, y_unit))) => x
+                .iter()
+                .zip(y)
+                .map(|(x, y)| (x_unit.from_canonical(*x), y_unit.from_canonical(*y)))
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The figure.
+    pub fn figure(&self, flight: &Flight, units: UnitSystem) -> Figure {
+        let points = flight
+            .trajectory
+            .as_ref()
+            .map(|trajectory| self.points(trajectory, units))
+            .unwrap_or_default();
+        let label = find(&self.y).map_or("", |column| column.label);
+        Figure {
+            x: axis(&self.x, units),
+            y: axis(&self.y, units),
+            events: self.events(flight, &points),
+            series: vec![Series::line(label, points, 0)],
+            ..Figure::default()
+        }
+    }
+
+    fn events(&self, flight: &Flight, points: &[(f64, f64)]) -> Vec<EventLine> {
+        let Some(time_s) = flight
+            .trajectory
+            .as_ref()
+            .and_then(|trajectory| trajectory.column("time_s"))
+        else {
+            return Vec::new();
+        };
+        events(flight)
+            .into_iter()
+            .filter_map(|(at_s, label)| {
+                let x = interpolated(time_s, points, at_s)?;
+                Some(EventLine { x, label })
+            })
+            .collect()
+    }
+}
+
+fn axis(key: &str, units: UnitSystem) -> Axis {
+    find(key).map_or_else(Axis::default, |column: &'static Column| {
+        Axis::new(column.label, symbol(units.of_column(column)))
+    })
+}
+
+/// Times and short names of what happens in a flight, s.
+pub fn events(flight: &Flight) -> Vec<(f64, String)> {
+    let mach = ["Mach 5", "Mach 2", "Mach 1.4", "Mach 0.8"];
+    let mut events = vec![
+        (
+            flight.peak_total_heat_flux_w_m2.time_s,
+            "peak heating".to_string(),
+        ),
+        (
+            flight.peak_deceleration_earth_g.time_s,
+            "peak deceleration".to_string(),
+        ),
+        (flight.time_of_flight_s, "end".to_string()),
+    ];
+    for (time_s, name) in flight.mach_times_s.iter().zip(mach) {
+        if let Some(time_s) = time_s {
+            events.push((*time_s, name.to_string()));
+        }
+    }
+    events
+}
+
+/// Horizontal value at a time, linear between rows.
+fn interpolated(time_s: &[f64], points: &[(f64, f64)], at_s: f64) -> Option<f64> {
+    let after = time_s.partition_point(|t| *t < at_s);
+    let last = time_s.len().checked_sub(1)?;
+    let (i, j) = (after.saturating_sub(1).min(last), after.min(last));
+    let (t0, t1) = (*time_s.get(i)?, *time_s.get(j)?);
+    let (x0, x1) = (points.get(i)?.0, points.get(j)?.0);
+    let part = if t1 > t0 {
+        (at_s - t0) / (t1 - t0)
+    } else {
+        0.0
+    };
+    Some(x0 + (x1 - x0) * part.clamp(0.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_way_in_time_is_half_way_in_between() {
+        let points = [(0.0, 1.0), (10.0, 1.0), (40.0, 1.0)];
+        assert_eq!(interpolated(&[0.0, 2.0, 4.0], &points, 3.0), Some(25.0));
+        assert_eq!(interpolated(&[0.0, 2.0, 4.0], &points, 9.0), Some(40.0));
+        assert_eq!(interpolated(&[], &[], 1.0), None);
+    }
+
+    #[test]
+    fn the_plots_of_the_report_have_their_columns() {
+        for (y, x) in REPORT_PLOTS {
+            assert!(find(y).is_some() && find(x).is_some(), "{y} {x}");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! A figure on a canvas, with the cursor that all charts share above it.
+
+use crate::charts::ChartSpec;
+use crate::state::State;
+use leptos::__reexports::send_wrapper::SendWrapper;
+use leptos::ev::{KeyboardEvent, PointerEvent};
+use leptos::html::{Canvas, Div};
+use leptos::prelude::*;
+use msape_plot::{CanvasSize, Figure, Mapping, Theme, canvas, summary};
+use wasm_bindgen::{JsCast, closure::Closure};
+use web_sys::{IntersectionObserver, IntersectionObserverEntry, ResizeObserver};
+
+/// Draws a figure; `points` are those of its first series, one for each row of the time history.
+#[component]
+pub fn Chart(
+    title: Signal<String>,
+    spec: Signal<ChartSpec>,
+    figure: Memo<Figure>,
+    points: Memo<Vec<(f64, f64)>>,
+    focused: RwSignal<bool>,
+    /// Whether it has no cursor.
+    #[prop(optional)]
+    still: bool,
+) -> impl IntoView {
+    let state = State::expect();
+    let frame = NodeRef::<Div>::new();
+    let surface = NodeRef::<Canvas>::new();
+    let size = RwSignal::new((0.0, 0.0));
+    let mapping = RwSignal::new(None::<Mapping>);
+    let in_view = RwSignal::new(true);
+    watch(frame, size, in_view);
+
+    let draw = move || {
+        let (width_px, height_px) = size.get();
+        let theme = theme(state.preferences.dark.get());
+        let Some(element) = surface.get() else {
+            return;
+        };
+        if width_px < 1.0 || height_px < 1.0 {
+            return;
+        }
+        let size = CanvasSize {
+            width_px,
+            height_px,
+            device_pixel_ratio: window().device_pixel_ratio(),
+        };
+        match figure.with(|figure| canvas(figure, &theme, &element, size)) {
+            Ok(drawn) => mapping.set(Some(drawn)),
+            Err(error) => leptos::logging::error!("the chart cannot be drawn: {error:?}"),
+        }
+    };
+    let newest = StoredValue::new(0_u64);
+    Effect::new(move |_| {
+        newest.update_value(|count| *count += 1);
+        if in_view.get() {
+            draw();
+            return;
+        }
+        // A chart out of sight waits until the edits have settled.
+        let this = newest.get_value();
+        figure.track();
+        let draw_later = move || {
+            if newest.try_get_value() == Some(this) {
+                untrack(draw);
+            }
+        };
+        set_timeout(draw_later, std::time::Duration::from_millis(300));
+    });
+
+    let at_cursor = Memo::new(move |_| {
+        let row = state.cursor.get().filter(|_| !still)?;
+        points.with(|points| points.get(row.min(points.len().checked_sub(1)?)).copied())
+    });
+    let place = move || {
+        let (x, y) = at_cursor.get()?;
+        let mapping = mapping.get()?;
+        Some((mapping, mapping.x.px(x)?, mapping.y.px(y)?))
+    };
+    let point = move |event: PointerEvent| {
+        let Some(mapping) = mapping.get_untracked().filter(|_| !still) else {
+            return;
+        };
+        let at = (f64::from(event.offset_x()), f64::from(event.offset_y()));
+        let is_history = spec.with_untracked(|spec| spec.x == "time_s");
+        let row = points.with_untracked(|points| nearest(points, &mapping, at, is_history));
+        state.cursor.set(row);
+    };
+    let on_key = move |event: KeyboardEvent| {
+        let count = points.with_untracked(Vec::len);
+        let last = count.saturating_sub(1);
+        let step = if event.shift_key() {
+            (count / 20).max(1)
+        } else {
+            1
+        };
+        let now = state.cursor.get_untracked();
+        let next = match event.key().as_str() {
+            "ArrowRight" => Some(now.map_or(0, |row| (row + step).min(last))),
+            "ArrowLeft" => Some(now.map_or(last, |row| row.saturating_sub(step))),
+            "Home" => Some(0),
+            "End" => Some(last),
+            "Escape" => None,
+            _ => return,
+        };
+        if still {
+            return;
+        }
+        event.prevent_default();
+        state.cursor.set(next.filter(|_| count > 0));
+    };
+    let description = move || {
+        let title = title.get();
+        let words = figure.with(summary);
+        let keys = if still {
+            ""
+        } else {
+            " Left and right arrow keys move the cursor."
+        };
+        format!("{title}. {words}{keys}")
+    };
+
+    view! {
+        <div
+            class="chart"
+            node_ref=frame
+            role=if still { "img" } else { "application" }
+            aria-roledescription=(!still).then_some("chart")
+            tabindex=(!still).then_some("0")
+            aria-label=description
+            on:keydown=on_key
+            on:focus=move |_| focused.set(true)
+            on:blur=move |_| focused.set(false)
+            on:pointermove=point
+            on:pointerdown=point
+            on:pointerleave=move |_| state.cursor.set(None)
+        >
+            <canvas node_ref=surface aria-hidden="true"></canvas>
+            <svg class="chart-cursor" aria-hidden="true" focusable="false">
+                {move || place().map(|(mapping, x, y)| view! {
+                    <line x1=x x2=x y1=mapping.plot.top_px y2=mapping.plot.bottom_px></line>
+                    <circle cx=x cy=y r="4.5"></circle>
+                })}
+            </svg>
+        </div>
+    }
+}
+
+/// The theme of figures.
+pub fn theme(dark: bool) -> Theme {
+    if dark { Theme::dark() } else { Theme::light() }
+}
+
+/// Row of the point nearest to a place: along x where x rises with the rows, else in the plane.
+fn nearest(
+    points: &[(f64, f64)],
+    mapping: &Mapping,
+    (x_px, y_px): (f64, f64),
+    along_x: bool,
+) -> Option<usize> {
+    let distance = |(x, y): &(f64, f64)| {
+        let dx = mapping.x.px(*x)? - x_px;
+        let dy = if along_x {
+            0.0
+        } else {
+            mapping.y.px(*y)? - y_px
+        };
+        Some(dx * dx + dy * dy)
+    };
+    points
+        .iter()
+        .enumerate()
+        .filter_map(|(row, point)| Some((row, distance(point)?)))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(row, _)| row)
+}
+
+/// Keeps `size` at the size of an element, and `in_view` at whether it is on the screen.
+fn watch(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>, in_view: RwSignal<bool>) {
+    Effect::new(move |_| {
+        let Some(element) = frame.get() else {
+            return;
+        };
+        // The observers outlive the chart by a moment: hence `try_`.
+        let measured = element.clone();
+        let on_size = Closure::<dyn Fn()>::new(move || {
+            let now = (
+                f64::from(measured.client_width()),
+                f64::from(measured.client_height()),
+            );
+            if size.try_get_untracked().is_some_and(|before| before != now) {
+                size.set(now);
+            }
+        });
+        let on_view = Closure::<dyn Fn(js_sys::Array)>::new(move |entries: js_sys::Array| {
+            let newest = entries.pop().dyn_into::<IntersectionObserverEntry>();
+            if let (Ok(entry), Some(before)) = (newest, in_view.try_get_untracked())
+                && entry.is_intersecting() != before
+            {
+                in_view.set(!before);
+            }
+        });
+        if let Ok(observer) = ResizeObserver::new(on_size.as_ref().unchecked_ref()) {
+            observer.observe(&element);
+            let observer = SendWrapper::new(observer);
+            on_cleanup(move || observer.disconnect());
+        }
+        if let Ok(observer) = IntersectionObserver::new(on_view.as_ref().unchecked_ref()) {
+            observer.observe(&element);
+            let observer = SendWrapper::new(observer);
+            on_cleanup(move || observer.disconnect());
+        }
+        on_size.forget();
+        on_view.forget();
+    });
+}

@@ -1,0 +1,93 @@
+//! Names and yes-or-no as lists to choose from.
+
+use crate::components::field::{Field, control_id, described_by};
+use crate::state::State;
+use leptos::prelude::*;
+use msape::case::Value;
+use msape::quantity::input::{Choices, Input, Preset};
+
+/// A field for one of several names.
+#[component]
+pub fn ChoiceField(input: &'static Input, choices: Choices) -> impl IntoView {
+    let state = State::expect();
+    let choices = state
+        .library
+        .with_value(|library| library.as_ref().map(|library| library.choices(choices)))
+        .unwrap_or_default();
+    view! { <Select input choices to_value=|name: &str| Value::Text(name.to_string()) /> }
+}
+
+/// A field for yes or no.
+#[component]
+pub fn FlagField(input: &'static Input) -> impl IntoView {
+    let choices = vec![
+        ("true".to_string(), "Yes".to_string()),
+        ("false".to_string(), "No".to_string()),
+    ];
+    view! { <Select input choices to_value=|name: &str| Value::Flag(name == "true") /> }
+}
+
+#[component]
+fn Select(
+    input: &'static Input,
+    choices: Vec<(String, String)>,
+    to_value: fn(&str) -> Value,
+) -> impl IntoView {
+    let state = State::expect();
+    let now = Memo::new(move |_| {
+        let given = state.case.with(|case| case.text(input.key));
+        given.unwrap_or_else(|| match input.preset {
+            Preset::Name(name) => name.to_string(),
+            Preset::Flag(flag) => flag.to_string(),
+            _ => String::new(),
+        })
+    });
+    let known = choices.clone();
+    // A name that is not in the list stays visible, with its fault.
+    let foreign = Memo::new(move |_| {
+        let now = now.get();
+        let is_foreign = !now.is_empty()
+            && known
+                .iter()
+                .all(|(name, _)| squeezed(name) != squeezed(&now));
+        is_foreign.then_some(now)
+    });
+    let check = state.check(input.key);
+    let label = input.label;
+    view! {
+        <Field input caption=Signal::derive(move || label.to_string()) echo=Signal::derive(move || Some(now.get()))>
+            <div class="field-controls">
+                <select
+                    class="wide"
+                    id=control_id(input.key)
+                    aria-describedby=described_by(input.key)
+                    aria-invalid=move || check.with(|check| (!check.faults.is_empty()).to_string())
+                    on:change:target=move |event| {
+                        let value = to_value(&event.target().value());
+                        state.edit(input.label, None, |document| {
+                            document.with_case(|case| {
+                                case.values.insert(input.key.to_string(), value);
+                            })
+                        });
+                    }
+                >
+                    {move || foreign.get().map(|name| view! { <option value=name.clone() selected=true>{name.clone()}</option> })}
+                    {choices.into_iter().map(|(name, title)| {
+                        let wanted = squeezed(&name);
+                        view! {
+                            <option value=name prop:selected=move || squeezed(&now.get()) == wanted>{title}</option>
+                        }
+                    }).collect_view()}
+                </select>
+            </div>
+        </Field>
+    }
+}
+
+/// `SuttonGraves` and `sutton-graves` are one name.
+fn squeezed(name: &str) -> String {
+    name.chars()
+        .filter(|c| c.is_alphanumeric())
+        .collect::<String>()
+        .to_lowercase()
+}

@@ -1,0 +1,242 @@
+//! The vehicle's section, to scale: components, dimensions, centre of gravity.
+
+use crate::components::mass_tree::{Detail, Legend};
+use crate::display::{UnitSystem, number, symbol};
+use crate::drawing::{Section, class, scale_bar_mm, section};
+use crate::state::State;
+use leptos::prelude::*;
+use msape::quantity::output;
+use msape::units::{Dimension, Unit, canonical};
+use msape::vehicle::{ComponentKind, Dimensions, Vehicle};
+
+/// What can be shown or left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Layer {
+    HeatShield,
+    Structure,
+    Foam,
+    Payload,
+    Dimensions,
+    CentreOfGravity,
+}
+
+const LAYERS: [(Layer, &str); 6] = [
+    (Layer::HeatShield, "Heat shield"),
+    (Layer::Structure, "Structure"),
+    (Layer::Foam, "Foam and insulation"),
+    (Layer::Payload, "Payload"),
+    (Layer::Dimensions, "Dimensions"),
+    (Layer::CentreOfGravity, "CG"),
+];
+
+fn layer_of(kind: ComponentKind) -> Layer {
+    match kind {
+        ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::AftbodyTps => {
+            Layer::HeatShield
+        }
+        ComponentKind::ForebodyCarrier
+        | ComponentKind::AftbodyCarrier
+        | ComponentKind::PrimaryStructure
+        | ComponentKind::ImpactShell => Layer::Structure,
+        ComponentKind::WingInsulation
+        | ComponentKind::ImpactFoam
+        | ComponentKind::BodyFoam
+        | ComponentKind::LidInsulation => Layer::Foam,
+        ComponentKind::Payload => Layer::Payload,
+    }
+}
+
+/// The drawing with its legend and the detail of the chosen component.
+#[component]
+pub fn Drawing() -> impl IntoView {
+    let state = State::expect();
+    let vehicle =
+        state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
+    let has_vehicle = Memo::new(move |_| vehicle.with(|vehicle| matches!(vehicle, Some(Some(_)))));
+    // A design that does not close leaves the last vehicle in view.
+    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| {
+        vehicle
+            .get()
+            .flatten()
+            .or_else(|| before.cloned().flatten())
+    });
+    let hidden = RwSignal::new(Vec::<Layer>::new());
+    let lit = RwSignal::new(None::<ComponentKind>);
+    let chosen = RwSignal::new(None::<ComponentKind>);
+    let units = Memo::new(move |_| state.document.with(|document| document.units));
+    let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
+    let drawing = move || {
+        vehicle.with(|vehicle| {
+            let vehicle = vehicle.as_ref()?;
+            let section = section(vehicle);
+            Some(sheet(vehicle, &section, units.get(), hidden, lit, chosen).into_any())
+        })
+    };
+    view! {
+        <Show when=move || vehicle.with(Option::is_some) fallback=|| view! {
+            <p class="quiet">"There is no vehicle to draw yet."</p>
+        }>
+            <p class="reason" hidden=move || has_vehicle.get()>"This is the last vehicle that closed; there is none for the present inputs."</p>
+            <div class="vehicle" class:old=move || !has_vehicle.get()>
+                <div class="tools" role="group" aria-label="Layers of the drawing">
+                    {LAYERS.into_iter().map(|(layer, name)| view! {
+                        <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
+                            on:click=move |_| hidden.update(|hidden| {
+                                match hidden.iter().position(|other| *other == layer) {
+                                    Some(place) => drop(hidden.remove(place)),
+                                    None => hidden.push(layer),
+                                }
+                            })>{name}</button>
+                    }).collect_view()}
+                </div>
+                {drawing}
+                <Legend vehicle lit chosen />
+                <Detail vehicle chosen units />
+            </div>
+        </Show>
+    }
+}
+
+/// The SVG.
+fn sheet(
+    vehicle: &Vehicle,
+    section: &Section,
+    units: UnitSystem,
+    hidden: RwSignal<Vec<Layer>>,
+    lit: RwSignal<Option<ComponentKind>>,
+    chosen: RwSignal<Option<ComponentKind>>,
+) -> impl IntoView {
+    let d = vehicle.dimensions;
+    let r = section.radius_mm;
+    let (left, right) = (-1.26 * r, 1.62 * r);
+    let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
+    let font = 0.084 * r;
+    let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
+    let description = describe(&d, units);
+    let parts = section.parts.iter().enumerate().map(|(i, part)| {
+        let kind = part.kind;
+        let (fill, edges) = (part.fill.clone(), part.edges.clone());
+        let (x, y) = part.label;
+        let anchor = part.anchor;
+        let is_lit = move || lit.get() == Some(kind) || chosen.get() == Some(kind);
+        let dim = move || lit.get().is_some_and(|other| other != kind);
+        view! {
+            <g class:gone=move || !shows(layer_of(kind)) style:display=move || if shows(layer_of(kind)) { "" } else { "none" }>
+                <path d=fill class=format!("part {}", class(kind)) class:dim=dim
+                    on:pointerenter=move |_| lit.set(Some(kind))
+                    on:pointerleave=move |_| lit.set(None)
+                    on:click=move |_| chosen.update(|chosen| *chosen = if *chosen == Some(kind) { None } else { Some(kind) })>
+                </path>
+                <path d=edges class="edge" class:lit=is_lit></path>
+                {anchor.map(|(ax, ay)| view! { <path class="leader" d=format!("M{ax:.2} {ay:.2}L{x:.2} {y:.2}")></path> })}
+                <text class="number" x=x y=y font-size=font stroke-width=0.25 * font>{i + 1}</text>
+            </g>
+        }
+    }).collect_view();
+    let cg_mm = -d.cg_from_apex_m * 1e3;
+    view! {
+        <svg class="section" viewBox=format!("{left:.1} {top:.1} {:.1} {:.1}", right - left, bottom - top)
+            role="img" aria-label=description>
+            <path class="axis" d=format!("M0 {:.1}V{:.1}", section.top_mm - 0.1 * r, section.bottom_mm + 0.12 * r)></path>
+            {parts}
+            <path class="outline" d=section.outline.clone()></path>
+            <g style:display=move || if shows(Layer::Dimensions) { "" } else { "none" } font-size=font>
+                {dimension_lines(&d, section, units, left, font)}
+                {scale_bar(section, units, left, bottom, font)}
+            </g>
+            <g style:display=move || if shows(Layer::CentreOfGravity) { "" } else { "none" } font-size=font>
+                <circle class="cg" cx="0" cy=cg_mm r=0.5 * font></circle>
+                <path class="cg-quarter" d=quarters(cg_mm, 0.5 * font)></path>
+                <text x=0.7 * font y=cg_mm class="number cg-label" text-anchor="start" stroke-width=0.25 * font>"CG"</text>
+            </g>
+        </svg>
+    }
+}
+
+/// Opposite quarters of the sign of a centre of gravity.
+fn quarters(y: f64, r: f64) -> String {
+    format!(
+        "M0 {y}V{}A{r} {r} 0 0 1 {r} {y}ZM0 {y}V{}A{r} {r} 0 0 1 {} {y}Z",
+        y - r,
+        y + r,
+        -r
+    )
+}
+
+/// A length in the units shown.
+fn length(metres: f64, units: UnitSystem) -> String {
+    let unit = length_unit(units);
+    format!(
+        "{} {}",
+        number(unit.from_canonical(metres), 3),
+        symbol(unit)
+    )
+}
+
+fn length_unit(units: UnitSystem) -> &'static Unit {
+    let seed = output::find("diameter_m")
+        .map_or(canonical(Dimension::Length), |output| output.shown_unit());
+    units.unit(Dimension::Length, seed)
+}
+
+fn describe(d: &Dimensions, units: UnitSystem) -> String {
+    format!(
+        "Section of the vehicle: diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
+        length(d.diameter_m, units),
+        length(d.vehicle_height_m, units),
+        length(d.nose_radius_m, units),
+        length(d.shoulder_radius_m, units),
+        length(d.cg_from_nose_m, units),
+    )
+}
+
+fn dimension_lines(
+    d: &Dimensions,
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    font: f64,
+) -> impl IntoView + use<> {
+    let r = section.radius_mm;
+    let y = section.bottom_mm + 0.26 * r;
+    let x = 1.16 * r;
+    let a = 0.35 * font;
+    let (top, bottom) = (section.top_mm, section.bottom_mm);
+    let middle = 0.5 * (top + bottom);
+    let nose_r = d.nose_radius_m * 1e3;
+    // On the nose sphere, 20 deg off the axis, to the left.
+    let (nx, ny) = (-nose_r * 0.342, section.bottom_mm - nose_r * (1.0 - 0.940));
+    let shoulder_r = d.shoulder_radius_m * 1e3;
+    let shoulder_y = section.shoulder_mm;
+    view! {
+        <g class="dimensions">
+            <path class="dimension" d=format!("M{} {}V{}M{r} {}V{}M{} {y}H{r}", -r, shoulder_y + 0.03 * r, y + a, shoulder_y + 0.03 * r, y + a, -r)></path>
+            <path class="arrow" d=format!("M{} {y}l{} {}v{}ZM{r} {y}l{} {}v{}Z", -r, 2.0 * a, -0.5 * a, a, -2.0 * a, -0.5 * a, a)></path>
+            <text x="0" y=y + 1.15 * font text-anchor="middle">{format!("⌀ {}", length(d.diameter_m, units))}</text>
+            <path class="dimension" d=format!("M{} {top}H{}M{} {bottom}H{}M{x} {top}V{bottom}", 0.05 * r, x + a, 0.05 * r, x + a)></path>
+            <path class="arrow" d=format!("M{x} {top}l{} {}h{}ZM{x} {bottom}l{} {}h{}Z", -0.5 * a, 2.0 * a, a, -0.5 * a, -2.0 * a, a)></path>
+            <text x=x + 0.4 * font y=middle text-anchor="start" dominant-baseline="central">{length(d.vehicle_height_m, units)}</text>
+            <path class="leader" d=format!("M{nx} {ny}L{} {}", nx - 0.12 * r, ny + 0.1 * r)></path>
+            <text x=nx - 0.14 * r y=ny + 0.14 * r text-anchor="end">{format!("nose R {}", length(d.nose_radius_m, units))}</text>
+            <path class="leader" d=format!("M{} {}L{} {}", -r + 0.3 * shoulder_r, shoulder_y - 0.7 * shoulder_r, -r, shoulder_y - 0.22 * r)></path>
+            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r - 1.2 * font text-anchor="start">"shoulder"</text>
+            <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("R {}", length(d.shoulder_radius_m, units))}</text>
+        </g>
+    }
+}
+
+fn scale_bar(
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    bottom: f64,
+    font: f64,
+) -> impl IntoView + use<> {
+    let length_mm = scale_bar_mm(2.0 * section.radius_mm);
+    let (x, y) = (left + 0.5 * font, bottom - 0.6 * font);
+    let end = x + length_mm;
+    view! {
+        <path class="dimension" d=format!("M{x} {}V{y}H{end}V{}", y - 0.4 * font, y - 0.4 * font)></path>
+        <text x=end + 0.4 * font y=y>{length(1e-3 * length_mm, units)}</text>
+    }
+}

@@ -1,0 +1,143 @@
+//! Cases from elsewhere: shipped ones, files, dropped files, pasted text.
+
+use crate::files;
+use crate::presets::starts;
+use crate::state::State;
+use crate::state::document::Document;
+use leptos::prelude::*;
+use msape::Case;
+use msape::case::Reader;
+use std::sync::Arc;
+use wasm_bindgen_futures::spawn_local;
+
+/// Puts a case in the place of the present one.
+pub fn replace_case(state: State, label: &str, case: Case) {
+    let case = Arc::new(case);
+    state.edit(label, None, |document| Document {
+        case: case.clone(),
+        ..document.clone()
+    });
+}
+
+/// Opens a text; its faults are listed, and what it replaces is one undo away.
+pub fn open_text(state: State, source: &str, text: &str) {
+    match Case::from_text(text) {
+        Ok(case) => {
+            let faults = Reader::new(&case).faults;
+            let name = if case.name.is_empty() {
+                source.to_string()
+            } else {
+                case.name.clone()
+            };
+            replace_case(state, &format!("Open {name}"), case);
+            state
+                .notice
+                .set(format!("{name} is open; undo brings the case before back."));
+            state
+                .file_faults
+                .set(faults.iter().map(ToString::to_string).collect());
+        }
+        Err(faults) => {
+            state
+                .notice
+                .set(format!("{source} was not opened; nothing has changed."));
+            state
+                .file_faults
+                .set(faults.iter().map(ToString::to_string).collect());
+        }
+    }
+}
+
+/// Opens a file that was chosen or dropped.
+pub fn open_file(state: State, file: web_sys::File) {
+    let name = file.name();
+    spawn_local(async move {
+        match files::read(file).await {
+            Ok(text) => open_text(state, &name, &text),
+            Err(message) => state.file_faults.set(vec![message]),
+        }
+    });
+}
+
+/// Where to start from.
+#[component]
+pub fn StartFrom() -> impl IntoView {
+    let state = State::expect();
+    let starts = StoredValue::new(starts());
+    let now = Memo::new(move |_| {
+        state.case.with(|case| {
+            starts.with_value(|starts| {
+                starts
+                    .iter()
+                    .find(|start| start.case == **case)
+                    .map(|start| start.id.clone())
+            })
+        })
+    });
+    view! {
+        <label class="start">
+            <span>"Start from"</span>
+            <select on:change:target=move |event| {
+                let id = event.target().value();
+                let chosen = starts.with_value(|starts| starts.iter().find(|start| start.id == id).cloned());
+                if let Some(start) = chosen {
+                    replace_case(state, &format!("Start from {}", start.case.name), start.case);
+                }
+            }>
+                <option value="" prop:selected=move || now.get().is_none() disabled=true>"Own case"</option>
+                {starts.get_value().into_iter().map(|start| {
+                    let id = start.id.clone();
+                    view! { <option value=start.id prop:selected=move || now.get().as_ref() == Some(&id)>{start.case.name}</option> }
+                }).collect_view()}
+            </select>
+        </label>
+    }
+}
+
+/// Open a file, or paste a case.
+#[component]
+pub fn Open() -> impl IntoView {
+    let state = State::expect();
+    let pasted = RwSignal::new(String::new());
+    view! {
+        <div class="open">
+            <label class="file">
+                <span>"Open a case (TOML or JSON)"</span>
+                <input type="file" accept=".toml,.json,application/json,application/toml,text/plain"
+                    on:change:target=move |event| {
+                        let element = event.target();
+                        if let Some(file) = element.files().and_then(|files| files.get(0)) {
+                            open_file(state, file);
+                        }
+                        // The same file can be chosen again.
+                        element.set_value("");
+                    } />
+            </label>
+            <p class="quiet">"Or drop a file anywhere on the page."</p>
+            <label for="paste-case">"Or paste a case"</label>
+            <textarea id="paste-case" rows="3" spellcheck="false" placeholder="schema = \"msape/1\"" prop:value=pasted
+                on:input:target=move |event| pasted.set(event.target().value())></textarea>
+            <button type="button" class="small" disabled=move || pasted.with(|text| text.trim().is_empty())
+                on:click=move |_| {
+                    open_text(state, "The pasted case", &pasted.get_untracked());
+                    pasted.set(String::new());
+                }>"Open pasted case"</button>
+            <FileFaults />
+        </div>
+    }
+}
+
+/// Faults of the last file.
+#[component]
+fn FileFaults() -> impl IntoView {
+    let state = State::expect();
+    view! {
+        <div role="alert">
+            {move || state.file_faults.with(|faults| (!faults.is_empty()).then(|| view! {
+                <h3 class="note-outside">{format!("The file has {} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })}</h3>
+                <ul class="notes">{faults.iter().map(|fault| view! { <li>{fault.clone()}</li> }).collect_view()}</ul>
+                <button type="button" class="small" on:click=move |_| state.file_faults.set(Vec::new())>"Dismiss"</button>
+            }))}
+        </div>
+    }
+}

@@ -1,0 +1,106 @@
+//! Files given to the user and taken from the user.
+
+use leptos::prelude::*;
+use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, HtmlCanvasElement, Url};
+
+/// Largest file that is read, bytes.
+const BYTES_MAX: f64 = 5e6;
+
+/// Hands a text to the user as a file.
+///
+/// # Errors
+/// What the browser refuses.
+pub fn download(name: &str, mime: &str, text: &str) -> Result<(), JsValue> {
+    let parts = js_sys::Array::of1(&text.into());
+    let options = BlobPropertyBag::new();
+    options.set_type(mime);
+    hand_over(
+        name,
+        &Blob::new_with_str_sequence_and_options(&parts, &options)?,
+    )
+}
+
+/// Hands a drawing to the user as a PNG file.
+///
+/// # Errors
+/// What the browser refuses.
+pub fn download_png(name: String, canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
+    let on_blob = Closure::once_into_js(move |blob: JsValue| {
+        if let Ok(blob) = blob.dyn_into::<Blob>() {
+            // The file is a convenience; a browser that refuses it says so itself.
+            let _ = hand_over(&name, &blob);
+        }
+    });
+    canvas.to_blob(on_blob.unchecked_ref())
+}
+
+fn hand_over(name: &str, blob: &Blob) -> Result<(), JsValue> {
+    let address = Url::create_object_url_with_blob(blob)?;
+    let anchor: HtmlAnchorElement = document().create_element("a")?.unchecked_into();
+    anchor.set_href(&address);
+    anchor.set_download(name);
+    anchor.click();
+    // The browser reads the address after this call.
+    set_timeout(
+        move || drop(Url::revoke_object_url(&address)),
+        std::time::Duration::from_secs(20),
+    );
+    Ok(())
+}
+
+/// Text of a file that the user chose.
+///
+/// # Errors
+/// A sentence for the user.
+pub async fn read(file: web_sys::File) -> Result<String, String> {
+    if file.size() > BYTES_MAX {
+        return Err(format!(
+            "{} has {:.1} MB; a case has at most {:.0} MB.",
+            file.name(),
+            file.size() / 1e6,
+            BYTES_MAX / 1e6
+        ));
+    }
+    let blob: Blob = file.unchecked_into();
+    let text = JsFuture::from(blob.text())
+        .await
+        .map_err(|error| format!("The file cannot be read: {error:?}"))?;
+    Ok(text.as_string().unwrap_or_default())
+}
+
+/// Puts a text on the clipboard.
+///
+/// # Errors
+/// What the browser refuses.
+pub async fn copy(text: String) -> Result<(), JsValue> {
+    JsFuture::from(window().navigator().clipboard().write_text(&text)).await?;
+    Ok(())
+}
+
+/// A name of a run as a name of a file.
+pub fn file_name(name: &str, extension: &str) -> String {
+    let mut plain: String = name
+        .trim()
+        .chars()
+        .map(|c| if c.is_alphanumeric() { c } else { '-' })
+        .collect();
+    while plain.contains("--") {
+        plain = plain.replace("--", "-");
+    }
+    let plain = plain.trim_matches('-').to_lowercase();
+    let stem = if plain.is_empty() { "msape" } else { &plain };
+    format!("{stem}.{extension}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_runs_make_names_of_files() {
+        assert_eq!(file_name("MSR EEV / CP (v2)", "toml"), "msr-eev-cp-v2.toml");
+        assert_eq!(file_name("  ", "csv"), "msape.csv");
+    }
+}

@@ -1,0 +1,32 @@
+//! The app: pages turn signals into a case and an answer into signals; the core computes, in a worker.
+//!
+//! - `app`: the frame around the pages; `pages`: one file per page; `components`: what they are made of.
+//! - `state`: the undo stack of immutable documents, the newest answer, what is shown.
+//! - [`solver`] and [`protocol`]: what the worker does and how the page asks for it.
+//! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files.
+//!
+//! Deliberately absent: physics, units and lists of variables. They are in `msape`.
+
+mod app;
+mod charts;
+mod components;
+mod display;
+mod drawing;
+mod files;
+mod link;
+mod pages;
+mod presets;
+pub mod protocol;
+pub mod solver;
+mod state;
+mod storage;
+mod worker;
+
+/// Takes the skeleton away and shows the app.
+pub fn start() {
+    console_error_panic_hook::set_once();
+    if let Some(skeleton) = leptos::prelude::document().get_element_by_id("skeleton") {
+        skeleton.remove();
+    }
+    leptos::mount::mount_to_body(app::App);
+}

@@ -1,0 +1,70 @@
+//! The Design page: inputs, vehicle, flight, results, notes and coupling of one design.
+
+use crate::charts::{ChartSpec, REPORT_PLOTS};
+use crate::components::chart_panel::ChartPanel;
+use crate::components::coupling::Coupling;
+use crate::components::drawing::Drawing;
+use crate::components::export::Export;
+use crate::components::form::Form;
+use crate::components::headline::{Headline, Strip};
+use crate::components::notes::Notes;
+use crate::components::open::{Open, StartFrom};
+use crate::components::results::Results;
+use crate::components::runs::Runs;
+use crate::state::{Phase, State};
+use leptos::prelude::*;
+
+/// The page.
+#[component]
+pub fn Design() -> impl IntoView {
+    let state = State::expect();
+    let stale = move || state.phase.get() != Phase::Fresh;
+    let spec = |(y, x): (&str, &str)| {
+        RwSignal::new(ChartSpec {
+            x: x.to_string(),
+            y: y.to_string(),
+        })
+    };
+    let free = spec(("mach", "time_s"));
+    view! {
+        <Strip />
+        <main id="main" class="design" tabindex="-1">
+            <section class="column-inputs" aria-labelledby="inputs-title">
+                <h2 id="inputs-title">"Inputs"</h2>
+                <StartFrom />
+                <Form />
+            </section>
+            <div class="column-main">
+                <section class="card panel-vehicle" aria-labelledby="vehicle-title">
+                    <h2 id="vehicle-title">"Vehicle"</h2>
+                    <div class:stale-figure=stale>
+                        <Drawing />
+                    </div>
+                </section>
+                <section class="card" aria-labelledby="flight-title">
+                    <h2 id="flight-title">"Flight"</h2>
+                    <div class="charts" class:stale-figure=stale>
+                        {REPORT_PLOTS.into_iter().map(|plot| view! { <ChartPanel spec=spec(plot) /> }).collect_view()}
+                        <ChartPanel spec=free free=true />
+                    </div>
+                </section>
+                <Coupling />
+            </div>
+            <div class="column-results">
+                <Headline />
+            </div>
+            <div class="column-side">
+                <Notes />
+                <Results />
+                <Runs />
+                <section class="card" aria-labelledby="files-title">
+                    <h2 id="files-title">"Files"</h2>
+                    <h3>"Export"</h3>
+                    <Export />
+                    <h3>"Open"</h3>
+                    <Open />
+                </section>
+            </div>
+        </main>
+    }
+}

@@ -1,0 +1,47 @@
+//! Cases to start from.
+
+use msape::Case;
+use msape::library::data_folder;
+
+/// A case that ships with the program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// Short name, as in links.
+    pub id: String,
+    /// Its case.
+    pub case: Case,
+}
+
+/// The case that the app opens with.
+pub const FIRST: &str = "msr-eev-cp";
+/// The report's run page.
+pub const RUN_PAGE: &str = "run-page";
+
+/// The designs that ship with the program, the report's run page last.
+pub fn starts() -> Vec<Start> {
+    let mut starts: Vec<Start> = data_folder("cases")
+        .filter_map(|(path, text)| {
+            let id = path.rsplit('/').next()?.strip_suffix(".toml")?;
+            let case = Case::from_toml(text).ok()?;
+            let is_design = case.values.keys().any(|key| key.starts_with("design."));
+            (is_design && id != RUN_PAGE).then(|| Start {
+                id: id.to_string(),
+                case,
+            })
+        })
+        .collect();
+    starts.sort_by_key(|start| start.id != FIRST);
+    starts.push(Start {
+        id: RUN_PAGE.to_string(),
+        case: Case::run_page(),
+    });
+    starts
+}
+
+/// The case that the app opens with.
+pub fn first() -> Case {
+    starts()
+        .into_iter()
+        .next()
+        .map_or_else(Case::run_page, |start| start.case)
+}

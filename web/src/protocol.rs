@@ -1,0 +1,73 @@
+//! Messages between page and worker, as postcard bytes: both ends are of one build.
+
+use msape::{Answer, Case, InputError};
+use serde::{Deserialize, Serialize};
+
+/// A case to be solved.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Job {
+    /// Number of the job; a greater one is newer.
+    pub id: u64,
+    /// What is asked for.
+    pub case: Case,
+}
+
+/// What became of a job.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Reply {
+    /// Number of the job.
+    pub id: u64,
+    /// The answer, or every fault of the case.
+    pub result: Result<Answer, Vec<Fault>>,
+    /// Time that solving took, ms.
+    pub duration_ms: f64,
+}
+
+/// A fault of the input.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fault {
+    /// Dotted key; empty when the whole case is at fault.
+    pub key: String,
+    /// What was got and what must be.
+    pub message: String,
+}
+
+impl From<InputError> for Fault {
+    fn from(error: InputError) -> Fault {
+        Fault {
+            key: error.key,
+            message: error.message,
+        }
+    }
+}
+
+/// The bytes of a message.
+///
+/// # Errors
+/// What postcard cannot write.
+pub fn encode<T: Serialize>(message: &T) -> Result<Vec<u8>, postcard::Error> {
+    postcard::to_allocvec(message)
+}
+
+/// The message in some bytes.
+///
+/// # Errors
+/// Bytes of another build.
+pub fn decode<T: for<'de> Deserialize<'de>>(bytes: &[u8]) -> Result<T, postcard::Error> {
+    postcard::from_bytes(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_survives_the_way_to_the_worker() {
+        let job = Job {
+            id: 7,
+            case: Case::run_page(),
+        };
+        let back: Job = decode(&encode(&job).unwrap()).unwrap();
+        assert_eq!((back.id, back.case), (7, Case::run_page()));
+    }
+}

@@ -1,0 +1,253 @@
+//! The app's state: signals that components read, and the few ways to change them.
+
+pub mod check;
+pub mod document;
+pub mod history;
+pub mod preferences;
+
+use crate::protocol::{Fault, Reply};
+use crate::worker::{News, WorkerLink};
+use check::{Check, Checks, check_inputs};
+use document::Document;
+use history::History;
+use leptos::prelude::*;
+use msape::{Answer, Case, Library};
+use preferences::Preferences;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// An answer together with the case that it belongs to.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// Number of the job.
+    pub id: u64,
+    /// What was asked.
+    pub case: Arc<Case>,
+    /// What came out.
+    pub answer: Answer,
+    /// Time that solving took, ms.
+    pub duration_ms: f64,
+}
+
+impl PartialEq for Solved {
+    fn eq(&self, other: &Solved) -> bool {
+        self.id == other.id
+    }
+}
+
+/// How the newest answer stands to the input.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Phase {
+    /// It belongs to the input.
+    Fresh,
+    /// A newer one is being computed.
+    Updating,
+    /// The input has faults; the answer is of the last input that had none.
+    AtFault,
+    /// The solver failed.
+    Failed(String),
+}
+
+/// Whether what was made is safe.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SaveState {
+    /// Not written yet.
+    Saving,
+    /// Kept in the browser.
+    Saved,
+    /// The browser keeps nothing, and why.
+    Refused(String),
+}
+
+/// All signals of the app.
+#[derive(Clone, Copy)]
+pub struct State {
+    /// The undo stack.
+    pub history: RwSignal<History>,
+    /// Count of undos and redos: what was being typed before one is forgotten.
+    pub turns: RwSignal<u32>,
+    /// Its present document.
+    pub document: Memo<Arc<Document>>,
+    /// The case of the document.
+    pub case: Memo<Arc<Case>>,
+    /// How each input stands.
+    pub checks: Memo<Arc<Checks>>,
+    /// The newest answer.
+    pub latest: RwSignal<Option<Arc<Solved>>>,
+    /// Faults of the newest input, as the solver found them.
+    pub faults: RwSignal<Arc<Vec<Fault>>>,
+    /// How the newest answer stands to the input.
+    pub phase: RwSignal<Phase>,
+    /// Row of the time history under the cursor that all charts share.
+    pub cursor: RwSignal<Option<usize>>,
+    /// Whether what was made is safe.
+    pub save_state: RwSignal<SaveState>,
+    /// Whether the browser promised not to clear what is kept; `None` when it was not asked.
+    pub protected: RwSignal<Option<bool>>,
+    /// Result of the last action, for the status line.
+    pub notice: RwSignal<String>,
+    /// Faults of the last file that was opened.
+    pub file_faults: RwSignal<Vec<String>>,
+    /// Look and depth of the page.
+    pub preferences: Preferences,
+    /// What a case may name.
+    pub library: StoredValue<Option<Library>>,
+}
+
+impl State {
+    /// The state around a first document; solving starts at once.
+    pub fn new(document: Document, preferences: Preferences) -> State {
+        // The worker reports a library that cannot be read; here only lists of choices come from it.
+        let library = Library::builtin().ok();
+        let history = RwSignal::new(History::new(document));
+        let document = Memo::new(move |_| history.with(|history| history.present().clone()));
+        let case = Memo::new(move |_| document.with(|document| document.case.clone()));
+        let stored_library = StoredValue::new(library);
+        let checks = Memo::new(move |_| {
+            Arc::new(
+                stored_library.with_value(|library| check_inputs(&case.get(), library.as_ref())),
+            )
+        });
+        let state = State {
+            history,
+            turns: RwSignal::new(0),
+            document,
+            case,
+            checks,
+            latest: RwSignal::new(None),
+            faults: RwSignal::new(Arc::default()),
+            phase: RwSignal::new(Phase::Updating),
+            cursor: RwSignal::new(None),
+            save_state: RwSignal::new(SaveState::Saving),
+            protected: RwSignal::new(None),
+            notice: RwSignal::new(String::new()),
+            file_faults: RwSignal::new(Vec::new()),
+            preferences,
+            library: stored_library,
+        };
+        state.solve_on_change();
+        state
+    }
+
+    /// The state of the app around this component.
+    pub fn expect() -> State {
+        expect_context::<State>()
+    }
+
+    fn solve_on_change(self) {
+        let newest = StoredValue::new(0_u64);
+        // The cases of jobs that have no reply yet.
+        let asked: StoredValue<BTreeMap<u64, Arc<Case>>> = StoredValue::new(BTreeMap::new());
+        let replies: StoredValue<Option<Reply>> = StoredValue::new(None);
+        let take = move || {
+            let Some(reply) = replies.try_update_value(Option::take).flatten() else {
+                return;
+            };
+            let case = asked.try_update_value(|asked| {
+                let case = asked.remove(&reply.id);
+                asked.retain(|id, _| *id > reply.id);
+                case
+            });
+            if let Some(case) = case.flatten() {
+                self.take(reply, newest.get_value(), case);
+            }
+        };
+        let link = WorkerLink::start(move |news| match news {
+            News::Failed(message) => self.phase.set(Phase::Failed(message)),
+            // The screen shows one answer a frame; of several, the newest.
+            News::Reply(reply) => {
+                let waits = replies.with_value(Option::is_some);
+                replies.set_value(Some(*reply));
+                if !waits {
+                    request_animation_frame(take);
+                }
+            }
+        });
+        Effect::new(move |_| {
+            let case = self.case.get();
+            newest.update_value(|id| *id += 1);
+            asked.update_value(|asked| drop(asked.insert(newest.get_value(), case.clone())));
+            self.phase.set(Phase::Updating);
+            link.solve(newest.get_value(), (*case).clone());
+        });
+    }
+
+    fn take(self, reply: Reply, newest: u64, case: Arc<Case>) {
+        let is_newest = reply.id == newest;
+        match reply.result {
+            Ok(answer) => {
+                self.latest.set(Some(Arc::new(Solved {
+                    id: reply.id,
+                    case,
+                    answer,
+                    duration_ms: reply.duration_ms,
+                })));
+                if is_newest {
+                    self.faults.set(Arc::default());
+                    self.phase.set(Phase::Fresh);
+                }
+            }
+            Err(faults) if is_newest => {
+                self.faults.set(Arc::new(faults));
+                self.phase.set(Phase::AtFault);
+            }
+            Err(_) => {}
+        }
+    }
+
+    /// Takes the last change back.
+    pub fn undo(self) {
+        self.turns.update(|turns| *turns += 1);
+        self.history.update(History::undo);
+    }
+
+    /// Repeats the change last taken back.
+    pub fn redo(self) {
+        self.turns.update(|turns| *turns += 1);
+        self.history.update(History::redo);
+    }
+
+    /// Replaces the document; edits with one `tag` in a row are one step to undo.
+    pub fn edit(self, label: &str, tag: Option<&str>, change: impl FnOnce(&Document) -> Document) {
+        let document = self
+            .history
+            .with_untracked(|history| change(history.present()));
+        self.history
+            .update(|history| history.edit(label, tag, document));
+    }
+
+    /// Ends a row of edits.
+    pub fn close_step(self) {
+        self.history.update_untracked(History::close);
+    }
+
+    /// How one input stands.
+    pub fn check(self, key: &'static str) -> Memo<Check> {
+        Memo::new(move |_| {
+            let mut check = self
+                .checks
+                .with(|checks| checks.get(key).cloned())
+                .unwrap_or_default();
+            self.faults.with(|faults| {
+                for fault in faults.iter().filter(|fault| fault.key == key) {
+                    if !check.faults.contains(&fault.message) && self.phase.get() == Phase::AtFault
+                    {
+                        check.faults.push(fault.message.clone());
+                    }
+                }
+            });
+            check
+        })
+    }
+
+    /// A slice of the newest answer.
+    pub fn of_answer<T>(self, get: impl Fn(&Answer) -> T + Send + Sync + 'static) -> Memo<Option<T>>
+    where
+        T: PartialEq + Send + Sync + 'static,
+    {
+        Memo::new(move |_| {
+            self.latest
+                .with(|latest| latest.as_ref().map(|solved| get(&solved.answer)))
+        })
+    }
+}

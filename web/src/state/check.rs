@@ -1,0 +1,81 @@
+//! How each input stands: at its default, changed, unusual, at fault.
+
+use msape::case::{Reader, Value};
+use msape::quantity::input::{Kind, Preset, inputs};
+use msape::{Case, Library};
+use std::collections::BTreeMap;
+
+/// How all inputs stand, by key.
+pub type Checks = BTreeMap<&'static str, Check>;
+
+/// How an input stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Check {
+    /// Whether it is not at its default.
+    pub changed: bool,
+    /// What is wrong with it.
+    pub faults: Vec<String>,
+    /// What is unusual about it.
+    pub remarks: Vec<String>,
+}
+
+/// Checks every input by itself; what depends on several is found by the solver.
+pub fn check_inputs(case: &Case, library: Option<&Library>) -> Checks {
+    let mut reader = Reader::new(case);
+    inputs()
+        .map(|input| {
+            let (faults, findings) = (reader.faults.len(), reader.findings.len());
+            match input.kind {
+                Kind::Number { .. } => drop(reader.number(input.key)),
+                Kind::Flag => drop(reader.flag(input.key)),
+                Kind::Choice(choices) => {
+                    let choices = library
+                        .map(|library| library.choices(choices))
+                        .unwrap_or_default();
+                    let names: Vec<&str> = choices.iter().map(|(name, _)| name.as_str()).collect();
+                    if !names.is_empty() {
+                        reader.choice(input.key, &names);
+                    }
+                }
+                Kind::Rows(_) => drop(reader.rows(input.key)),
+                Kind::Text => drop(reader.words(input.key)),
+            }
+            let value = case.values.get(input.key);
+            let changed = match (value, input.preset) {
+                (None, _) => false,
+                (Some(Value::Number(a)), Preset::Number(b)) => *a != b,
+                (Some(Value::Flag(a)), Preset::Flag(b)) => *a != b,
+                (Some(Value::Text(a)), Preset::Name(b)) => a != b,
+                (Some(_), _) => true,
+            };
+            let check = Check {
+                changed,
+                faults: reader.faults[faults..]
+                    .iter()
+                    .map(|fault| fault.message.clone())
+                    .collect(),
+                remarks: reader.findings[findings..]
+                    .iter()
+                    .map(|finding| finding.message.clone())
+                    .collect(),
+            };
+            (input.key, check)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_and_remarks_stand_at_their_inputs() {
+        let mut case = Case::run_page();
+        case.set("design.diameter_m", "-1");
+        case.set("entry.speed_m_s", "9000");
+        let checks = check_inputs(&case, None);
+        assert_eq!(checks["design.diameter_m"].faults.len(), 1);
+        assert_eq!(checks["entry.speed_m_s"].remarks.len(), 1);
+        assert!(!checks["design.nose_radius_ratio"].changed);
+    }
+}

@@ -1,0 +1,157 @@
+//! Undo and redo over immutable documents.
+
+use super::document::Document;
+use std::sync::Arc;
+
+/// Longest past that is kept.
+const STEPS_MAX: usize = 500;
+
+/// A document with its past and its undone future.
+#[derive(Clone, Debug)]
+pub struct History {
+    past: Vec<Step>,
+    present: Arc<Document>,
+    future: Vec<Step>,
+    /// Edits with this tag still belong to the last step.
+    open: Option<String>,
+}
+
+/// A change by name, with the document on its other side.
+#[derive(Clone, Debug)]
+struct Step {
+    label: String,
+    document: Arc<Document>,
+}
+
+impl History {
+    /// A document without past.
+    pub fn new(document: Document) -> History {
+        History {
+            past: Vec::new(),
+            present: Arc::new(document),
+            future: Vec::new(),
+            open: None,
+        }
+    }
+
+    /// The document now.
+    pub fn present(&self) -> &Arc<Document> {
+        &self.present
+    }
+
+    /// Whether nothing was ever changed.
+    pub fn is_pristine(&self) -> bool {
+        self.past.is_empty() && self.future.is_empty()
+    }
+
+    /// Name of the change that undo takes back.
+    pub fn undo_label(&self) -> Option<&str> {
+        self.past.last().map(|step| step.label.as_str())
+    }
+
+    /// Name of the change that redo repeats.
+    pub fn redo_label(&self) -> Option<&str> {
+        self.future.last().map(|step| step.label.as_str())
+    }
+
+    /// Replaces the document. Edits with one `tag` in a row are one step until [`History::close`].
+    pub fn edit(&mut self, label: &str, tag: Option<&str>, document: Document) {
+        if document == *self.present {
+            return;
+        }
+        let goes_on = tag.is_some() && self.open.as_deref() == tag && !self.past.is_empty();
+        let before = std::mem::replace(&mut self.present, Arc::new(document));
+        if goes_on {
+            // Back where the step began: there is nothing to undo.
+            if self
+                .past
+                .last()
+                .is_some_and(|step| step.document == self.present)
+            {
+                self.past.pop();
+                self.open = None;
+            }
+        } else {
+            self.past.push(Step {
+                label: label.to_string(),
+                document: before,
+            });
+            if self.past.len() > STEPS_MAX {
+                self.past.remove(0);
+            }
+            self.open = tag.map(str::to_string);
+        }
+        self.future.clear();
+    }
+
+    /// Ends a row of edits: the next one is a step of its own.
+    pub fn close(&mut self) {
+        self.open = None;
+    }
+
+    /// Takes the last change back.
+    pub fn undo(&mut self) {
+        self.open = None;
+        if let Some(Step { label, document }) = self.past.pop() {
+            let document = std::mem::replace(&mut self.present, document);
+            self.future.push(Step { label, document });
+        }
+    }
+
+    /// Repeats the change last taken back.
+    pub fn redo(&mut self) {
+        self.open = None;
+        if let Some(Step { label, document }) = self.future.pop() {
+            let document = std::mem::replace(&mut self.present, document);
+            self.past.push(Step { label, document });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use msape::Case;
+
+    fn with_speed(document: &Document, text: &str) -> Document {
+        document.with_case(|case| case.set("entry.speed_m_s", text))
+    }
+
+    fn speed(history: &History) -> Option<String> {
+        history.present().case.text("entry.speed_m_s")
+    }
+
+    #[test]
+    fn a_drag_is_one_step() {
+        let mut history = History::new(Document::new(Case::run_page()));
+        for text in ["12100", "12200", "12300"] {
+            let next = with_speed(history.present(), text);
+            history.edit("Entry Velocity", Some("speed"), next);
+        }
+        history.undo();
+        assert_eq!(speed(&history).as_deref(), Some("12000"));
+        history.redo();
+        assert_eq!(speed(&history).as_deref(), Some("12300"));
+        assert_eq!(history.undo_label(), Some("Entry Velocity"));
+    }
+
+    #[test]
+    fn a_new_edit_forgets_the_undone_ones() {
+        let mut history = History::new(Document::new(Case::run_page()));
+        let next = with_speed(history.present(), "13000");
+        history.edit("a", None, next);
+        history.undo();
+        let next = with_speed(history.present(), "14000");
+        history.edit("b", None, next);
+        assert_eq!(history.redo_label(), None);
+        assert_eq!(speed(&history).as_deref(), Some("14000"));
+    }
+
+    #[test]
+    fn an_edit_that_changes_nothing_is_no_step() {
+        let mut history = History::new(Document::new(Case::run_page()));
+        let same = with_speed(history.present(), "12000");
+        history.edit("a", None, same);
+        assert!(history.is_pristine());
+    }
+}
