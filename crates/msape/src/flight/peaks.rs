@@ -88,7 +88,8 @@ impl<'a> Peaks<'a> {
         self.searched(best, &|equations, y| value(&sample::loads(equations, y)))
     }
 
-    /// The peak of the pressure at the stagnation point, which lies beside that of the dynamic pressure.
+    /// The peak of the pressure at the stagnation point in entry, which lies beside that of the dynamic pressure; near the
+    /// ground the air itself may press harder.
     pub fn of_stagnation_pressure(&self, dynamic_pressure: &Peak) -> Peak {
         let legs = &self.record.legs;
         let near = legs.partition_point(|leg| leg.step.t1 < dynamic_pressure.time_s);
