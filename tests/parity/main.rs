@@ -1,5 +1,9 @@
 //! The same bits natively and in the browser: the same tests, against the same recorded bits, run in both.
+//!
+//! Shipped cases are compared natively by `snapshots`, with the same files.
 
+#[cfg(target_arch = "wasm32")]
+mod cases;
 mod elementary;
 
 #[cfg(target_arch = "wasm32")]

@@ -13,7 +13,7 @@ pub struct Start {
 }
 
 /// The case that the app opens with.
-pub const FIRST: &str = "msr-eev-cp";
+pub const FIRST: &str = "msr-eev-pica";
 /// The report's run page.
 pub const RUN_PAGE: &str = "run-page";
 

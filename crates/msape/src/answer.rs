@@ -12,6 +12,10 @@ use crate::flight::Flight;
 use serde::{Deserialize, Serialize};
 
 /// How a flight or a design ended. None of them is an error.
+///
+/// ```
+/// assert_eq!(msape::Outcome::NotClosed.name(), "not-closed");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
@@ -53,7 +57,7 @@ pub struct Pass {
     pub number: u32,
     /// Model of flight used: `allen-eggers` or `three-dof`.
     pub flight_model: String,
-    /// Values that cross between the modules, by key of [`crate::design::coupling::CROSSINGS`].
+    /// Values that cross between the modules, by key of [`crate::design::crossings::CROSSINGS`].
     pub crossings: Vec<f64>,
     /// Entry mass, kg.
     pub mass_kg: f64,
@@ -62,6 +66,21 @@ pub struct Pass {
 }
 
 /// The answer to a case.
+///
+/// ```
+/// use msape::quantity::output;
+/// use msape::{Case, Library, Request, design};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/galahad.toml").unwrap();
+/// let answer = design(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// let mass = output::find("total_entry_mass_kg").unwrap();
+/// println!("{}: {:?} {}", mass.label, (mass.get)(&answer), mass.unit);
+/// for finding in &answer.findings {
+///     println!("{}: {}", finding.model, finding.message);
+/// }
+/// # assert!((mass.get)(&answer).is_some_and(|kg| kg > 3.0));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// Name of the case.

@@ -18,6 +18,7 @@ pub use trajectory::{Request, Trajectory};
 pub mod allen_eggers;
 pub mod equations;
 pub mod mission;
+pub mod peaks;
 pub mod sample;
 pub mod summary;
 pub mod three_dof;
@@ -51,7 +52,7 @@ pub struct Flight {
     pub peak_deceleration_earth_g: Peak,
     /// Dynamic pressure, Pa.
     pub peak_dynamic_pressure_pa: Peak,
-    /// Stagnation pressure, Pa.
+    /// Stagnation pressure about the largest dynamic pressure, Pa.
     pub peak_stagnation_pressure_pa: Peak,
     /// Convective heat flux at the stagnation point without margin, W/m².
     pub peak_convective_heat_flux_w_m2: Peak,

@@ -1,4 +1,56 @@
 //! Systems analysis of planetary entry vehicles, after NASA/TM-2014-218507 ("the report").
+//!
+//! A case goes in, an answer comes out; nothing else is read or kept.
+//!
+//! ```
+//! use msape::{Case, Library, Outcome, Request, design};
+//!
+//! let library = Library::builtin().unwrap();
+//! let text = msape::library::data_file("cases/msr-eev-pica.toml").unwrap();
+//! let mut case = Case::from_text(text).unwrap();
+//! case.set("entry.speed_m_s", "11.4 km/s");
+//! let answer = design(&case, &library, Request::Nothing).unwrap();
+//! assert_eq!(answer.outcome, Outcome::Converged);
+//! ```
+//!
+//! # The tour
+//!
+//! From text to answer:
+//!
+//! 1. [`case`]: keys and values as typed, from TOML or JSON, faults included.
+//! 2. [`problem`]: the same, checked against [`quantity::input`] and [`library`]; every fault at once, or none. After it
+//!    physics cannot fail.
+//! 3. [`flight`] for [`fly`]; the passes of [`design`](mod@design) for [`design`](fn@design).
+//! 4. [`answer`]: how it ended, numbers, adjustments, findings, the record of the passes.
+//! 5. [`table`]: the answer as CSV and KML; [`answer::json`] as JSON.
+//!
+//! One pass of a design, in the order of section 2.2 of the report:
+//!
+//! 1. [`vehicle`]: outline, component profiles, masses, impact, structure, until the vehicle closes.
+//! 2. [`flight`] with the drag of [`aero`] over [`planet`]: the closed form of Allen and Eggers in the first passes, three
+//!    degrees of freedom after them.
+//! 3. [`heating`]: integrated along the flight, then shoulder and aftbody.
+//! 4. [`soak`]: temperature of the payload.
+//! 5. [`tps`]: thickness of both heat shields, from which the next pass starts.
+//!
+//! Beside them:
+//!
+//! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
+//!   from it.
+//! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
+//! - [`finding`]: use outside a model's range, as a value beside the result.
+//! - [`validation`]: the shipped cases beside their references.
+//!
+//! # What is deliberately absent
+//!
+//! - Files, clocks, threads, environment, random sources, global state: the same case gives the same bits everywhere. The
+//!   command line and the page, which call this crate, have all of these.
+//! - The elementary functions of the standard library: their last bit differs between platforms. `numerics::math` has them.
+//! - Errors after the check: "does not close", "skipped out" and "not converged" are outcomes.
+//! - Model limits as errors: a number outside a model's range is given, with a finding.
+//! - Drawing, storage and concurrency: they belong to the crates around this one.
+//! - Six degrees of freedom, the panel method, in-depth ablation, transient conduction, trade studies, optimization,
+//!   surrogates: not written yet. What stands in for each is named in the result.
 
 pub mod aero;
 pub mod answer;
@@ -27,14 +79,40 @@ pub use library::Library;
 ///
 /// # Errors
 /// Every fault of the case at once.
+///
+/// ```
+/// use msape::{Case, Library, Outcome, Request, fly};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/stardust.toml").unwrap();
+/// let answer = fly(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// assert_eq!(answer.outcome, Outcome::Landed);
+/// // 32.07 g: data/validation/stardust.toml
+/// let peak = answer.flight.unwrap().peak_deceleration_earth_g;
+/// assert!((peak.value - 32.07).abs() < 0.15);
+/// ```
 pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::fly(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::FlightProblem::check(case, library)?.solve(&case.name, request))
 }
 
 /// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.
 ///
 /// # Errors
 /// Every fault of the case at once.
+///
+/// ```
+/// use msape::{Case, Library, Outcome, Request, design};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/galahad.toml").unwrap();
+/// let answer = design(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// assert_eq!(answer.outcome, Outcome::Converged);
+/// // Margin is on everything but the payload of 3 kg.
+/// let mass = answer.design.unwrap().vehicle.mass;
+/// assert!(mass.mass_kg > 3.0);
+/// ```
 pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::design(case, library, request)
+    problem::check_request(request)?;
+    Ok(problem::DesignProblem::check(case, library)?.solve(&case.name, request))
 }

@@ -173,10 +173,7 @@ impl Planet {
     /// The figure.
     #[inline]
     pub fn ellipsoid(&self) -> Ellipsoid {
-        Ellipsoid {
-            equatorial_radius_m: self.equatorial_radius_m,
-            polar_radius_m: self.polar_radius_m,
-        }
+        Ellipsoid::new(self.equatorial_radius_m, self.polar_radius_m)
     }
 
     /// Height and vertical at planet-fixed coordinates, m; the fast form.

@@ -10,73 +10,107 @@ mod planet;
 use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
 use crate::design::coupling;
+use crate::design::inputs::DesignInput;
+use crate::finding::Finding;
 use crate::flight::Request;
+use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
 
-/// A checked case together with what the check remarked.
-struct Checked<T> {
-    problem: T,
-    findings: Vec<crate::finding::Finding>,
+/// A flight that was checked.
+#[derive(Clone, Debug)]
+pub struct FlightProblem {
+    /// Everything but the vehicle.
+    pub mission: Mission,
+    /// The vehicle.
+    pub body: Body,
+    /// What the check remarked.
+    pub findings: Vec<Finding>,
 }
 
-/// Ends a check: the problem when there is one and no fault, else every fault.
-fn settled<T>(reader: Reader, problem: Option<T>) -> Result<Checked<T>, Vec<InputError>> {
-    match problem {
-        Some(problem) if reader.faults.is_empty() => Ok(Checked {
-            problem,
-            findings: reader.findings,
-        }),
-        _ => Err(reader.faults),
+/// A design that was checked.
+#[derive(Clone, Debug)]
+pub struct DesignProblem {
+    /// Everything that determines the design.
+    pub input: DesignInput,
+    /// What the check remarked.
+    pub findings: Vec<Finding>,
+}
+
+impl FlightProblem {
+    /// Checks a case for `fly`.
+    ///
+    /// # Errors
+    /// Every fault of the case at once.
+    pub fn check(case: &Case, library: &Library) -> Result<FlightProblem, Vec<InputError>> {
+        let mut reader = Reader::new(case);
+        let mission = flight::mission(&mut reader, library, flight::Angle::Any);
+        let body = flight::body(&mut reader, library);
+        match mission.zip(body) {
+            Some((mission, body)) if reader.faults.is_empty() => Ok(FlightProblem {
+                mission,
+                body,
+                findings: reader.findings,
+            }),
+            _ => Err(reader.faults),
+        }
+    }
+
+    /// Flies it.
+    pub fn solve(&self, name: &str, request: Request) -> Answer {
+        let FlightProblem {
+            mission,
+            body,
+            findings,
+        } = self;
+        let (flight, outcome, reason) = crate::flight::fly(mission, body, request);
+        let mut findings = findings.clone();
+        findings.extend(crate::flight::findings(mission, body, &flight));
+        Answer {
+            name: name.to_string(),
+            outcome,
+            reason,
+            flight: Some(flight),
+            design: None,
+            adjustments: Vec::new(),
+            findings,
+            passes: Vec::new(),
+        }
     }
 }
 
-pub(crate) fn fly(
-    case: &Case,
-    library: &Library,
-    request: Request,
-) -> Result<Answer, Vec<InputError>> {
-    let mut reader = Reader::new(case);
-    check_step(&mut reader, request);
-    let mission = flight::mission(&mut reader, library, flight::Angle::Any);
-    let body = flight::body(&mut reader, library);
-    let checked = settled(reader, mission.zip(body))?;
-    let (mission, body) = &checked.problem;
-    let (flight, outcome, reason) = crate::flight::fly(mission, body, request);
-    let mut findings = checked.findings;
-    findings.extend(crate::flight::findings(mission, body, &flight));
-    Ok(Answer {
-        name: case.name.clone(),
-        outcome,
-        reason,
-        flight: Some(flight),
-        design: None,
-        adjustments: Vec::new(),
-        findings,
-        passes: Vec::new(),
-    })
+impl DesignProblem {
+    /// Checks a case for `design`.
+    ///
+    /// # Errors
+    /// Every fault of the case at once.
+    pub fn check(case: &Case, library: &Library) -> Result<DesignProblem, Vec<InputError>> {
+        let mut reader = Reader::new(case);
+        match design::design(&mut reader, library) {
+            Some(input) if reader.faults.is_empty() => Ok(DesignProblem {
+                input,
+                findings: reader.findings,
+            }),
+            _ => Err(reader.faults),
+        }
+    }
+
+    /// Solves it.
+    pub fn solve(&self, name: &str, request: Request) -> Answer {
+        let mut answer = coupling::solve(&self.input, name, request);
+        answer.findings.extend(self.findings.iter().cloned());
+        answer
+    }
 }
 
-pub(crate) fn design(
-    case: &Case,
-    library: &Library,
-    request: Request,
-) -> Result<Answer, Vec<InputError>> {
-    let mut reader = Reader::new(case);
-    check_step(&mut reader, request);
-    let input = design::design(&mut reader, library);
-    let checked = settled(reader, input)?;
-    let mut answer = coupling::solve(&checked.problem, &case.name, request);
-    answer.findings.extend(checked.findings);
-    Ok(answer)
-}
-
-fn check_step(reader: &mut Reader, request: Request) {
-    if let Request::Uniform(step_s) = request
-        && !(step_s > 0.0 && step_s.is_finite())
-    {
-        reader.fault(
-            "trajectory step",
-            format!("got {step_s} s, must be above 0 s"),
-        );
+/// Checks the step of a time history.
+pub(crate) fn check_request(request: Request) -> Result<(), Vec<InputError>> {
+    match request {
+        Request::Uniform(step_s) if !(step_s > 0.0 && step_s.is_finite()) => {
+            Err(vec![InputError {
+                key: "trajectory step".to_string(),
+                message: format!("got {step_s} s, must be above 0 s"),
+            }])
+        }
+        _ => Ok(()),
     }
 }

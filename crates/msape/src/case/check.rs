@@ -7,6 +7,17 @@ use crate::units::{canonical, parse_number};
 use std::fmt;
 
 /// A fault of the input: which key, what was given, what is allowed.
+///
+/// ```
+/// use msape::{Case, Library, Request, fly};
+///
+/// let library = Library::builtin().unwrap();
+/// let mut case = Case::default();
+/// case.set("entry.speed_m_s", "-1");
+/// let faults = fly(&case, &library, Request::Nothing).unwrap_err();
+/// let speed = faults.iter().find(|fault| fault.key == "entry.speed_m_s").unwrap();
+/// assert_eq!(speed.to_string(), "entry.speed_m_s: got -1 m/s, must be 0 to 100000 m/s");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputError {
     /// Dotted key; empty when the whole file is at fault.

@@ -140,7 +140,10 @@ struct Sum<'a> {
     downrange_m: f64,
     load: HeatFlux<f64>,
     before: Option<(f64, f64, HeatFlux<f64>)>,
+    /// Largest values: deceleration, dynamic pressure, rise of the stagnation pressure over that of the air, heat fluxes.
     peaks: [Peak; 7],
+    /// Pressure of the air where the stagnation pressure rises most above it, Pa.
+    ambient_pa: f64,
     rows: Vec<(f64, [f64; STATES])>,
 }
 
@@ -164,6 +167,7 @@ impl<'a> Sum<'a> {
             load: HeatFlux::default(),
             before: None,
             peaks: [NO_PEAK; 7],
+            ambient_pa: 0.0,
             rows: Vec::with_capacity(INTERVALS + 1),
         }
     }
@@ -212,12 +216,15 @@ impl<'a> Sum<'a> {
         let values = [
             dynamic_pressure_pa / entry.ballistic_coefficient_kg_m2 / EARTH_G_M_S2,
             dynamic_pressure_pa,
-            stagnation_pressure_pa(&stream, GAMMA),
+            stagnation_pressure_pa(&stream, GAMMA) - air.pressure_pa,
             flux.convective_w_m2,
             flux.radiative_w_m2,
             flux.total_w_m2(),
             mission.heating.margined(&flux).total_w_m2(),
         ];
+        if values[2] > self.peaks[2].value {
+            self.ambient_pa = air.pressure_pa;
+        }
         for (peak, value) in self.peaks.iter_mut().zip(values) {
             if value > peak.value {
                 *peak = Peak {
@@ -294,7 +301,10 @@ impl<'a> Sum<'a> {
             entry_inertial: mission.start.inertial,
             peak_deceleration_earth_g: self.exact_deceleration(deceleration),
             peak_dynamic_pressure_pa: dynamic,
-            peak_stagnation_pressure_pa: stagnation,
+            peak_stagnation_pressure_pa: Peak {
+                value: stagnation.value + self.ambient_pa,
+                ..stagnation
+            },
             peak_convective_heat_flux_w_m2: convective,
             peak_radiative_heat_flux_w_m2: (radiative.value > 0.0).then_some(radiative),
             peak_total_heat_flux_w_m2: total,
@@ -355,11 +365,7 @@ impl<'a> Sum<'a> {
                 .local([state[0], state[1], state[2]])
                 .altitude_m;
             let layer = self.mission.atmosphere.layer(altitude_m);
-            let equations = Equations {
-                mission: self.mission,
-                body: self.body,
-                layer,
-            };
+            let equations = Equations::new(self.mission, self.body, layer);
             sample::record(&mut history, &equations, *t, state, &self.place);
         }
         Some(history)

@@ -18,6 +18,7 @@
 use super::mission::{Body, Mission};
 use crate::aero::Drag;
 use crate::heating::{Flow, HeatFlux};
+use crate::planet::geodetic::Ellipsoid;
 use crate::planet::horizon::Horizon;
 use crate::planet::wind::Wind;
 use numerics::scalar::Scalar;
@@ -55,14 +56,41 @@ pub struct Equations<'a> {
     pub body: &'a Body,
     /// Piece of the atmosphere that is continued smoothly.
     pub layer: usize,
+    /// Figure of the planet.
+    pub ellipsoid: Ellipsoid,
+    /// How radiative heating is computed.
+    pub radiation: Radiation,
 }
 
-impl Equations<'_> {
+/// How radiative heating is computed; the relations end at once below a speed, which the integrator meets with the end
+/// of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Radiation {
+    /// By the relation.
+    Exact,
+    /// With at least this speed, m/s: continued smoothly beyond the end of the relation, for the stages of a step.
+    Continued(f64),
+    /// Not at all: the vehicle is slower than the relation reaches down.
+    Over,
+}
+
+impl<'a> Equations<'a> {
+    /// The equations within one piece of the atmosphere.
+    pub fn new(mission: &'a Mission, body: &'a Body, layer: usize) -> Self {
+        Equations {
+            mission,
+            body,
+            layer,
+            ellipsoid: mission.planet.ellipsoid(),
+            radiation: Radiation::Exact,
+        }
+    }
+
     /// What surrounds the vehicle.
     #[inline]
     pub fn surroundings<S: Scalar>(&self, y: &[S; STATES]) -> Surroundings<S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
-        let local = self.mission.planet.local([x_m, y_m, z_m]);
+        let local = self.ellipsoid.local([x_m, y_m, z_m]);
         let density_kg_m3 = self
             .mission
             .atmosphere
@@ -113,7 +141,11 @@ impl Equations<'_> {
             speed_m_s: around.air_speed_m_s,
             nose_radius_m: self.body.nose_radius_m,
         };
-        self.mission.heating.heat_flux(&flow)
+        match self.radiation {
+            Radiation::Exact => self.mission.heating.heat_flux(&flow),
+            Radiation::Continued(least_m_s) => self.mission.heating.continued(&flow, least_m_s),
+            Radiation::Over => self.mission.heating.without_radiation(&flow),
+        }
     }
 
     /// The derivative of the state.

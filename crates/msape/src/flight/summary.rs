@@ -1,19 +1,17 @@
 //! Peaks, loads and end of an integrated flight, and its time history.
 
+use super::Flight;
 use super::equations::{CONVECTIVE, Equations, RADIATIVE, STATES};
 use super::mission::{Body, Mission};
-use super::sample::{self, Loads};
+use super::peaks::Peaks;
+use super::sample;
 use super::three_dof::{Leg, Record};
 use super::trajectory::{Request, Trajectory};
-use super::{Flight, Peak};
 use crate::planet::geodetic::great_circle_m;
 use numerics::root;
 
 /// Mach numbers whose downward crossing is reported.
 pub const MACH_MARKS: [f64; 4] = [5.0, 2.0, 1.4, 0.8];
-
-/// A peak is placed within this part of a step.
-const PEAK_TOLERANCE: f64 = 1e-6;
 
 /// Summarizes a record.
 pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Request) -> Flight {
@@ -22,12 +20,11 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         body,
         record,
     };
-    let nodes = flight.nodes();
-    let peak = |value: &dyn Fn(&Loads) -> f64| flight.peak(&nodes, value);
-    let deceleration = peak(&|l| l.deceleration_earth_g);
-    let dynamic_pressure = peak(&|l| l.dynamic_pressure_pa);
-    let radiative = peak(&|l| l.heat_flux.radiative_w_m2);
-    let margined = peak(&|l| mission.heating.margined(&l.heat_flux).total_w_m2());
+    let peaks = Peaks::new(mission, body, record);
+    let deceleration = peaks.of(|l| l.deceleration_earth_g);
+    let dynamic_pressure = peaks.of(|l| l.dynamic_pressure_pa);
+    let radiative = peaks.of(|l| l.heat_flux.radiative_w_m2);
+    let margined = peaks.of(|l| mission.heating.margined(&l.heat_flux).total_w_m2());
     let (t_end, y_end, layer_end) = flight.end();
     let start = sample::position(mission, &record.start);
     let end = sample::position(mission, &y_end);
@@ -37,12 +34,11 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         entry_relative: mission.start.relative,
         entry_inertial: mission.start.inertial,
         peak_deceleration_earth_g: deceleration,
-        peak_stagnation_pressure_pa: flight
-            .peak_stagnation_pressure(&nodes, dynamic_pressure.value),
+        peak_stagnation_pressure_pa: peaks.of_stagnation_pressure(&dynamic_pressure),
         peak_dynamic_pressure_pa: dynamic_pressure,
-        peak_convective_heat_flux_w_m2: peak(&|l| l.heat_flux.convective_w_m2),
+        peak_convective_heat_flux_w_m2: peaks.of(|l| l.heat_flux.convective_w_m2),
         peak_radiative_heat_flux_w_m2: (radiative.value > 0.0).then_some(radiative),
-        peak_total_heat_flux_w_m2: peak(&|l| l.heat_flux.total_w_m2()),
+        peak_total_heat_flux_w_m2: peaks.of(|l| l.heat_flux.total_w_m2()),
         peak_total_margined_heat_flux_w_m2: margined,
         convective_heat_load_j_m2: y_end[CONVECTIVE],
         radiative_heat_load_j_m2: y_end[RADIATIVE],
@@ -66,14 +62,6 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
     }
 }
 
-/// A state between two steps and its loads.
-struct Node {
-    t: f64,
-    y: [f64; STATES],
-    layer: usize,
-    loads: Loads,
-}
-
 struct Reading<'a> {
     mission: &'a Mission,
     body: &'a Body,
@@ -82,99 +70,13 @@ struct Reading<'a> {
 
 impl<'a> Reading<'a> {
     fn equations(&self, layer: usize) -> Equations<'a> {
-        Equations {
-            mission: self.mission,
-            body: self.body,
-            layer,
-        }
+        Equations::new(self.mission, self.body, layer)
     }
 
     fn end(&self) -> (f64, [f64; STATES], usize) {
         match self.record.legs.last() {
             Some(leg) => (leg.step.t1, leg.step.y1, leg.layer),
             None => (0.0, self.record.start, self.record.start_layer),
-        }
-    }
-
-    /// The states between the steps: one more than steps.
-    fn nodes(&self) -> Vec<Node> {
-        let node = |t, y: [f64; STATES], layer| Node {
-            t,
-            y,
-            layer,
-            loads: sample::loads(&self.equations(layer), &y),
-        };
-        let mut nodes = Vec::with_capacity(self.record.legs.len() + 1);
-        nodes.push(node(0.0, self.record.start, self.record.start_layer));
-        nodes.extend(
-            self.record
-                .legs
-                .iter()
-                .map(|leg| node(leg.step.t1, leg.step.y1, leg.layer)),
-        );
-        nodes
-    }
-
-    fn peak(&self, nodes: &[Node], value: &dyn Fn(&Loads) -> f64) -> Peak {
-        let mut best = 0;
-        for (i, node) in nodes.iter().enumerate() {
-            if value(&node.loads) > value(&nodes[best].loads) {
-                best = i;
-            }
-        }
-        let along = |equations: &Equations, y: &[f64; STATES]| value(&sample::loads(equations, y));
-        self.refine(&nodes[best], best, value(&nodes[best].loads), &along)
-    }
-
-    /// Stagnation pressure peaks beside dynamic pressure: only nodes near its peak are looked at.
-    fn peak_stagnation_pressure(&self, nodes: &[Node], dynamic_pressure_pa: f64) -> Peak {
-        let (mut best, mut highest) = (0, f64::NEG_INFINITY);
-        for (i, node) in nodes.iter().enumerate() {
-            if i == 0
-                || i + 1 == nodes.len()
-                || node.loads.dynamic_pressure_pa > 0.5 * dynamic_pressure_pa
-            {
-                let pressure = sample::stagnation_pressure(&self.equations(node.layer), &node.y);
-                if pressure > highest {
-                    (best, highest) = (i, pressure);
-                }
-            }
-        }
-        self.refine(&nodes[best], best, highest, &sample::stagnation_pressure)
-    }
-
-    /// Looks for a larger value in the two steps beside the largest node.
-    fn refine(
-        &self,
-        node: &Node,
-        index: usize,
-        value: f64,
-        along: &dyn Fn(&Equations, &[f64; STATES]) -> f64,
-    ) -> Peak {
-        let (mut t, mut y, mut layer, mut highest) = (node.t, node.y, node.layer, value);
-        for i in [index.wrapping_sub(1), index] {
-            let Some(Leg { step, layer: here }) = self.record.legs.get(i) else {
-                continue;
-            };
-            let equations = self.equations(*here);
-            let tolerance = PEAK_TOLERANCE * (step.t1 - step.t0);
-            let (t_top, top) = root::maximum(
-                |t| along(&equations, &step.at(t)),
-                step.t0,
-                step.t1,
-                tolerance,
-            );
-            if top > highest {
-                (t, y, layer, highest) = (t_top, step.at(t_top), *here, top);
-            }
-        }
-        let around = self.equations(layer).surroundings(&y);
-        Peak {
-            value: highest,
-            time_s: t,
-            altitude_m: around.altitude_m,
-            speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt(),
-            density_kg_m3: around.density_kg_m3,
         }
     }
 

@@ -13,7 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
-use super::equations::{Equations, STATES};
+use super::equations::{Equations, Radiation, STATES};
 use super::mission::{Body, Mission};
 use crate::answer::Outcome;
 use crate::planet::Gravity;
@@ -88,7 +88,21 @@ enum Gate {
     Ground,
     /// Rises out of the atmosphere.
     Exit,
+    /// Slows down to where radiative heating ends at once.
+    Onset,
+    /// Slows down to a kink of radiative heating.
+    Kink,
 }
+
+/// Height and rate of climb at the ends of a step.
+#[derive(Clone, Copy)]
+struct Place {
+    altitude_m: f64,
+    climb_m_s: f64,
+}
+
+/// A kink of radiative heating is met to this speed, m/s.
+const KINK_TOLERANCE_M_S: f64 = 1e-3;
 
 struct Integration<'a> {
     equations: Equations<'a>,
@@ -101,6 +115,10 @@ struct Integration<'a> {
     exit_m: Option<f64>,
     /// Whether the flight has turned from falling to rising.
     turned_up: bool,
+    /// Speeds at which radiative heating has a kink, m/s, ascending; below the first it is nothing.
+    kinks_m_s: Vec<f64>,
+    /// Where the integration stands.
+    here: Place,
 }
 
 impl<'a> Integration<'a> {
@@ -126,12 +144,18 @@ impl<'a> Integration<'a> {
             Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
             Gravity::Uniform { .. } => None,
         };
+        let mut equations = Equations::new(mission, body, layer);
+        let kinks_m_s = mission.heating.radiative.kinks_m_s();
+        if let Some(onset_m_s) = kinks_m_s.first() {
+            equations.radiation = match speed_m_s(&start) > *onset_m_s {
+                true => Radiation::Continued(*onset_m_s),
+                false => Radiation::Over,
+            };
+        }
         Integration {
-            equations: Equations {
-                mission,
-                body,
-                layer,
-            },
+            here: place(&equations, &start),
+            kinks_m_s,
+            equations,
             integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start)
                 .with_maximum_steps(MOST_STEPS),
             start_layer: layer,
@@ -145,9 +169,7 @@ impl<'a> Integration<'a> {
     fn run(&mut self) -> (Outcome, Option<String>) {
         let mission = self.equations.mission;
         let t_end = mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S);
-        if self.altitude_m(self.integrator.y()) <= self.ground_m
-            && self.vertical_speed_m_s(self.integrator.y()) < 0.0
-        {
+        if self.here.altitude_m <= self.ground_m && self.here.climb_m_s < 0.0 {
             return self.grounded();
         }
         loop {
@@ -162,7 +184,9 @@ impl<'a> Integration<'a> {
                 Ok(step) => step,
                 Err(error) => return given_up(&error),
             };
-            let Some((t, gate)) = self.first_gate(&step) else {
+            let there = place(&equations, &step.y1);
+            let Some((t, gate)) = self.first_gate(&step, there) else {
+                self.here = there;
                 self.legs.push(Leg {
                     step,
                     layer: equations.layer,
@@ -171,10 +195,13 @@ impl<'a> Integration<'a> {
             };
             if t > step.t0 {
                 match self.integrator.retake(&mut f, t) {
-                    Ok(step) => self.legs.push(Leg {
-                        step,
-                        layer: equations.layer,
-                    }),
+                    Ok(step) => {
+                        self.here = place(&equations, &step.y1);
+                        self.legs.push(Leg {
+                            step,
+                            layer: equations.layer,
+                        });
+                    }
                     Err(error) => return given_up(&error),
                 }
             }
@@ -183,6 +210,8 @@ impl<'a> Integration<'a> {
                 Gate::Exit => return self.left(),
                 Gate::Floor => self.equations.layer = equations.layer.saturating_sub(1),
                 Gate::Ceiling => self.equations.layer = equations.layer + 1,
+                Gate::Onset => self.equations.radiation = Radiation::Over,
+                Gate::Kink => continue,
             }
             if t <= step.t0 {
                 // The step began on the boundary: it is taken anew from there, in the other piece.
@@ -198,7 +227,7 @@ impl<'a> Integration<'a> {
     }
 
     /// The first gate through which a step passes, and when.
-    fn first_gate(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
+    fn first_gate(&mut self, step: &Step<STATES>, there: Place) -> Option<(f64, Gate)> {
         let boundaries = self.equations.mission.atmosphere.boundaries_m();
         let layer = self.equations.layer;
         let floor_m = layer
@@ -206,55 +235,87 @@ impl<'a> Integration<'a> {
             .and_then(|below| boundaries.get(below))
             .copied();
         let ceiling_m = boundaries.get(layer).copied();
-        let (w0, w1) = (
-            self.vertical_speed_m_s(&step.y0),
-            self.vertical_speed_m_s(&step.y1),
-        );
-        let t_turn = if (w0 < 0.0) == (w1 < 0.0) {
-            step.t1
+        let falls = [self.here.climb_m_s < 0.0, there.climb_m_s < 0.0];
+        let found = if falls[0] == falls[1] {
+            let ends_m = [self.here.altitude_m, there.altitude_m];
+            self.gate_in(step, [step.t0, step.t1], ends_m, [floor_m, ceiling_m])
         } else {
-            self.when(
+            let climb = |y: &[f64; STATES]| place(&self.equations, y).climb_m_s;
+            let t_turn = self.when(step, [step.t0, step.t1], climb, 1e-6);
+            let turn_m = self.altitude_m(&step.at(t_turn));
+            let before = self.gate_in(
                 step,
-                [step.t0, step.t1],
-                |y| self.vertical_speed_m_s(y),
-                1e-6,
-            )
+                [step.t0, t_turn],
+                [self.here.altitude_m, turn_m],
+                [floor_m, ceiling_m],
+            );
+            self.turned_up |= falls[0];
+            before.or_else(|| {
+                let ends_m = [turn_m, there.altitude_m];
+                self.gate_in(step, [t_turn, step.t1], ends_m, [floor_m, ceiling_m])
+            })
         };
-        for (span, falling) in [([step.t0, t_turn], w0 < 0.0), ([t_turn, step.t1], w1 < 0.0)] {
-            if span[0] >= span[1] {
-                continue;
-            }
-            if !falling && span[0] > 0.0 && span[0] == t_turn {
-                self.turned_up = true;
-            }
-            if let Some(found) = self.gate_in(step, span, falling, [floor_m, ceiling_m]) {
-                return Some(found);
-            }
+        match (found, self.kink(step)) {
+            (Some(gate), Some(kink)) if kink.0 < gate.0 => Some(kink),
+            (Some(gate), _) => Some(gate),
+            (None, kink) => kink,
         }
-        None
     }
 
+    /// Where a step slows down to a kink of the radiative relation; with radiation over, takes it up again when the speed
+    /// rises.
+    fn kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
+        let onset_m_s = *self.kinks_m_s.first()?;
+        let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
+        if self.equations.radiation == Radiation::Over {
+            if after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S {
+                self.equations.radiation = Radiation::Continued(onset_m_s);
+                self.integrator.renew();
+            }
+            return None;
+        }
+        let below = self
+            .kinks_m_s
+            .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
+        let (level_m_s, gate) = match below.checked_sub(1) {
+            None | Some(0) => (onset_m_s, Gate::Onset),
+            Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
+        };
+        if after >= level_m_s {
+            return None;
+        }
+        let gap = |y: &[f64; STATES]| speed_m_s(y) - level_m_s;
+        let t = if before <= level_m_s {
+            step.t0
+        } else {
+            self.when(step, [step.t0, step.t1], gap, KINK_TOLERANCE_M_S)
+        };
+        Some((t, gate))
+    }
+
+    /// The gate of a part of a step in which the altitude only rises or only falls.
     fn gate_in(
         &self,
         step: &Step<STATES>,
         span: [f64; 2],
-        falling: bool,
+        [start_m, end_m]: [f64; 2],
         [floor_m, ceiling_m]: [Option<f64>; 2],
     ) -> Option<(f64, Gate)> {
-        let end_m = self.altitude_m(&step.at(span[1]));
-        if falling {
+        if span[0] >= span[1] {
+            return None;
+        }
+        if end_m < start_m {
             let (level_m, gate) = match floor_m {
                 Some(floor_m) if floor_m > self.ground_m => (floor_m, Gate::Floor),
                 _ => (self.ground_m, Gate::Ground),
             };
             // What begins below the ground was climbing and has not been above it.
-            let below = end_m < level_m
-                && (gate == Gate::Floor || self.altitude_m(&step.at(span[0])) >= level_m);
+            let below = end_m < level_m && (gate == Gate::Floor || start_m >= level_m);
             return below.then(|| (self.reaches(step, span, level_m), gate));
         }
-        let exit_m = self
-            .exit_m
-            .filter(|_| self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
+        let leaves =
+            |exit_m: &f64| end_m > *exit_m && (self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
+        let exit_m = self.exit_m.filter(leaves);
         let (level_m, gate) = match (ceiling_m, exit_m) {
             (Some(ceiling_m), Some(exit_m)) if ceiling_m < exit_m => (ceiling_m, Gate::Ceiling),
             (_, Some(exit_m)) => (exit_m, Gate::Exit),
@@ -303,15 +364,9 @@ impl<'a> Integration<'a> {
 
     fn altitude_m(&self, y: &[f64; STATES]) -> f64 {
         self.equations
-            .mission
-            .planet
+            .ellipsoid
             .local([y[0], y[1], y[2]])
             .altitude_m
-    }
-
-    fn vertical_speed_m_s(&self, y: &[f64; STATES]) -> f64 {
-        let [u, v, w] = self.equations.mission.planet.local([y[0], y[1], y[2]]).up;
-        y[3] * u + y[4] * v + y[5] * w
     }
 
     /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
@@ -349,16 +404,22 @@ impl<'a> Integration<'a> {
     }
 }
 
+fn place(equations: &Equations, y: &[f64; STATES]) -> Place {
+    let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
+    let [u, v, w] = local.up;
+    Place {
+        altitude_m: local.altitude_m,
+        climb_m_s: y[3] * u + y[4] * v + y[5] * w,
+    }
+}
+
+fn speed_m_s(y: &[f64; STATES]) -> f64 {
+    (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
+}
+
 fn given_up(error: &OdeError) -> (Outcome, Option<String>) {
     (
         Outcome::Stopped,
         Some(format!("the integration was given up: {error}")),
     )
-}
-
-impl Leg {
-    /// Time at the end of the leg, s.
-    pub fn t1(&self) -> f64 {
-        self.step.t1
-    }
 }

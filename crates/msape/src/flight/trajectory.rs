@@ -4,6 +4,18 @@ use crate::quantity::trajectory::{Column, columns};
 use serde::{Deserialize, Serialize};
 
 /// Which time history is wanted.
+///
+/// ```
+/// use msape::{Case, Library, Request, fly};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/nesc-06.toml").unwrap();
+/// let case = Case::from_text(text).unwrap();
+/// let answer = fly(&case, &library, Request::Uniform(10.0)).unwrap();
+/// let history = answer.flight.unwrap().trajectory.unwrap();
+/// // The case ends after 30 s.
+/// assert_eq!(history.column("time_s"), Some([0.0, 10.0, 20.0, 30.0].as_slice()));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Request {
     /// None.

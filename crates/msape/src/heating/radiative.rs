@@ -58,6 +58,15 @@ impl Radiative {
         }
     }
 
+    /// Speeds at which the relation has a kink, m/s, ascending; at the first of them it begins.
+    pub fn kinks_m_s(&self) -> Vec<f64> {
+        match self {
+            Self::None => Vec::new(),
+            Self::TauberSutton(model) => model.table_speeds_m_s().collect(),
+            Self::BrandisJohnston(model) => vec![model.onset_m_s()],
+        }
+    }
+
     /// Heat flux, W/m².
     #[inline]
     pub fn heat_flux_w_m2<S: Scalar>(&self, flow: &Flow<S>) -> S {

@@ -117,6 +117,38 @@ impl StagnationHeating {
         }
     }
 
+    /// Nominal heat fluxes, with radiation as at `least_m_s` where the vehicle is slower, m/s.
+    #[inline]
+    pub fn continued<S: Scalar>(&self, flow: &Flow<S>, least_m_s: f64) -> HeatFlux<S> {
+        let fast = Flow {
+            speed_m_s: flow.speed_m_s.max(S::constant(least_m_s)),
+            ..*flow
+        };
+        let cold = ColdWall {
+            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
+            radiative_w_m2: self.radiative.heat_flux_w_m2(&fast),
+            speed_m_s: flow.speed_m_s,
+        };
+        HeatFlux {
+            convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
+            radiative_w_m2: cold.radiative_w_m2,
+        }
+    }
+
+    /// Nominal heat fluxes where radiation is known to be nothing.
+    #[inline]
+    pub fn without_radiation<S: Scalar>(&self, flow: &Flow<S>) -> HeatFlux<S> {
+        let cold = ColdWall {
+            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
+            radiative_w_m2: S::constant(0.0),
+            speed_m_s: flow.speed_m_s,
+        };
+        HeatFlux {
+            convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
+            radiative_w_m2: cold.radiative_w_m2,
+        }
+    }
+
     /// Heat fluxes with margins.
     #[inline]
     pub fn margined<S: Scalar>(&self, nominal: &HeatFlux<S>) -> HeatFlux<S> {

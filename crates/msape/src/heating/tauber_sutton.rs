@@ -91,6 +91,11 @@ impl TauberSutton {
         self.onset_m_s
     }
 
+    /// Speeds of the rows of the velocity function, m/s, ascending.
+    pub fn table_speeds_m_s(&self) -> impl Iterator<Item = f64> + '_ {
+        self.rows.iter().map(|row| row[0])
+    }
+
     /// Velocity function f(V).
     #[inline]
     pub fn velocity_function<S: Scalar>(&self, v: S) -> S {

@@ -50,6 +50,12 @@ pub struct Ellipsoid {
     pub equatorial_radius_m: f64,
     /// Polar radius b, m.
     pub polar_radius_m: f64,
+    /// e².
+    e2: f64,
+    /// e′².
+    e2_prime: f64,
+    /// Passes of the fast form.
+    fast_passes: usize,
 }
 
 /// Passes of Bowring's formula after which nothing changes any more, for the flattening of Saturn.
@@ -58,6 +64,22 @@ const PASSES_TO_CONVERGENCE: usize = 5;
 const STRONG_FLATTENING: f64 = 0.02;
 
 impl Ellipsoid {
+    /// The ellipsoid with these radii, m.
+    pub const fn new(equatorial_radius_m: f64, polar_radius_m: f64) -> Self {
+        let (a, b) = (equatorial_radius_m, polar_radius_m);
+        Self {
+            equatorial_radius_m,
+            polar_radius_m,
+            e2: 1.0 - (b / a) * (b / a),
+            e2_prime: (a / b) * (a / b) - 1.0,
+            fast_passes: if 1.0 - b / a > STRONG_FLATTENING {
+                2
+            } else {
+                1
+            },
+        }
+    }
+
     /// Planet-fixed coordinates of a geodetic position, m.
     pub fn cartesian_m<S: Scalar>(&self, position: &Geodetic<S>) -> [S; 3] {
         let Geodetic {
@@ -96,16 +118,11 @@ impl Ellipsoid {
     /// Height and vertical of planet-fixed coordinates, m, without trigonometric functions.
     #[inline]
     pub fn local<S: Scalar>(&self, r: [S; 3]) -> Local<S> {
-        let passes = if 1.0 - self.polar_radius_m / self.equatorial_radius_m > STRONG_FLATTENING {
-            2
-        } else {
-            1
-        };
         let Foot {
             altitude_m,
             p_up,
             z_up,
-        } = self.foot(r, passes);
+        } = self.foot(r, self.fast_passes);
         Local {
             altitude_m,
             up: [r[0] * p_up, r[1] * p_up, r[2] * z_up],
@@ -116,7 +133,7 @@ impl Ellipsoid {
     #[inline]
     fn foot<S: Scalar>(&self, r: [S; 3], passes: usize) -> Foot<S> {
         let (a, b) = (self.equatorial_radius_m, self.polar_radius_m);
-        let (e2, e2_prime) = (1.0 - (b / a) * (b / a), (a / b) * (a / b) - 1.0);
+        let (e2, e2_prime) = (self.e2, self.e2_prime);
         let [x, y, z] = r;
         let (p2, z2) = (x * x + y * y, z * z);
         let radius = (p2 + z2).sqrt();
@@ -137,7 +154,7 @@ impl Ellipsoid {
         let (p_over, z_over) = (S::constant(1.0) - c * a, S::constant(1.0) - s * b);
         // The guessed foot stands t beside the true one, on a curve that bends away by t²/(2 a).
         let t = z_over * p_up - p_over * z_up;
-        let altitude_m = p2 * p_up * p_over + z2 * z_up * z_over - p2 * z2 * t * t / (2.0 * a);
+        let altitude_m = p2 * p_up * p_over + z2 * z_up * z_over - p2 * z2 * t * t * (0.5 / a);
         Foot {
             altitude_m,
             p_up,
@@ -174,18 +191,9 @@ mod tests {
     use super::*;
     use math::{FRAC_PI_2, PI, RADIANS_PER_DEGREE};
 
-    const WGS84: Ellipsoid = Ellipsoid {
-        equatorial_radius_m: 6_378_137.0,
-        polar_radius_m: 6_356_752.314_2,
-    };
-    const SATURN: Ellipsoid = Ellipsoid {
-        equatorial_radius_m: 60_268_000.0,
-        polar_radius_m: 54_364_000.0,
-    };
-    const SPHERE: Ellipsoid = Ellipsoid {
-        equatorial_radius_m: 6_051_800.0,
-        polar_radius_m: 6_051_800.0,
-    };
+    const WGS84: Ellipsoid = Ellipsoid::new(6_378_137.0, 6_356_752.314_2);
+    const SATURN: Ellipsoid = Ellipsoid::new(60_268_000.0, 54_364_000.0);
+    const SPHERE: Ellipsoid = Ellipsoid::new(6_051_800.0, 6_051_800.0);
 
     /// Positions over all latitudes, some longitudes and the given altitudes.
     fn positions(altitudes_m: &[f64]) -> Vec<Geodetic<f64>> {

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub enum Command {
     /// [`crate::fly`].
     Fly,
-    /// [`crate::design`].
+    /// [`crate::design()`].
     Design,
 }
 

@@ -1,0 +1,162 @@
+//! Largest values along an integrated flight.
+//!
+//! ```text
+//! q(s) ≈ a + c₁ s + c₂ s²,  c₁ = −3 a + 4 m − b,  c₂ = 2 (a − 2 m + b)
+//! ```
+//!
+//! with a, m, b a quantity at the beginning, middle and end of a step and s its part: the step with the largest estimate
+//! is searched by Brent's method on the dense output.
+//!
+//! # Valid
+//! Quantities with at most one maximum within a step.
+//!
+//! # References
+//! - \[brent-1973\] for the search.
+
+use super::Peak;
+use super::equations::{Equations, STATES};
+use super::mission::{Body, Mission};
+use super::sample::{self, Loads};
+use super::three_dof::{Leg, Record};
+use numerics::root;
+
+/// A peak is placed within this part of a step.
+const TOLERANCE: f64 = 1e-4;
+/// Steps whose loads reach this part of the largest are looked at in their middle, too.
+const BUSY: f64 = 0.5;
+
+/// The loads along a record, ready to be searched.
+pub struct Peaks<'a> {
+    mission: &'a Mission,
+    body: &'a Body,
+    record: &'a Record,
+    /// Loads between the steps: one more than steps.
+    nodes: Vec<Loads>,
+    /// Loads in the middle of the busy steps.
+    middles: Vec<Option<Loads>>,
+}
+
+type Along<'f> = dyn Fn(&Equations, &[f64; STATES]) -> f64 + 'f;
+
+impl<'a> Peaks<'a> {
+    /// Computes the loads.
+    pub fn new(mission: &'a Mission, body: &'a Body, record: &'a Record) -> Self {
+        let loads =
+            |layer, y: &[f64; STATES]| sample::loads(&Equations::new(mission, body, layer), y);
+        let mut nodes = Vec::with_capacity(record.legs.len() + 1);
+        nodes.push(loads(record.start_layer, &record.start));
+        nodes.extend(record.legs.iter().map(|leg| loads(leg.layer, &leg.step.y1)));
+        let largest = |of: fn(&Loads) -> f64| nodes.iter().map(of).fold(0.0, f64::max);
+        let measures: [fn(&Loads) -> f64; 3] = [
+            |l| l.deceleration_earth_g,
+            |l| l.heat_flux.convective_w_m2,
+            |l| l.heat_flux.radiative_w_m2,
+        ];
+        let limits = measures.map(|of| BUSY * largest(of));
+        let middles = record.legs.iter().zip(nodes.windows(2)).map(|(leg, ends)| {
+            let busy =
+                |(of, limit): (&fn(&Loads) -> f64, &f64)| ends.iter().any(|l| of(l) > *limit);
+            let middle = || leg.step.at(0.5 * (leg.step.t0 + leg.step.t1));
+            measures
+                .iter()
+                .zip(&limits)
+                .any(busy)
+                .then(|| loads(leg.layer, &middle()))
+        });
+        let middles = middles.collect();
+        Peaks {
+            mission,
+            body,
+            record,
+            nodes,
+            middles,
+        }
+    }
+
+    /// The peak of a quantity made of the loads.
+    pub fn of(&self, value: impl Fn(&Loads) -> f64) -> Peak {
+        let (mut best, mut highest) = (0, f64::NEG_INFINITY);
+        for (i, (ends, middle)) in self.nodes.windows(2).zip(&self.middles).enumerate() {
+            let [a, b] = [&ends[0], &ends[1]].map(&value);
+            let estimate = middle
+                .as_ref()
+                .map_or(a.max(b), |m| parabola_top([a, value(m), b]));
+            if estimate > highest {
+                (best, highest) = (i, estimate);
+            }
+        }
+        self.searched(best, &|equations, y| value(&sample::loads(equations, y)))
+    }
+
+    /// The peak of the pressure at the stagnation point in entry, which lies beside that of the dynamic pressure; near the
+    /// ground the air itself may press harder.
+    pub fn of_stagnation_pressure(&self, dynamic_pressure: &Peak) -> Peak {
+        let legs = &self.record.legs;
+        let near = legs.partition_point(|leg| leg.step.t1 < dynamic_pressure.time_s);
+        let sides = [near.saturating_sub(1), near, near + 1];
+        let peaks = sides.map(|i| {
+            self.searched(
+                i.min(legs.len().saturating_sub(1)),
+                &sample::stagnation_pressure,
+            )
+        });
+        peaks.into_iter().fold(
+            peaks[0],
+            |best, peak| if peak.value > best.value { peak } else { best },
+        )
+    }
+
+    /// The largest value within one step, its ends included; that of the start where there is no step.
+    fn searched(&self, leg: usize, along: &Along) -> Peak {
+        let Some(Leg { step, layer }) = self.record.legs.get(leg) else {
+            return self.peak(0.0, &self.record.start, self.record.start_layer, along);
+        };
+        let equations = Equations::new(self.mission, self.body, *layer);
+        let tolerance = TOLERANCE * (step.t1 - step.t0);
+        let (t, _) = root::maximum(
+            |t| along(&equations, &step.at(t)),
+            step.t0,
+            step.t1,
+            tolerance,
+        );
+        self.peak(t, &step.at(t), *layer, along)
+    }
+
+    fn peak(&self, t: f64, y: &[f64; STATES], layer: usize, along: &Along) -> Peak {
+        let equations = Equations::new(self.mission, self.body, layer);
+        let around = equations.surroundings(y);
+        Peak {
+            value: along(&equations, y),
+            time_s: t,
+            altitude_m: around.altitude_m,
+            speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt(),
+            density_kg_m3: around.density_kg_m3,
+        }
+    }
+}
+
+/// Top of the parabola through three equally spaced values, or the largest of them where it has none in between.
+fn parabola_top([a, m, b]: [f64; 3]) -> f64 {
+    let (c_1, c_2) = (4.0 * m - 3.0 * a - b, 2.0 * (a - 2.0 * m + b));
+    let s = -c_1 / (2.0 * c_2);
+    let sampled = a.max(m).max(b);
+    if c_2 < 0.0 && (0.0..=1.0).contains(&s) {
+        sampled.max(a + s * (c_1 + s * c_2))
+    } else {
+        sampled
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parabola_through_0_3_4_over_4_peaks_at_1() {
+        // 4 s (2 − s)/4 at s = 0, 1/2, 1 is 0, 3/4, 1: the top is the end; 1 − (2 s − 1)² peaks at 1 in the middle.
+        assert_eq!(parabola_top([0.0, 0.75, 1.0]), 1.0);
+        assert_eq!(parabola_top([0.0, 1.0, 0.0]), 1.0);
+        // 1 − (s − 0.75)²: 0.4375, 0.9375, 0.9375, top 1.
+        assert!((parabola_top([0.4375, 0.9375, 0.9375]) - 1.0).abs() < 1e-15);
+    }
+}

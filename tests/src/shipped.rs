@@ -1,0 +1,55 @@
+//! The cases that ship with the program.
+
+use msape::library::data_folder;
+use msape::quantity::Job;
+use msape::{Answer, Case, InputError, Library, Request};
+
+/// A case of the folder `cases`.
+#[derive(Clone, Debug)]
+pub struct Shipped {
+    /// Name of its file without the ending.
+    pub name: &'static str,
+    /// Its text.
+    pub text: &'static str,
+    /// What it asks for.
+    pub case: Case,
+    /// The command that solves it: one with a design is designed, one with a vehicle flown.
+    pub job: Job,
+}
+
+impl Shipped {
+    /// Solves the case.
+    ///
+    /// # Errors
+    /// Every fault of the case.
+    pub fn solve(&self, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+        match self.job {
+            Job::Fly => msape::fly(&self.case, library, request),
+            Job::Design => msape::design(&self.case, library, request),
+        }
+    }
+}
+
+/// All cases, by name.
+///
+/// # Errors
+/// Name and fault of a case that cannot be read.
+pub fn cases() -> Result<Vec<Shipped>, String> {
+    data_folder("cases")
+        .filter_map(|(path, text)| {
+            let name = path.strip_prefix("cases/")?.strip_suffix(".toml")?;
+            Some((name, text))
+        })
+        .map(|(name, text)| {
+            let case = Case::from_text(text).map_err(|faults| format!("{name}: {faults:?}"))?;
+            let designed = case.values.keys().any(|key| key.starts_with("design."));
+            let job = if designed { Job::Design } else { Job::Fly };
+            Ok(Shipped {
+                name,
+                text,
+                case,
+                job,
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,55 @@
+//! Style as a test: data files, headings, lengths, words, documents.
+
+mod data;
+mod documents;
+mod sources;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folder of the workspace.
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// A file of the project: path from the root with `/`, and text.
+struct File {
+    path: String,
+    text: String,
+}
+
+/// The text files below a folder of the project, in order of path; what is built or installed is left out.
+fn files(folder: &str) -> Vec<File> {
+    let mut found = Vec::new();
+    collect(&root().join(folder), &mut found);
+    found.sort();
+    let files = found.into_iter().filter_map(|path| {
+        let text = fs::read_to_string(&path).ok()?;
+        let path = path.strip_prefix(root()).unwrap().to_string_lossy();
+        Some(File {
+            path: path.replace('\\', "/"),
+            text,
+        })
+    });
+    files.collect()
+}
+
+fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if ["target", "dist", "node_modules", ".git"].contains(&name.as_str()) {
+            continue;
+        }
+        if path.is_dir() {
+            collect(&path, found);
+        } else {
+            found.push(path);
+        }
+    }
+}
+
+/// Fails with every fault.
+fn assert_none(faults: &[String]) {
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}

@@ -1,0 +1,124 @@
+//! Source files: headings, lengths, words.
+
+use crate::data::bibliography;
+use crate::{File, assert_none, files};
+
+/// Most lines of a source file without its tests.
+const MOST_LINES: usize = 400;
+
+fn rust_files() -> Vec<File> {
+    ["crates", "web", "tests"]
+        .iter()
+        .flat_map(|folder| files(folder))
+        .filter(|file| file.path.ends_with(".rs"))
+        .collect()
+}
+
+#[test]
+fn no_file_is_longer_than_400_lines_without_its_tests() {
+    let lines = |file: &File| {
+        let code = file.text.split("#[cfg(test)]\nmod tests {").next();
+        code.unwrap_or_default().lines().count()
+    };
+    let long =
+        |file: &File| (lines(file) > MOST_LINES).then(|| format!("{}: {}", file.path, lines(file)));
+    assert_none(&rust_files().iter().filter_map(long).collect::<Vec<_>>());
+}
+
+/// Folders of the core whose files are physics.
+const PHYSICS: [&str; 7] = [
+    "aero", "flight", "heating", "planet", "soak", "tps", "vehicle",
+];
+
+/// Files of these folders that hold no equation: lists of parts, input, assembly.
+const NO_EQUATION: [&str; 15] = [
+    "flight.rs",
+    "flight/mission.rs",
+    "flight/sample.rs",
+    "flight/summary.rs",
+    "flight/trajectory.rs",
+    "heating.rs",
+    "planet/atmosphere/us_1976/definition.rs",
+    "planet/atmosphere/us_1976/tests.rs",
+    "planet/rows.rs",
+    "tps.rs",
+    "tps/fit_space.rs",
+    "tps/material.rs",
+    "vehicle/input.rs",
+    "vehicle/remarks.rs",
+    "vehicle/rules.rs",
+];
+
+#[test]
+fn every_physics_file_has_equation_validity_and_references() {
+    let mut faults = Vec::new();
+    for file in files("crates/msape/src") {
+        let path = file.path.trim_start_matches("crates/msape/src/");
+        let folder = path.split(['/', '.']).next().unwrap_or_default();
+        let tests = path.starts_with("vehicle/tests");
+        if !PHYSICS.contains(&folder) || NO_EQUATION.contains(&path) || tests {
+            continue;
+        }
+        for part in ["//! ```text", "//! # Valid", "//! # References"] {
+            if !file.text.contains(part) {
+                faults.push(format!("{}: no {part:?}", file.path));
+            }
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+fn every_reference_of_a_heading_is_in_the_bibliography() {
+    let known = bibliography();
+    let mut faults = Vec::new();
+    let mut cited = 0;
+    for file in rust_files() {
+        for line in file.text.lines().filter(|line| line.starts_with("//!")) {
+            for rest in line.split("\\[").skip(1) {
+                let key = rest.split("\\]").next().unwrap_or_default();
+                cited += 1;
+                if !known.iter().any(|known| known == key) {
+                    faults.push(format!("{}: [{key}]", file.path));
+                }
+            }
+        }
+    }
+    assert!(cited > 50, "{cited}");
+    assert_none(&faults);
+}
+
+/// Words that have no place here: paths of one machine, promises, addresses of package registries. Cut in two, so that
+/// this file is clean.
+const FORBIDDEN: [(&str, &str); 11] = [
+    ("/ho", "me/"),
+    ("/ro", "ot/"),
+    ("/tm", "p/"),
+    ("/wo", "rk/"),
+    ("../sha", "red"),
+    ("TO", "DO"),
+    ("FIX", "ME"),
+    ("HA", "CK"),
+    ("index.crat", "es.io"),
+    ("static.crat", "es.io"),
+    ("registry.np", "mjs.org"),
+];
+
+#[test]
+fn no_file_holds_a_forbidden_word() {
+    let mut faults = Vec::new();
+    for file in files("") {
+        // Written by cargo, which names its registry; checksums hold any word.
+        if file.path == "Cargo.lock" || file.path == "package-lock.json" {
+            continue;
+        }
+        for (number, line) in file.text.lines().enumerate() {
+            for (start, end) in FORBIDDEN {
+                if line.contains(&format!("{start}{end}")) {
+                    faults.push(format!("{}:{}: {start}{end}", file.path, number + 1));
+                }
+            }
+        }
+    }
+    assert_none(&faults);
+}

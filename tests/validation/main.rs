@@ -1,0 +1,9 @@
+//! Against published and independent figures, and against itself at greater effort.
+//!
+//! - [`published`]: every documented case that ships with the program.
+//! - [`accuracy`]: methods and tolerances of integration against one another.
+//! - [`outcomes`]: how flights begin and end.
+
+mod accuracy;
+mod outcomes;
+mod published;
