@@ -23,7 +23,7 @@ impl UnitSystem {
     /// Name in menus.
     pub fn label(self) -> &'static str {
         match self {
-            UnitSystem::Seed => "Seed",
+            UnitSystem::Seed => "Report",
             UnitSystem::Si => "SI",
             UnitSystem::Us => "US",
         }
