@@ -14,6 +14,24 @@ pub struct ChartSpec {
     pub y: String,
 }
 
+/// How much of a flight is shown over time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Span {
+    /// From the start until the vehicle is well below the speed of sound.
+    Entry,
+    /// All of it.
+    Whole,
+}
+
+impl Span {
+    /// End of the time shown, s; `None` when all is shown.
+    fn end_s(self, flight: &Flight) -> Option<f64> {
+        let [.., subsonic_s] = flight.mach_times_s;
+        let end_s = 1.15 * subsonic_s?;
+        (self == Span::Entry && end_s < 0.8 * flight.time_of_flight_s).then_some(end_s)
+    }
+}
+
 /// The four plots of the report: vertical and horizontal column.
 pub const REPORT_PLOTS: [(&str, &str); 4] = [
     ("altitude_m", "time_s"),
@@ -46,15 +64,22 @@ impl ChartSpec {
     }
 
     /// The figure.
-    pub fn figure(&self, flight: &Flight, units: UnitSystem) -> Figure {
+    pub fn figure(&self, flight: &Flight, units: UnitSystem, span: Span) -> Figure {
         let points = flight
             .trajectory
             .as_ref()
             .map(|trajectory| self.points(trajectory, units))
             .unwrap_or_default();
         let label = find(&self.y).map_or("", |column| column.label);
+        let mut x = axis(&self.x, units);
+        if self.x == "time_s"
+            && let Some(column) = find(&self.x)
+            && let Some(end_s) = span.end_s(flight)
+        {
+            x = x.with_range(0.0, units.of_column(column).from_canonical(end_s));
+        }
         Figure {
-            x: axis(&self.x, units),
+            x,
             y: axis(&self.y, units),
             events: self.events(flight, &points),
             series: vec![Series::line(label, points, 0)],

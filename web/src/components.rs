@@ -20,4 +20,5 @@ pub mod residuals;
 pub mod results;
 pub mod rows;
 pub mod runs;
+pub mod segments;
 pub mod share;

@@ -50,9 +50,9 @@ mod text;
 mod theme;
 mod tick;
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(feature = "canvas")]
 mod canvas;
-#[cfg(target_arch = "wasm32")]
+#[cfg(feature = "canvas")]
 pub use canvas::{CanvasSize, canvas};
 
 pub use csv::csv;

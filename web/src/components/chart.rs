@@ -74,7 +74,11 @@ pub fn Chart(
     let place = move || {
         let (x, y) = at_cursor.get()?;
         let mapping = mapping.get()?;
-        Some((mapping, mapping.x.px(x)?, mapping.y.px(y)?))
+        let place = (mapping.x.px(x)?, mapping.y.px(y)?);
+        mapping
+            .plot
+            .contains(place)
+            .then_some((mapping, place.0, place.1))
     };
     let point = move |event: PointerEvent| {
         let Some(mapping) = mapping.get_untracked().filter(|_| !still) else {

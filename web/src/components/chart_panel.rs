@@ -1,6 +1,6 @@
 //! A chart with its reading, its table twin and its exports.
 
-use crate::charts::ChartSpec;
+use crate::charts::{ChartSpec, Span};
 use crate::components::chart::{Chart, theme};
 use crate::components::chart_table::ChartTable;
 use crate::display::{number, symbol};
@@ -19,6 +19,7 @@ const EXPORT_PX: (u32, u32) = (800, 500);
 #[component]
 pub fn ChartPanel(
     spec: RwSignal<ChartSpec>,
+    span: RwSignal<Span>,
     /// Whether the columns can be chosen.
     #[prop(optional)]
     free: bool,
@@ -26,12 +27,12 @@ pub fn ChartPanel(
     let state = State::expect();
     let units = Memo::new(move |_| state.document.with(|document| document.units));
     let figure = Memo::new(move |_| {
-        let (spec, units) = (spec.get(), units.get());
+        let (spec, units, span) = (spec.get(), units.get(), span.get());
         state
             .latest
             .with(|latest| {
                 let flight = latest.as_ref()?.answer.flight.as_ref()?;
-                Some(spec.figure(flight, units))
+                Some(spec.figure(flight, units, span))
             })
             .unwrap_or_default()
     });

@@ -1,6 +1,7 @@
 //! The frame's head: name, undo, units, depth, theme, share.
 
 use crate::components::runs::Saved;
+use crate::components::segments::Segments;
 use crate::components::share::Share;
 use crate::display::UnitSystem;
 use crate::state::State;
@@ -82,26 +83,5 @@ fn UndoRedo() -> impl IntoView {
                 aria-label=move || words("Redo", redo_label.get()) title=move || format!("{} (Ctrl+Shift+Z)", words("Redo", redo_label.get()))
                 on:click=move |_| state.redo()>"↷"</button>
         </div>
-    }
-}
-
-/// A short choice, all of it in view.
-#[component]
-fn Segments<T: Copy + PartialEq + Send + Sync + 'static>(
-    legend: &'static str,
-    choices: Vec<(T, &'static str)>,
-    #[prop(into)] now: Signal<T>,
-    choose: impl Fn(T) + Copy + 'static,
-) -> impl IntoView {
-    view! {
-        <fieldset class="segments">
-            <legend class="hidden-visually">{legend}</legend>
-            {choices.into_iter().map(|(choice, label)| view! {
-                <label>
-                    <input type="radio" name=legend prop:checked=move || now.get() == choice on:change=move |_| choose(choice) />
-                    <span>{label}</span>
-                </label>
-            }).collect_view()}
-        </fieldset>
     }
 }

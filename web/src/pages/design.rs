@@ -1,6 +1,6 @@
 //! The Design page: inputs, vehicle, flight, results, notes and coupling of one design.
 
-use crate::charts::{ChartSpec, REPORT_PLOTS};
+use crate::charts::{ChartSpec, REPORT_PLOTS, Span};
 use crate::components::chart_panel::ChartPanel;
 use crate::components::coupling::Coupling;
 use crate::components::drawing::Drawing;
@@ -11,6 +11,7 @@ use crate::components::notes::Notes;
 use crate::components::open::{Open, StartFrom};
 use crate::components::results::Results;
 use crate::components::runs::Runs;
+use crate::components::segments::Segments;
 use crate::state::{Phase, State};
 use leptos::prelude::*;
 
@@ -25,6 +26,7 @@ pub fn Design() -> impl IntoView {
             y: y.to_string(),
         })
     };
+    let span = RwSignal::new(Span::Entry);
     let free = spec(("mach", "time_s"));
     view! {
         <Strip />
@@ -42,10 +44,18 @@ pub fn Design() -> impl IntoView {
                     </div>
                 </section>
                 <section class="card" aria-labelledby="flight-title">
-                    <h2 id="flight-title">"Flight"</h2>
+                    <header>
+                        <h2 id="flight-title">"Flight"</h2>
+                        <Segments
+                            legend="Time shown"
+                            choices=vec![(Span::Entry, "Entry"), (Span::Whole, "Whole flight")]
+                            now=span
+                            choose=move |choice| span.set(choice)
+                        />
+                    </header>
                     <div class="charts" class:stale-figure=stale>
-                        {REPORT_PLOTS.into_iter().map(|plot| view! { <ChartPanel spec=spec(plot) /> }).collect_view()}
-                        <ChartPanel spec=free free=true />
+                        {REPORT_PLOTS.into_iter().map(|plot| view! { <ChartPanel spec=spec(plot) span /> }).collect_view()}
+                        <ChartPanel spec=free span free=true />
                     </div>
                 </section>
                 <Coupling />

@@ -1,0 +1,24 @@
+//! A short choice.
+
+use leptos::prelude::*;
+
+/// A short choice, all of it in view.
+#[component]
+pub fn Segments<T: Copy + PartialEq + Send + Sync + 'static>(
+    legend: &'static str,
+    choices: Vec<(T, &'static str)>,
+    #[prop(into)] now: Signal<T>,
+    choose: impl Fn(T) + Copy + 'static,
+) -> impl IntoView {
+    view! {
+        <fieldset class="segments">
+            <legend class="hidden-visually">{legend}</legend>
+            {choices.into_iter().map(|(choice, label)| view! {
+                <label>
+                    <input type="radio" name=legend prop:checked=move || now.get() == choice on:change=move |_| choose(choice) />
+                    <span>{label}</span>
+                </label>
+            }).collect_view()}
+        </fieldset>
+    }
+}
