@@ -151,7 +151,6 @@ fn default_accuracy_is_1e_5_with_a_table_of_drag() {
 
 /// Sutton-Graves heating may peak on both sides of a boundary of the atmosphere; whichever is higher is the peak.
 #[test]
-#[ignore = "the lower of two peaks is sometimes taken: 1e-3 too low at any tolerance"]
 fn the_peak_of_heating_is_the_highest() {
     let library = Library::builtin().unwrap();
     let mut worst = Worst::default();
