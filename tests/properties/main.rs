@@ -1,1 +1,23 @@
-//! Pending.
+//! What holds for every case, over many cases drawn by a fixed seed.
+//!
+//! - [`text`]: what is written reads back; numbers keep their value through units.
+//! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
+//! - [`flights`]: energy, scaling laws, order of refinement, wind.
+//! - [`designs`]: mass, volume, closing rules.
+
+mod designs;
+mod flights;
+mod garbage;
+mod text;
+
+use proptest::test_runner::{Config, RngSeed};
+
+/// A fixed number of cases by a fixed seed; a failure prints the smallest case that fails.
+fn config(cases: u32) -> Config {
+    Config {
+        cases,
+        rng_seed: RngSeed::Fixed(2014),
+        failure_persistence: None,
+        ..Config::default()
+    }
+}

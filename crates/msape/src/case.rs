@@ -5,6 +5,7 @@
 
 mod check;
 mod read;
+mod words;
 mod write;
 
 pub use check::{InputError, Reader};

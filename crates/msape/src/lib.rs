@@ -81,11 +81,11 @@ pub use library::Library;
 /// Every fault of the case at once.
 ///
 /// ```
-/// use msape::{Case, Library, Outcome, Request, fly};
+/// use msape::{Answer, Case, Library, Outcome, Request, fly};
 ///
 /// let library = Library::builtin().unwrap();
 /// let text = msape::library::data_file("cases/stardust.toml").unwrap();
-/// let answer = fly(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// let answer: Answer = fly(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
 /// assert_eq!(answer.outcome, Outcome::Landed);
 /// // 32.07 g: data/validation/stardust.toml
 /// let peak = answer.flight.unwrap().peak_deceleration_earth_g;
@@ -102,7 +102,7 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
 /// Every fault of the case at once.
 ///
 /// ```
-/// use msape::{Case, Library, Outcome, Request, design};
+/// use msape::{Case, InputError, Library, Outcome, Request, design};
 ///
 /// let library = Library::builtin().unwrap();
 /// let text = msape::library::data_file("cases/galahad.toml").unwrap();
@@ -111,6 +111,11 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
 /// // Margin is on everything but the payload of 3 kg.
 /// let mass = answer.design.unwrap().vehicle.mass;
 /// assert!(mass.mass_kg > 3.0);
+///
+/// let mut upwards = Case::run_page();
+/// upwards.set("entry.flight_path_angle_deg", "5");
+/// let faults: Vec<InputError> = design(&upwards, &library, Request::Nothing).unwrap_err();
+/// assert_eq!(faults[0].key, "entry.flight_path_angle_deg");
 /// ```
 pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
     problem::check_request(request)?;

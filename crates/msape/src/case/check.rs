@@ -1,8 +1,9 @@
 //! Checks keys and values against the list of inputs and reports every fault at once.
 
+use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key, with_unit};
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
-use crate::quantity::input::{self, Input, Kind, Preset, Range, inputs};
+use crate::quantity::input::{self, Input, Kind, Preset};
 use crate::units::{canonical, parse_number};
 use std::fmt;
 
@@ -305,98 +306,6 @@ impl<'a> Reader<'a> {
         }
         found
     }
-}
-
-fn column_names(input: &Input) -> String {
-    match input.kind {
-        Kind::Rows(columns) => columns
-            .iter()
-            .map(|column| {
-                if column.required {
-                    column.name.to_string()
-                } else {
-                    format!("[{}]", column.name)
-                }
-            })
-            .collect::<Vec<_>>()
-            .join(", "),
-        _ => String::new(),
-    }
-}
-
-fn with_unit(value: f64, unit: &str) -> String {
-    format!("{value} {unit}").trim_end().to_string()
-}
-
-fn must_be(range: &Range, unit: &str) -> String {
-    let max_matters = range.max < 1e9;
-    match (range.min_included, max_matters) {
-        (true, _) => format!("must be {} to {}", range.min, with_unit(range.max, unit)),
-        (false, true) => {
-            format!(
-                "must be above {} and at most {}",
-                with_unit(range.min, unit),
-                with_unit(range.max, unit)
-            )
-        }
-        (false, false) => format!("must be above {}", with_unit(range.min, unit)),
-    }
-}
-
-fn shown(value: &Value) -> String {
-    match value {
-        Value::Number(number) => number.to_string(),
-        Value::Text(text) => format!("\"{text}\""),
-        Value::Flag(flag) => flag.to_string(),
-        Value::Rows(_) => "rows of numbers".to_string(),
-        Value::Other(what) => what.clone(),
-    }
-}
-
-fn squeezed(name: &str) -> String {
-    name.chars()
-        .filter(|c| c.is_alphanumeric())
-        .flat_map(char::to_lowercase)
-        .collect()
-}
-
-fn unknown_key(key: &str) -> String {
-    let section = key.rsplit_once('.').map_or("", |(section, _)| section);
-    let of_section = |input: &&Input| {
-        input
-            .key
-            .rsplit_once('.')
-            .map_or("", |(section, _)| section)
-            == section
-    };
-    let near = nearest(key, inputs().filter(of_section).map(|input| input.key))
-        .or_else(|| nearest(key, inputs().map(|input| input.key)));
-    match near.and_then(input::find) {
-        Some(input) => {
-            let unit = canonical(input.dimension()).symbol;
-            let unit = if unit.is_empty() {
-                String::new()
-            } else {
-                format!(", in {unit}")
-            };
-            format!("unknown key; the nearest known key is {}{unit}", input.key)
-        }
-        None => "unknown key".to_string(),
-    }
-}
-
-/// The name with the smallest edit distance, if that is below half of its length.
-fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    names
-        .map(|name| {
-            (
-                strsim::damerau_levenshtein(&wanted.to_lowercase(), &name.to_lowercase()),
-                name,
-            )
-        })
-        .filter(|(distance, name)| *distance * 2 <= name.len().max(wanted.len()))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, name)| name)
 }
 
 #[cfg(test)]

@@ -13,10 +13,13 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
+mod gate;
+
 use super::equations::{Equations, Radiation, STATES};
 use super::mission::{Body, Mission};
 use crate::answer::Outcome;
 use crate::planet::Gravity;
+use gate::{Gate, Place, place, speed_m_s};
 use numerics::ode::{Integrator, OdeError, Step, Tolerance};
 
 /// Longest flight, s: 30 days.
@@ -25,8 +28,6 @@ const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 const MOST_STEPS: u64 = 200_000;
 /// Nothing falls deeper, m.
 const DEEPEST_M: f64 = -5_000.0;
-/// A boundary is met to this height, m.
-const BOUNDARY_TOLERANCE_M: f64 = 1e-3;
 /// Height over which the air changes and to which the error of a step is compared, m.
 const POSITION_SCALE_M: f64 = 1_000.0;
 /// Speed below which the error of a step does not shrink any more, m/s.
@@ -76,33 +77,6 @@ pub fn integrate(mission: &Mission, body: &Body) -> Record {
         evaluations: flight.integrator.statistics().evaluations,
     }
 }
-
-/// Where a step leaves the piece of the atmosphere, or the flight ends.
-#[derive(Clone, Copy, PartialEq)]
-enum Gate {
-    /// Falls into the piece below.
-    Floor,
-    /// Rises into the piece above.
-    Ceiling,
-    /// Falls through the altitude that ends the flight.
-    Ground,
-    /// Rises out of the atmosphere.
-    Exit,
-    /// Slows down to where radiative heating ends at once.
-    Onset,
-    /// Slows down to a kink of radiative heating.
-    Kink,
-}
-
-/// Height and rate of climb at the ends of a step.
-#[derive(Clone, Copy)]
-struct Place {
-    altitude_m: f64,
-    climb_m_s: f64,
-}
-
-/// A kink of radiative heating is met to this speed, m/s.
-const KINK_TOLERANCE_M_S: f64 = 1e-3;
 
 struct Integration<'a> {
     equations: Equations<'a>,
@@ -226,161 +200,6 @@ impl<'a> Integration<'a> {
         self.integrator = self.integrator.clone().at(t, *y);
     }
 
-    /// The first gate through which a step passes, and when.
-    fn first_gate(&mut self, step: &Step<STATES>, there: Place) -> Option<(f64, Gate)> {
-        let boundaries = self.equations.mission.atmosphere.boundaries_m();
-        let layer = self.equations.layer;
-        let floor_m = layer
-            .checked_sub(1)
-            .and_then(|below| boundaries.get(below))
-            .copied();
-        let ceiling_m = boundaries.get(layer).copied();
-        let falls = [self.here.climb_m_s < 0.0, there.climb_m_s < 0.0];
-        let found = if falls[0] == falls[1] {
-            let ends_m = [self.here.altitude_m, there.altitude_m];
-            self.gate_in(step, [step.t0, step.t1], ends_m, [floor_m, ceiling_m])
-        } else {
-            let climb = |y: &[f64; STATES]| place(&self.equations, y).climb_m_s;
-            let t_turn = self.when(step, [step.t0, step.t1], climb, 1e-6);
-            let turn_m = self.altitude_m(&step.at(t_turn));
-            let before = self.gate_in(
-                step,
-                [step.t0, t_turn],
-                [self.here.altitude_m, turn_m],
-                [floor_m, ceiling_m],
-            );
-            self.turned_up |= falls[0];
-            before.or_else(|| {
-                let ends_m = [turn_m, there.altitude_m];
-                self.gate_in(step, [t_turn, step.t1], ends_m, [floor_m, ceiling_m])
-            })
-        };
-        match (found, self.kink(step)) {
-            (Some(gate), Some(kink)) if kink.0 < gate.0 => Some(kink),
-            (Some(gate), _) => Some(gate),
-            (None, kink) => kink,
-        }
-    }
-
-    /// Where a step slows down to a kink of the radiative relation; with radiation over, takes it up again when the speed
-    /// rises.
-    fn kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
-        let onset_m_s = *self.kinks_m_s.first()?;
-        let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
-        if self.equations.radiation == Radiation::Over {
-            if after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S {
-                self.equations.radiation = Radiation::Continued(onset_m_s);
-                self.integrator.renew();
-            }
-            return None;
-        }
-        let below = self
-            .kinks_m_s
-            .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
-        let (level_m_s, gate) = match below.checked_sub(1) {
-            None | Some(0) => (onset_m_s, Gate::Onset),
-            Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
-        };
-        if after >= level_m_s {
-            return None;
-        }
-        let gap = |y: &[f64; STATES]| speed_m_s(y) - level_m_s;
-        let t = if before <= level_m_s {
-            step.t0
-        } else {
-            self.when(step, [step.t0, step.t1], gap, KINK_TOLERANCE_M_S)
-        };
-        Some((t, gate))
-    }
-
-    /// The gate of a part of a step in which the altitude only rises or only falls.
-    fn gate_in(
-        &self,
-        step: &Step<STATES>,
-        span: [f64; 2],
-        [start_m, end_m]: [f64; 2],
-        [floor_m, ceiling_m]: [Option<f64>; 2],
-    ) -> Option<(f64, Gate)> {
-        if span[0] >= span[1] {
-            return None;
-        }
-        if end_m < start_m {
-            let (level_m, gate) = match floor_m {
-                Some(floor_m) if floor_m > self.ground_m => (floor_m, Gate::Floor),
-                _ => (self.ground_m, Gate::Ground),
-            };
-            // What begins below the ground was climbing and has not been above it.
-            let below = end_m < level_m && (gate == Gate::Floor || start_m >= level_m);
-            return below.then(|| (self.reaches(step, span, level_m), gate));
-        }
-        let leaves =
-            |exit_m: &f64| end_m > *exit_m && (self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
-        let exit_m = self.exit_m.filter(leaves);
-        let (level_m, gate) = match (ceiling_m, exit_m) {
-            (Some(ceiling_m), Some(exit_m)) if ceiling_m < exit_m => (ceiling_m, Gate::Ceiling),
-            (_, Some(exit_m)) => (exit_m, Gate::Exit),
-            (Some(ceiling_m), None) => (ceiling_m, Gate::Ceiling),
-            (None, None) => return None,
-        };
-        (end_m > level_m).then(|| (self.reaches(step, span, level_m), gate))
-    }
-
-    fn reaches(&self, step: &Step<STATES>, span: [f64; 2], level_m: f64) -> f64 {
-        self.when(
-            step,
-            span,
-            |y| self.altitude_m(y) - level_m,
-            BOUNDARY_TOLERANCE_M,
-        )
-    }
-
-    /// When `g` is zero to within `tolerance` along a step, by false position with halving (Illinois).
-    fn when(
-        &self,
-        step: &Step<STATES>,
-        [mut t0, mut t1]: [f64; 2],
-        g: impl Fn(&[f64; STATES]) -> f64,
-        tolerance: f64,
-    ) -> f64 {
-        let (mut g0, mut g1) = (g(&step.at(t0)), g(&step.at(t1)));
-        for _ in 0..60 {
-            if g0.abs() <= tolerance || g1 == g0 {
-                return t0;
-            }
-            if g1.abs() <= tolerance {
-                return t1;
-            }
-            let t = t1 - g1 * (t1 - t0) / (g1 - g0);
-            let here = g(&step.at(t));
-            if (here < 0.0) == (g1 < 0.0) {
-                g0 *= 0.5;
-            } else {
-                (t0, g0) = (t1, g1);
-            }
-            (t1, g1) = (t, here);
-        }
-        t1
-    }
-
-    fn altitude_m(&self, y: &[f64; STATES]) -> f64 {
-        self.equations
-            .ellipsoid
-            .local([y[0], y[1], y[2]])
-            .altitude_m
-    }
-
-    /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
-    fn energy_j_kg(&self, y: &[f64; STATES]) -> f64 {
-        let planet = &self.equations.mission.planet;
-        let Gravity::Zonal { mu_m3_s2, .. } = planet.gravity else {
-            return -1.0;
-        };
-        let omega = planet.rotation_rate_rad_s;
-        let (vx, vy, vz) = (y[3] - omega * y[1], y[4] + omega * y[0], y[5]);
-        let radius_m = (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]).sqrt();
-        0.5 * (vx * vx + vy * vy + vz * vz) - mu_m3_s2 / radius_m
-    }
-
     fn grounded(&self) -> (Outcome, Option<String>) {
         match self.equations.mission.stop.altitude_m {
             Some(altitude_m) if altitude_m > 0.0 => (Outcome::Stopped, None),
@@ -402,19 +221,6 @@ impl<'a> Integration<'a> {
             (Outcome::SkippedOut, Some(reason))
         }
     }
-}
-
-fn place(equations: &Equations, y: &[f64; STATES]) -> Place {
-    let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
-    let [u, v, w] = local.up;
-    Place {
-        altitude_m: local.altitude_m,
-        climb_m_s: y[3] * u + y[4] * v + y[5] * w,
-    }
-}
-
-fn speed_m_s(y: &[f64; STATES]) -> f64 {
-    (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
 }
 
 fn given_up(error: &OdeError) -> (Outcome, Option<String>) {
