@@ -5,7 +5,10 @@ import { execFileSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { assertAccessible, pageTest } from "./harness.mjs";
 
-const fresh = (page) => page.locator(".headline .freshness", { hasText: "up to date" }).waitFor();
+const fresh = async (page) => {
+  await page.locator(".headline .freshness", { hasText: "up to date" }).waitFor();
+  await page.locator('[data-output="total_entry_mass_kg"] .value', { hasText: /\d/ }).waitFor();
+};
 const value = async (page, key) => Number((await page.locator(`[data-output="${key}"] .value`).innerText()).replace("\u2212", "-"));
 const mass = (page) => value(page, "total_entry_mass_kg");
 const drawing = (page) => page.getByRole("img", { name: /^Section of the vehicle/ });
@@ -44,7 +47,8 @@ pageTest("mass and drawing follow the diameter, typed and stepped by keyboard", 
   await page.keyboard.press("Enter");
   await page.locator('[aria-label*="diameter 1.30 m"]').waitFor();
   await changed(page, "total_entry_mass_kg", text_before);
-  assert.ok((await mass(page)) > mass_before, "a larger vehicle is heavier");
+  const mass_after = await mass(page);
+  assert.ok(mass_after > mass_before, `a larger vehicle is heavier: ${mass_before} kg, then ${mass_after} kg`);
   assert.notEqual(await drawing(page).getAttribute("aria-label"), drawing_before);
   assert.match(await drawing(page).getAttribute("aria-label"), /diameter 1\.30? m/);
 
