@@ -20,7 +20,6 @@ pub mod protocol;
 pub mod solver;
 mod state;
 mod storage;
-mod surface;
 mod worker;
 
 /// Takes the skeleton away and shows the app.

@@ -2,12 +2,12 @@
 
 use crate::charts::ChartSpec;
 use crate::state::State;
-use crate::surface::{CanvasSize, canvas};
+
 use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::ev::{KeyboardEvent, PointerEvent};
 use leptos::html::{Canvas, Div};
 use leptos::prelude::*;
-use msape_plot::{Figure, Mapping, Theme, summary};
+use msape_plot::{CanvasSize, Figure, Mapping, Theme, canvas, summary};
 use wasm_bindgen::{JsCast, closure::Closure};
 use web_sys::{IntersectionObserver, IntersectionObserverEntry, ResizeObserver};
 

@@ -6,10 +6,10 @@ use crate::components::chart_table::ChartTable;
 use crate::display::{number, symbol};
 use crate::files;
 use crate::state::State;
-use crate::surface::{CanvasSize, canvas};
+
 use leptos::prelude::*;
 use msape::quantity::trajectory::{columns, find};
-use msape_plot::{Figure, csv, svg};
+use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
