@@ -33,12 +33,19 @@ fn asked(range: Option<(f64, f64)>, scale: Scale) -> Option<Range> {
     })
 }
 
+/// Part of the largest value below which a value on the other side of 0 is taken for 0.
+const ROUNDING: f64 = 1e-6;
+
 /// A range that has a length, and starts at 0 where the data nearly do.
 fn widened((low, high): (f64, f64), scale: Scale, margin: f64) -> Range {
     let (from, to) = match scale {
         Scale::Log if high <= low * (1.0 + 1e-9) => (low / 2.0, high * 2.0),
         Scale::Log => (low, high),
         Scale::Linear => {
+            // A computed end may miss 0 by its rounding: that does not open a negative range.
+            let noise = ROUNDING * low.abs().max(high.abs());
+            let low = if low < 0.0 && low >= -noise { 0.0 } else { low };
+            let high = if high > 0.0 && high <= noise { 0.0 } else { high };
             let span = high - low;
             // Differences lost in rounding do not make a range.
             if span <= 1e-12 * low.abs().max(high.abs()) || span == 0.0 {
@@ -189,5 +196,11 @@ mod tests {
     fn nothing_to_show_has_no_range() {
         assert!(horizontal(&figure(vec![(f64::NAN, 1.0), (1.0, f64::INFINITY)])).is_none());
         assert!(horizontal(&Figure::default()).is_none());
+    }
+
+    #[test]
+    fn an_end_a_tenth_of_a_millimetre_below_ground_does_not_open_a_negative_range() {
+        let range = widened((-1e-4, 125_000.0), Scale::Linear, 0.05);
+        assert_eq!(range.from, 0.0);
     }
 }

@@ -1,0 +1,77 @@
+//! Times of several things, taken in turn so that a busy moment of the machine meets them all.
+
+use std::time::{Duration, Instant};
+
+/// Rounds through all measurements.
+const ROUNDS: usize = 101;
+/// Time that one sample takes at least.
+const SAMPLE: Duration = Duration::from_millis(2);
+
+/// Something that is measured.
+pub struct Measurement<'a> {
+    name: &'static str,
+    run: Box<dyn FnMut() + 'a>,
+    /// Repetitions in a sample.
+    repetitions: u32,
+    /// Seconds for one repetition, one entry a round.
+    samples_s: Vec<f64>,
+}
+
+impl<'a> Measurement<'a> {
+    /// Something with a name.
+    pub fn new(name: &'static str, run: impl FnMut() + 'a) -> Self {
+        Self {
+            name,
+            run: Box::new(run),
+            repetitions: 1,
+            samples_s: Vec::with_capacity(ROUNDS),
+        }
+    }
+
+    fn sample(&mut self) -> Duration {
+        let start = Instant::now();
+        (0..self.repetitions).for_each(|_| (self.run)());
+        start.elapsed()
+    }
+
+    /// Seconds at a quantile.
+    fn quantile(&self, part: f64) -> f64 {
+        let last = self.samples_s.len() - 1;
+        self.samples_s[(part * last as f64).round() as usize]
+    }
+}
+
+/// Measures all and prints median, quartiles and the ratio to the first.
+pub fn report(measurements: &mut [Measurement]) {
+    for measurement in measurements.iter_mut() {
+        while measurement.sample() < SAMPLE {
+            measurement.repetitions *= 2;
+        }
+    }
+    for _ in 0..ROUNDS {
+        for measurement in measurements.iter_mut() {
+            let sample = measurement.sample().as_secs_f64();
+            let each = sample / f64::from(measurement.repetitions);
+            measurement.samples_s.push(each);
+        }
+    }
+    for measurement in measurements.iter_mut() {
+        measurement.samples_s.sort_by(f64::total_cmp);
+    }
+    let reference = measurements[0].quantile(0.5);
+    println!(
+        "{:52} {:>10} {:>21} {:>9}",
+        "", "median", "quartiles", "ratio"
+    );
+    for measurement in measurements.iter() {
+        let micro = |part| 1e6 * measurement.quantile(part);
+        println!(
+            "{:52} {:>7.1} us {:>9.1} .. {:>5.1} us {:>9.2}",
+            measurement.name,
+            micro(0.5),
+            micro(0.25),
+            micro(0.75),
+            measurement.quantile(0.5) / reference
+        );
+    }
+}
