@@ -45,7 +45,11 @@ fn widened((low, high): (f64, f64), scale: Scale, margin: f64) -> Range {
             // A computed end may miss 0 by its rounding: that does not open a negative range.
             let noise = ROUNDING * low.abs().max(high.abs());
             let low = if low < 0.0 && low >= -noise { 0.0 } else { low };
-            let high = if high > 0.0 && high <= noise { 0.0 } else { high };
+            let high = if high > 0.0 && high <= noise {
+                0.0
+            } else {
+                high
+            };
             let span = high - low;
             // Differences lost in rounding do not make a range.
             if span <= 1e-12 * low.abs().max(high.abs()) || span == 0.0 {
