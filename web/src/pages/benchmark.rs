@@ -5,7 +5,7 @@ use crate::display::number;
 use crate::files;
 use crate::protocol::Batch;
 use crate::state::{Phase, State};
-use crate::timing::Timing;
+use crate::timing::{Measured, Timing};
 use leptos::prelude::*;
 use msape::benchmark::JOBS;
 use wasm_bindgen_futures::spawn_local;
@@ -36,8 +36,8 @@ impl Progress {
 #[derive(Clone, Copy)]
 struct Shown {
     progress: RwSignal<Progress>,
-    /// Time of each job that is done, ms.
-    times_ms: RwSignal<Vec<f64>>,
+    /// The jobs that are done.
+    done: RwSignal<Vec<Measured>>,
     /// Number of the run: an older one stops at its next batch.
     run: StoredValue<u32>,
 }
@@ -46,18 +46,19 @@ impl Shown {
     fn start(self, state: State) {
         self.run.update_value(|run| *run += 1);
         let run = self.run.get_value();
-        self.times_ms.set(Vec::new());
+        self.done.set(Vec::new());
         self.progress.set(Progress::Measuring(0));
         spawn_local(async move {
             let start_ms = now_ms();
+            let mut reference = None;
             for row in 0..JOBS.len() {
-                let measured = self.measure(state, run, row).await;
+                let measured = self.measure(state, run, row, &mut reference).await;
                 // The page may have been left meanwhile.
                 if self.run.try_get_value() != Some(run) {
                     return;
                 }
                 match measured {
-                    Ok(time_ms) => self.times_ms.update(|times| times.push(time_ms)),
+                    Ok(measured) => self.done.update(|done| done.push(measured)),
                     Err(message) => return self.progress.set(Progress::Failed(message)),
                 }
                 if row + 1 < JOBS.len() {
@@ -69,17 +70,32 @@ impl Shown {
         });
     }
 
-    /// Time of a job, ms; of a run that was stopped, no matter what.
-    async fn measure(self, state: State, run: u32, row: usize) -> Result<f64, String> {
+    /// What a job takes; of a run that was stopped, no matter what. The first job becomes the reference.
+    async fn measure(
+        self,
+        state: State,
+        run: u32,
+        row: usize,
+        reference: &mut Option<Batch>,
+    ) -> Result<Measured, String> {
         let mut timing = Timing::default();
         while !timing.is_done() && self.run.try_get_value() == Some(run) {
             let batch = Batch {
                 job: row as u32,
                 repetitions: timing.repetitions,
             };
-            timing.take(state.measure(batch).await?);
+            let batch_ms = state.measure(batch).await?;
+            if timing.is_short(batch_ms) {
+                continue;
+            }
+            let reference = *reference.get_or_insert(batch);
+            let reference_ms = match row {
+                0 => batch_ms,
+                _ => state.measure(reference).await?,
+            };
+            timing.take(batch_ms, reference_ms / f64::from(reference.repetitions));
         }
-        timing.median_ms().ok_or_else(|| "no time was taken".into())
+        timing.median().ok_or_else(|| "no time was taken".into())
     }
 
     fn cancel(self) {
@@ -94,10 +110,9 @@ impl Shown {
 
     /// Time and ratio of a row, as shown.
     fn cells(self, row: usize) -> Option<[String; 2]> {
-        self.times_ms.with(|times| {
-            let (time_ms, reference_ms) = (*times.get(row)?, *times.first()?);
-            let ratio = number(time_ms / reference_ms, 3);
-            Some([duration(time_ms), ratio])
+        self.done.with(|done| {
+            let Measured { time_ms, ratio } = *done.get(row)?;
+            Some([duration(time_ms), number(ratio, 3)])
         })
     }
 }
@@ -153,7 +168,7 @@ pub fn Benchmark() -> impl IntoView {
     let state = State::expect();
     let shown = Shown {
         progress: RwSignal::new(Progress::Waiting),
-        times_ms: RwSignal::new(Vec::new()),
+        done: RwSignal::new(Vec::new()),
         run: StoredValue::new(0),
     };
     // The first design is not kept waiting, nor measured along.
@@ -195,7 +210,7 @@ pub fn Benchmark() -> impl IntoView {
             <p><a href="#/design">"Back to the design"</a></p>
             <section class="card" aria-labelledby="benchmark-title">
                 <h2 id="benchmark-title">"Benchmark"</h2>
-                <p class="quiet">"How long the solver takes in this browser, in the worker that also solves the design. Ratios are to the bare kernel of the first row, measured in the same run; cargo bench measures the same jobs on the command line. Each time is the median of batches of at least 20 ms."</p>
+                <p class="quiet">"How long the solver takes in this browser, in the worker that also solves the design. Each time is the median of batches of at least 20 ms. Each ratio is the median over the same batches, each to a batch of the bare kernel of the first row beside it. On the command line, cargo bench measures the same jobs."</p>
                 <div class="actions">
                     // One button, so that the focus stays when its name changes.
                     <button type="button" class="primary" on:click=move |_| {
