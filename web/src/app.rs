@@ -3,6 +3,7 @@
 use crate::components::header::Header;
 use crate::components::open::open_file;
 use crate::link;
+use crate::pages::benchmark::Benchmark;
 use crate::pages::design::Design;
 use crate::presets::{first, starts};
 use crate::state::document::{Document, Run};
@@ -18,6 +19,30 @@ use std::rc::Rc;
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
+/// What is between header and footer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Page {
+    Design,
+    Benchmark,
+}
+
+impl Page {
+    /// The page of the address.
+    fn now() -> Page {
+        match window().location().hash().as_deref() {
+            Ok("#/benchmark") => Page::Benchmark,
+            _ => Page::Design,
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Page::Design => "M-SAPE: planetary entry vehicles",
+            Page::Benchmark => "Benchmark - M-SAPE: planetary entry vehicles",
+        }
+    }
+}
+
 /// The app.
 #[component]
 pub fn App() -> impl IntoView {
@@ -28,19 +53,42 @@ pub fn App() -> impl IntoView {
     keep(state, linked.is_some());
     listen(state);
     forget_notices(state);
+    let page = follow_address();
     view! {
         <a class="skip" href="#main" on:click=|event| {
             // The address after # belongs to links.
             event.prevent_default();
             focus_main();
-        }>"Skip to the design"</a>
+        }>"Skip to the content"</a>
         <Header />
-        <Design />
+        {move || match page.get() {
+            Page::Design => view! { <Design /> }.into_any(),
+            Page::Benchmark => view! { <Benchmark /> }.into_any(),
+        }}
         <footer class="bottom">
             <p class="notice" role="status">{state.notice}</p>
-            <p class="quiet">"M-SAPE " {env!("CARGO_PKG_VERSION")} ". Computed in this browser; nothing is sent anywhere. After NASA/TM-2014-218507."</p>
+            <p class="quiet">"M-SAPE " {env!("CARGO_PKG_VERSION")} ". Computed in this browser; nothing is sent anywhere. After NASA/TM-2014-218507. "<a href="#/benchmark">"Benchmark"</a></p>
         </footer>
     }
+}
+
+/// The page of the address. Another one starts at its top.
+fn follow_address() -> Memo<Page> {
+    let turned = RwSignal::new(Page::now());
+    let page = Memo::new(move |_| turned.get());
+    let turns = window_event_listener(leptos::ev::hashchange, move |_| turned.set(Page::now()));
+    on_cleanup(move || turns.remove());
+    Effect::new(move |before: Option<Page>| {
+        let page = page.get();
+        document().set_title(page.title());
+        if before.is_some_and(|before| before != page) {
+            window().scroll_to_with_x_and_y(0.0, 0.0);
+            // When it is there.
+            request_animation_frame(focus_main);
+        }
+        page
+    });
+    page
 }
 
 fn focus_main() {

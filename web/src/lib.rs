@@ -3,12 +3,14 @@
 //! - `app`: the frame around the pages; `pages`: one file per page; `components`: what they are made of.
 //! - `state`: the undo stack of immutable documents, the newest answer, what is shown.
 //! - [`solver`] and [`protocol`]: what the worker does and how the page asks for it.
+//! - `clock` and `timing`: what the benchmark page measures with.
 //! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files.
 //!
 //! Deliberately absent: physics, units and lists of variables. They are in `msape`.
 
 mod app;
 mod charts;
+mod clock;
 mod components;
 mod display;
 mod drawing;
@@ -20,6 +22,7 @@ pub mod protocol;
 pub mod solver;
 mod state;
 mod storage;
+mod timing;
 mod worker;
 
 /// Takes the skeleton away and shows the app.

@@ -1,3 +1,4 @@
 //! One file for each page.
 
+pub mod benchmark;
 pub mod design;

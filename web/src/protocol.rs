@@ -3,6 +3,33 @@
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
+/// What the page asks of the worker.
+#[derive(Debug, Serialize, Deserialize)]
+pub enum Ask {
+    /// To solve a case.
+    Solve(Job),
+    /// To measure a batch.
+    Measure(Batch),
+}
+
+/// What the worker replies.
+#[derive(Debug, Serialize, Deserialize)]
+pub enum Told {
+    /// What became of a job.
+    Solved(Box<Reply>),
+    /// Time that a batch took, ms, or why it could not be measured.
+    Measured(Result<f64, String>),
+}
+
+/// Repetitions of a job of [`msape::benchmark::JOBS`].
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Batch {
+    /// Index of the job.
+    pub job: u32,
+    /// How often it is done.
+    pub repetitions: u32,
+}
+
 /// A case to be solved.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Job {
@@ -63,11 +90,13 @@ mod tests {
 
     #[test]
     fn a_job_survives_the_way_to_the_worker() {
-        let job = Job {
+        let ask = Ask::Solve(Job {
             id: 7,
             case: Case::run_page(),
+        });
+        let Ask::Solve(back) = decode(&encode(&ask).unwrap()).unwrap() else {
+            panic!("another question");
         };
-        let back: Job = decode(&encode(&job).unwrap()).unwrap();
         assert_eq!((back.id, back.case), (7, Case::run_page()));
     }
 }

@@ -5,7 +5,8 @@ pub mod document;
 pub mod history;
 pub mod preferences;
 
-use crate::protocol::{Fault, Reply};
+use crate::clock::now_ms;
+use crate::protocol::{Batch, Fault, Reply};
 use crate::worker::{News, WorkerLink};
 use check::{Check, Checks, check_inputs};
 use document::Document;
@@ -92,6 +93,9 @@ pub struct State {
     pub preferences: Preferences,
     /// What a case may name.
     pub library: StoredValue<Option<Library>>,
+    /// Time from navigation to the first answer, ms.
+    pub first_answer_ms: RwSignal<Option<f64>>,
+    worker: StoredValue<Option<WorkerLink>, LocalStorage>,
 }
 
 impl State {
@@ -124,6 +128,8 @@ impl State {
             file_faults: RwSignal::new(Vec::new()),
             preferences,
             library: stored_library,
+            first_answer_ms: RwSignal::new(None),
+            worker: StoredValue::new_local(None),
         };
         state.solve_on_change();
         state
@@ -163,6 +169,7 @@ impl State {
                 }
             }
         });
+        self.worker.set_value(Some(link.clone()));
         Effect::new(move |_| {
             let case = self.case.get();
             newest.update_value(|id| *id += 1);
@@ -176,6 +183,9 @@ impl State {
         let is_newest = reply.id == newest;
         match reply.result {
             Ok(answer) => {
+                if self.first_answer_ms.get_untracked().is_none() {
+                    self.first_answer_ms.set(Some(now_ms()));
+                }
                 self.latest.set(Some(Arc::new(Solved {
                     id: reply.id,
                     case,
@@ -193,6 +203,15 @@ impl State {
             }
             Err(_) => {}
         }
+    }
+
+    /// Time that a batch takes in the worker, ms.
+    ///
+    /// # Errors
+    /// Why it could not be measured.
+    pub async fn measure(self, batch: Batch) -> Result<f64, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.measure(batch).await
     }
 
     /// Takes the last change back.

@@ -1,10 +1,13 @@
-//! The page's end of the line to the worker. The newest edit wins: one job is under way, at most one waits.
+//! The page's end of the line to the worker. The newest edit wins: one job is under way, at most one waits. Batches of the
+//! benchmark come after it.
 
-use crate::protocol::{Job, Reply, decode, encode};
+use crate::protocol::{Ask, Batch, Job, Reply, Told, decode, encode};
+use js_sys::{Function, Promise};
 use leptos::prelude::document;
 use msape::Case;
-use std::{cell::RefCell, rc::Rc};
+use std::{cell::RefCell, collections::VecDeque, rc::Rc};
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 /// What the page hears of the worker.
@@ -24,6 +27,8 @@ struct Line {
     on_news: Rc<dyn Fn(News)>,
     phase: Phase,
     waiting: Option<Job>,
+    /// Batches that wait or are under way, and what resolves the promise of each; the first may be under way.
+    batches: VecDeque<(Batch, Function)>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -41,6 +46,7 @@ impl WorkerLink {
             on_news: Rc::new(on_news),
             phase: Phase::Starting,
             waiting: None,
+            batches: VecDeque::new(),
         })));
         link.start_worker();
         link
@@ -52,17 +58,47 @@ impl WorkerLink {
         self.send_next();
     }
 
+    /// Time that a batch takes in the worker, ms.
+    ///
+    /// # Errors
+    /// Why it could not be measured.
+    pub async fn measure(&self, batch: Batch) -> Result<f64, String> {
+        let promise = Promise::new(&mut |resolve, _| {
+            self.0.borrow_mut().batches.push_back((batch, resolve));
+        });
+        self.send_next();
+        let told = JsFuture::from(promise).await.unwrap_or_else(|error| error);
+        told.as_f64()
+            .ok_or_else(|| told.as_string().unwrap_or_default())
+    }
+
+    /// Ends the first batch with a number or a reason.
+    fn settle(&self, told: &JsValue) {
+        let first = self.0.borrow_mut().batches.pop_front();
+        if let Some((_, resolve)) = first {
+            // Resolving a promise throws nothing.
+            let _ = resolve.call1(&JsValue::UNDEFINED, told);
+        }
+    }
+
     fn send_next(&self) {
         let mut line = self.0.borrow_mut();
         if line.phase != Phase::Idle {
             return;
         }
-        let (Some(worker), Some(job)) = (line.worker.clone(), line.waiting.take()) else {
+        let Some(worker) = line.worker.clone() else {
             return;
+        };
+        let ask = match line.waiting.take() {
+            Some(job) => Ask::Solve(job),
+            None => match line.batches.front() {
+                Some((batch, _)) => Ask::Measure(*batch),
+                None => return,
+            },
         };
         line.phase = Phase::Busy;
         drop(line);
-        let sent = encode(&job)
+        let sent = encode(&ask)
             .map_err(|error| error.to_string())
             .and_then(|bytes| {
                 worker
@@ -99,6 +135,9 @@ impl WorkerLink {
                 if let Some(worker) = link.0.borrow_mut().worker.take() {
                     worker.terminate();
                 }
+                while !link.0.borrow().batches.is_empty() {
+                    link.settle(&"the solver stopped".into());
+                }
                 link.start_worker();
             }
         });
@@ -109,12 +148,19 @@ impl WorkerLink {
 
     fn receive(&self, event: &MessageEvent) {
         self.0.borrow_mut().phase = Phase::Idle;
-        self.send_next();
-        if let Ok(bytes) = event.data().dyn_into::<js_sys::Uint8Array>() {
-            match decode::<Reply>(&bytes.to_vec()) {
-                Ok(reply) => self.news(News::Reply(Box::new(reply))),
-                Err(error) => self.news(News::Failed(error.to_string())),
+        let bytes = event.data().dyn_into::<js_sys::Uint8Array>().ok();
+        let told = bytes.map(|bytes| decode::<Told>(&bytes.to_vec()));
+        if let Some(Ok(Told::Measured(measured))) = &told {
+            match measured {
+                Ok(duration_ms) => self.settle(&(*duration_ms).into()),
+                Err(message) => self.settle(&message.as_str().into()),
             }
+        }
+        self.send_next();
+        match told {
+            Some(Ok(Told::Solved(reply))) => self.news(News::Reply(reply)),
+            Some(Err(error)) => self.news(News::Failed(error.to_string())),
+            Some(Ok(Told::Measured(_))) | None => {}
         }
     }
 

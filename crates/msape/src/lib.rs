@@ -40,6 +40,7 @@
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
 //! - [`finding`]: use outside a model's range, as a value beside the result.
 //! - [`validation`]: the shipped cases beside their references.
+//! - [`benchmark`]: the jobs by which speed is measured.
 //!
 //! # What is deliberately absent
 //!
@@ -54,6 +55,7 @@
 
 pub mod aero;
 pub mod answer;
+pub mod benchmark;
 pub mod case;
 pub mod design;
 pub mod finding;

@@ -1,0 +1,179 @@
+//! Jobs by which speed is measured: `cargo bench` and the benchmark page time the same ones, as ratios to the first, so
+//! that figures of different machines can be compared. The clock is the caller's.
+
+pub mod kernel;
+
+use crate::flight::mission::Body;
+use crate::flight::{self, Request};
+use crate::library::{DataError, Library, data_file};
+use crate::problem::{DesignProblem, FlightProblem};
+use crate::{Case, InputError, vehicle};
+use std::hint::black_box;
+
+/// What the jobs work on.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    /// The built-in library.
+    pub library: Library,
+    /// A flight of constant drag without radiation.
+    pub constant: FlightProblem,
+    /// The MSR vehicle with a heat shield of PICA, as text.
+    pub msr_case: Case,
+    /// The same, checked.
+    pub msr: DesignProblem,
+    /// The same as flight sees it before the first pass.
+    pub msr_body: Body,
+    /// A vehicle of another concept.
+    pub galahad: DesignProblem,
+}
+
+/// Something that is measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Job {
+    /// What it does.
+    pub name: &'static str,
+    /// Does it once.
+    pub run: fn(&Bench),
+}
+
+/// What is measured; the first is the reference.
+pub static JOBS: [Job; 10] = [
+    Job {
+        name: "bare kernel: order 5, exponential air, no results",
+        run: |bench| {
+            black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
+        },
+    },
+    Job {
+        name: "1000 densities of US76, 0 to 125 km",
+        run: |bench| {
+            let atmosphere = &bench.constant.mission.atmosphere;
+            let sum: f64 = (0..1000)
+                .map(|i| atmosphere.density_kg_m3(f64::from(i) * 125.0))
+                .sum();
+            black_box(sum);
+        },
+    },
+    Job {
+        name: "trajectory, constant drag, no radiation (m2)",
+        run: |bench| {
+            let FlightProblem { mission, body, .. } = &bench.constant;
+            black_box(flight::fly(mission, body, Request::Nothing));
+        },
+    },
+    Job {
+        name: "the same with its history at the steps",
+        run: |bench| {
+            let FlightProblem { mission, body, .. } = &bench.constant;
+            black_box(flight::fly(mission, body, Request::Steps));
+        },
+    },
+    Job {
+        name: "trajectory, drag table, radiation (MSR)",
+        run: |bench| {
+            let mission = &bench.msr.input.mission;
+            black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
+        },
+    },
+    Job {
+        name: "vehicle: closing, mass, structure (MSR)",
+        run: |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    },
+    Job {
+        name: "converged design (MSR)",
+        run: |bench| drop(black_box(bench.msr.solve("", Request::Nothing))),
+    },
+    Job {
+        name: "converged design (Galahad)",
+        run: |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
+    },
+    Job {
+        name: "checking a case (MSR)",
+        run: |bench| {
+            drop(black_box(DesignProblem::check(
+                &bench.msr_case,
+                &bench.library,
+            )))
+        },
+    },
+    Job {
+        name: "built-in library",
+        run: |_| drop(black_box(Library::builtin())),
+    },
+];
+
+impl Bench {
+    /// What the jobs work on.
+    ///
+    /// # Errors
+    /// A shipped file that cannot be used, which a test excludes.
+    pub fn new() -> Result<Bench, DataError> {
+        let library = Library::builtin()?;
+        let constant = shipped("cases/msape-ref-m2.toml", |case| {
+            FlightProblem::check(&case, &library)
+        })?;
+        let msr_file = "cases/msr-eev-pica.toml";
+        let (msr_case, msr) = shipped(msr_file, |case| {
+            let msr = DesignProblem::check(&case, &library)?;
+            Ok((case, msr))
+        })?;
+        let galahad = shipped("cases/galahad.toml", |case| {
+            DesignProblem::check(&case, &library)
+        })?;
+        let built =
+            vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
+        let msr_body = msr.input.body(&built);
+        Ok(Bench {
+            library,
+            constant,
+            msr_case,
+            msr,
+            msr_body,
+            galahad,
+        })
+    }
+}
+
+fn fault(file: &str, message: String) -> DataError {
+    DataError {
+        file: file.to_string(),
+        message,
+    }
+}
+
+fn shipped<T>(
+    file: &str,
+    check: impl FnOnce(Case) -> Result<T, Vec<InputError>>,
+) -> Result<T, DataError> {
+    let text = data_file(file).ok_or_else(|| fault(file, "does not ship".to_string()))?;
+    Case::from_text(text).and_then(check).map_err(|faults| {
+        let messages: Vec<String> = faults.iter().map(InputError::to_string).collect();
+        fault(file, messages.join("; "))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Outcome;
+
+    #[test]
+    fn what_is_measured_is_a_flight_to_the_ground_and_designs_that_converge() {
+        let bench = Bench::new().unwrap();
+        JOBS.iter().for_each(|job| (job.run)(&bench));
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        assert_eq!(
+            flight::fly(mission, body, Request::Nothing).1,
+            Outcome::Landed
+        );
+        for design in [&bench.msr, &bench.galahad] {
+            assert_eq!(
+                design.solve("", Request::Nothing).outcome,
+                Outcome::Converged
+            );
+        }
+        // 12 km/s at -8 deg: minutes, not seconds, and some hundred evaluations.
+        let (time_s, evaluations) = kernel::bare_flight(mission.solver.tolerance);
+        assert!(time_s > 60.0 && evaluations > 100);
+    }
+}

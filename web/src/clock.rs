@@ -1,0 +1,19 @@
+//! The clock, in the page and in the worker.
+
+use js_sys::{Function, Reflect};
+use wasm_bindgen::{JsCast, JsValue};
+
+/// Time since the page was navigated to, or since the worker was started, ms; not a number where there is no such clock.
+pub fn now_ms() -> f64 {
+    read().unwrap_or(f64::NAN)
+}
+
+fn read() -> Option<f64> {
+    let clock = Reflect::get(&js_sys::global(), &JsValue::from_str("performance")).ok()?;
+    let now = Reflect::get(&clock, &JsValue::from_str("now")).ok()?;
+    now.dyn_into::<Function>()
+        .ok()?
+        .call0(&clock)
+        .ok()?
+        .as_f64()
+}
