@@ -136,14 +136,12 @@ fn default_accuracy_is_1e_5() {
 }
 
 #[test]
-#[ignore = "heat load is off by 1.3e-5 at worst"]
 fn default_accuracy_is_1e_5_with_the_radiation_of_brandis_and_johnston() {
     default_accuracy(60, Drag::Constant, Radiation::BrandisJohnston);
 }
 
 /// The same with drag that is linear between rows: kinks within steps.
 #[test]
-#[ignore = "steps do not end at the rows of a drag table: peak deceleration is off by up to 6e-5"]
 fn default_accuracy_is_1e_5_with_a_table_of_drag() {
     default_accuracy(60, Drag::Table, Radiation::None);
     default_accuracy(60, Drag::Table, Radiation::TauberSutton);

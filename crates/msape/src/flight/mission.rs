@@ -9,7 +9,7 @@ use crate::planet::wind::Wind;
 use numerics::ode::Method;
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
-pub const DEFAULT_TOLERANCE: f64 = 5e-6;
+pub const DEFAULT_TOLERANCE: f64 = 3e-6;
 
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]

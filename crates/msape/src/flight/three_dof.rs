@@ -17,6 +17,7 @@ mod gate;
 
 use super::equations::{Equations, Radiation, STATES};
 use super::mission::{Body, Mission};
+use crate::aero::Drag;
 use crate::answer::Outcome;
 use crate::planet::Gravity;
 use gate::{Gate, Place, place, speed_m_s};
@@ -34,6 +35,9 @@ const POSITION_SCALE_M: f64 = 1_000.0;
 const SPEED_SCALE_M_S: f64 = 10.0;
 /// Heat load below which the error of a step does not shrink any more, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
+
+/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
+const KINKS_FROM_MACH: f64 = 3.0;
 
 /// A step of a flight, and the piece of the atmosphere in which it was taken.
 #[derive(Clone, Debug)]
@@ -89,8 +93,12 @@ struct Integration<'a> {
     exit_m: Option<f64>,
     /// Whether the flight has turned from falling to rising.
     turned_up: bool,
-    /// Speeds at which radiative heating has a kink, m/s, ascending; below the first it is nothing.
+    /// Speeds at which a heating relation has a kink, m/s, ascending.
     kinks_m_s: Vec<f64>,
+    /// Speed below which radiative heating is nothing, m/s.
+    onset_m_s: Option<f64>,
+    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
+    kinks_mach: Vec<f64>,
     /// Where the integration stands.
     here: Place,
 }
@@ -119,16 +127,28 @@ impl<'a> Integration<'a> {
             Gravity::Uniform { .. } => None,
         };
         let mut equations = Equations::new(mission, body, layer);
-        let kinks_m_s = mission.heating.radiative.kinks_m_s();
-        if let Some(onset_m_s) = kinks_m_s.first() {
-            equations.radiation = match speed_m_s(&start) > *onset_m_s {
-                true => Radiation::Continued(*onset_m_s),
+        let mut kinks_m_s = mission.heating.radiative.kinks_m_s();
+        kinks_m_s.extend(mission.heating.convective.kink_m_s());
+        kinks_m_s.sort_by(f64::total_cmp);
+        let onset_m_s = mission.heating.radiative.onset_m_s();
+        if let Some(onset_m_s) = onset_m_s {
+            equations.radiation = match speed_m_s(&start) > onset_m_s {
+                true => Radiation::Continued(onset_m_s),
                 false => Radiation::Over,
             };
         }
+        let kinks_mach = match &body.drag {
+            Drag::Constant(_) => Vec::new(),
+            Drag::Table(table) => {
+                let rows = table.rows().map(|(mach, _)| mach);
+                rows.filter(|mach| *mach >= KINKS_FROM_MACH).collect()
+            }
+        };
         Integration {
             here: place(&equations, &start),
             kinks_m_s,
+            onset_m_s,
+            kinks_mach,
             equations,
             integrator: Integrator::new(mission.solver.method, tolerance, 0.0, start)
                 .with_maximum_steps(MOST_STEPS),

@@ -92,6 +92,11 @@ impl BrandisJohnston {
 }
 
 impl BrandisJohnstonConvective {
+    /// Speed at which one set of constants gives way to the other, m/s.
+    pub fn switch_m_s(&self) -> f64 {
+        self.switch_m_s
+    }
+
     /// Cold-wall heat flux, W/m².
     #[inline]
     pub fn heat_flux_w_m2<S: Scalar>(&self, flow: &Flow<S>) -> S {

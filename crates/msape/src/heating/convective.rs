@@ -46,6 +46,14 @@ impl Convective {
         }
     }
 
+    /// Speed at which the relation has a step, m/s.
+    pub fn kink_m_s(&self) -> Option<f64> {
+        match self {
+            Self::SuttonGraves(_) => None,
+            Self::BrandisJohnston(model) => Some(model.switch_m_s()),
+        }
+    }
+
     /// Cold-wall heat flux, W/m².
     #[inline]
     pub fn heat_flux_w_m2<S: Scalar>(&self, flow: &Flow<S>) -> S {

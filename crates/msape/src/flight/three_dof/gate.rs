@@ -1,4 +1,4 @@
-//! Where a step ends before its time: boundaries of the atmosphere, the ground, the way out, kinks of the radiative heating.
+//! Where a step ends before its time: boundaries of the atmosphere, the ground, the way out, kinks of heating and drag.
 //!
 //! ```text
 //! g(t) = 0 by false position with halving on the dense output, on parts of the step where the altitude only rises or falls
@@ -13,6 +13,7 @@
 //! - \[dowell-jarratt-1971\] for the halving (Illinois).
 
 use super::Integration;
+use crate::aero::Drag;
 use crate::flight::equations::{Equations, Radiation, STATES};
 use crate::planet::Gravity;
 use numerics::ode::Step;
@@ -32,15 +33,20 @@ pub(super) enum Gate {
     Exit,
     /// Slows down to where radiative heating ends at once.
     Onset,
-    /// Slows down to a kink of radiative heating.
+    /// Slows down to a kink of heating or drag.
     Kink,
 }
 
-/// Height and rate of climb at the ends of a step.
+/// A row of the drag table is met to this part of its Mach number.
+const MACH_TOLERANCE: f64 = 1e-7;
+
+/// Height, rate of climb and Mach number at an end of a step.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) altitude_m: f64,
     pub(super) climb_m_s: f64,
+    /// Mach number where drag depends on it, else 0.
+    pub(super) mach: f64,
 }
 
 /// A kink of radiative heating is met to this speed, m/s.
@@ -76,31 +82,53 @@ impl Integration<'_> {
                 self.gate_in(step, [t_turn, step.t1], ends_m, [floor_m, ceiling_m])
             })
         };
-        match (found, self.kink(step)) {
-            (Some(gate), Some(kink)) if kink.0 < gate.0 => Some(kink),
-            (Some(gate), _) => Some(gate),
-            (None, kink) => kink,
-        }
+        let kinks = [self.speed_kink(step), self.mach_kink(step, there)];
+        kinks
+            .into_iter()
+            .flatten()
+            .fold(found, |first, kink| match first {
+                Some(gate) if gate.0 <= kink.0 => Some(gate),
+                _ => Some(kink),
+            })
     }
 
-    /// Where a step slows down to a kink of the radiative relation; with radiation over, takes it up again when the speed
-    /// rises.
-    fn kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
-        let onset_m_s = *self.kinks_m_s.first()?;
+    /// Where a step slows down to a row of the drag table.
+    fn mach_kink(&self, step: &Step<STATES>, there: Place) -> Option<(f64, Gate)> {
+        let below = self
+            .kinks_mach
+            .partition_point(|kink| *kink < self.here.mach * (1.0 - 10.0 * MACH_TOLERANCE));
+        let level = *self.kinks_mach.get(below.checked_sub(1)?)?;
+        if there.mach >= level {
+            return None;
+        }
+        let gap = |y: &[f64; STATES]| place(&self.equations, y).mach / level - 1.0;
+        Some((
+            self.when(step, [step.t0, step.t1], gap, MACH_TOLERANCE),
+            Gate::Kink,
+        ))
+    }
+
+    /// Where a step slows down to a kink of a heating relation; with radiation over, takes it up again when the speed rises.
+    fn speed_kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
+        let onset_m_s = self.onset_m_s.unwrap_or(0.0);
         let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
         if self.equations.radiation == Radiation::Over {
             if after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S {
                 self.equations.radiation = Radiation::Continued(onset_m_s);
                 self.integrator.renew();
             }
-            return None;
         }
         let below = self
             .kinks_m_s
             .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
-        let (level_m_s, gate) = match below.checked_sub(1) {
-            None | Some(0) => (onset_m_s, Gate::Onset),
-            Some(kink) => (self.kinks_m_s[kink], Gate::Kink),
+        let radiates = self.equations.radiation != Radiation::Over;
+        let (level_m_s, gate) = match below
+            .checked_sub(1)
+            .and_then(|kink| self.kinks_m_s.get(kink))
+        {
+            Some(kink) if !radiates || *kink > onset_m_s => (*kink, Gate::Kink),
+            _ if radiates => (onset_m_s, Gate::Onset),
+            _ => return None,
         };
         if after >= level_m_s {
             return None;
@@ -206,9 +234,17 @@ impl Integration<'_> {
 pub(super) fn place(equations: &Equations, y: &[f64; STATES]) -> Place {
     let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
     let [u, v, w] = local.up;
+    let mach = match equations.body.drag {
+        Drag::Constant(_) => 0.0,
+        Drag::Table(_) => {
+            let atmosphere = &equations.mission.atmosphere;
+            speed_m_s(y) / atmosphere.speed_of_sound_in(equations.layer, local.altitude_m)
+        }
+    };
     Place {
         altitude_m: local.altitude_m,
         climb_m_s: y[3] * u + y[4] * v + y[5] * w,
+        mach,
     }
 }
 
