@@ -39,6 +39,7 @@ function command(words, input) {
 }
 
 pageTest("mass and drawing follow the diameter, typed and stepped by keyboard", async (page) => {
+  await fresh(page);
   const [mass_before, drawing_before] = [await mass(page), await drawing(page).getAttribute("aria-label")];
   const text_before = await page.locator('[data-output="total_entry_mass_kg"] .value').innerText();
   await diameter(page).focus();
