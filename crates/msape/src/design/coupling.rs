@@ -4,6 +4,9 @@
 //! x ← x + ω (f(x) − x)      until |M − M before| < criterion
 //! ```
 //!
+//! ω halves each time the change of the mass turns its sign and is not much smaller, down to an eighth: a pass that
+//! overshoots.
+//!
 //! with x the entry load, stagnation pressure, terminal speed and both heat-shield thicknesses, ω the relaxation, M the
 //! entry mass in kg; f runs through geometry, mass, impact and structure, then flight, heating, soak and heat shield.
 //!
@@ -27,12 +30,19 @@ use crate::vehicle::{self, Vehicle, VehicleInput};
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
 
+/// Least relaxation that overshooting passes lead to, as a part of the one asked for.
+const LEAST_RELAXATION: f64 = 0.125;
+/// A change of the mass with the other sign overshoots when it is larger than this part of the one before.
+const OVERSHOOT: f64 = 0.3;
+
 /// Designs a vehicle.
 pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
     let mut vehicle_input = input.vehicle.clone();
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
     let mut mass_before_kg: Option<f64> = None;
+    let mut change_before_kg: Option<f64> = None;
+    let mut relaxation = input.relaxation;
     loop {
         let number = passes.len() as u32 + 1;
         let vehicle = match vehicle::build(&vehicle_input) {
@@ -79,7 +89,14 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
             }
             .answer();
         }
-        relax(&mut vehicle_input, input.relaxation, number, &flown, &sized);
+        if let (Some(before), Some(now)) = (change_before_kg, change_kg)
+            && now * before < 0.0
+            && now.abs() > OVERSHOOT * before.abs()
+        {
+            relaxation = (0.5 * relaxation).max(LEAST_RELAXATION * input.relaxation);
+        }
+        relax(&mut vehicle_input, relaxation, number, &flown, &sized);
+        change_before_kg = change_kg;
         mass_before_kg = Some(mass_kg);
     }
 }
