@@ -112,11 +112,11 @@ impl Integration<'_> {
     fn speed_kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
         let onset_m_s = self.onset_m_s.unwrap_or(0.0);
         let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
-        if self.equations.radiation == Radiation::Over {
-            if after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S {
-                self.equations.radiation = Radiation::Continued(onset_m_s);
-                self.integrator.renew();
-            }
+        if self.equations.radiation == Radiation::Over
+            && after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S
+        {
+            self.equations.radiation = Radiation::Continued(onset_m_s);
+            self.integrator.renew();
         }
         let below = self
             .kinks_m_s
