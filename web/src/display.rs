@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum UnitSystem {
     /// Those of the report.
     #[default]
-    Seed,
+    Report,
     /// SI without prefixes, angles in degrees.
     Si,
     /// Feet, pounds, degrees Fahrenheit.
@@ -18,25 +18,25 @@ pub enum UnitSystem {
 
 impl UnitSystem {
     /// All of them, in the order of menus.
-    pub const ALL: [UnitSystem; 3] = [UnitSystem::Seed, UnitSystem::Si, UnitSystem::Us];
+    pub const ALL: [UnitSystem; 3] = [UnitSystem::Report, UnitSystem::Si, UnitSystem::Us];
 
     /// Name in menus.
     pub fn label(self) -> &'static str {
         match self {
-            UnitSystem::Seed => "Report",
+            UnitSystem::Report => "Report",
             UnitSystem::Si => "SI",
             UnitSystem::Us => "US",
         }
     }
 
-    /// Unit in which a quantity is shown whose unit in the report is `seed`.
-    pub fn unit(self, dimension: Dimension, seed: &'static Unit) -> &'static Unit {
+    /// Unit in which a quantity is shown whose unit in the report is `printed`.
+    pub fn unit(self, dimension: Dimension, printed: &'static Unit) -> &'static Unit {
         match self {
-            UnitSystem::Seed => seed,
+            UnitSystem::Report => printed,
             UnitSystem::Si => canonical(dimension),
-            UnitSystem::Us => us_symbol(dimension, seed)
+            UnitSystem::Us => us_symbol(dimension, printed)
                 .and_then(Unit::find)
-                .unwrap_or(seed),
+                .unwrap_or(printed),
         }
     }
 
@@ -52,14 +52,14 @@ impl UnitSystem {
 
     /// Unit of a column of a time history.
     pub fn of_column(self, column: &'static Column) -> &'static Unit {
-        let seed = Unit::find(column.unit).unwrap_or_else(|| canonical(column.dimension));
-        self.unit(column.dimension, seed)
+        let printed = Unit::find(column.unit).unwrap_or_else(|| canonical(column.dimension));
+        self.unit(column.dimension, printed)
     }
 }
 
-fn us_symbol(dimension: Dimension, seed: &Unit) -> Option<&'static str> {
+fn us_symbol(dimension: Dimension, printed: &Unit) -> Option<&'static str> {
     Some(match dimension {
-        Dimension::Length if seed.factor < 0.5 => "in",
+        Dimension::Length if printed.factor < 0.5 => "in",
         Dimension::Length => "ft",
         Dimension::Area => "ft^2",
         Dimension::Mass => "lb",

@@ -90,10 +90,10 @@ fn Values(chosen: RwSignal<Option<(Module, Module)>>) -> impl IntoView {
     let state = State::expect();
     let passes = state.of_answer(|answer| answer.passes.clone());
     let unit = move |crossing: &'static Crossing| {
-        let seed = Unit::find(crossing.unit).unwrap_or_else(|| canonical(crossing.dimension));
+        let printed = Unit::find(crossing.unit).unwrap_or_else(|| canonical(crossing.dimension));
         state
             .document
-            .with(|document| document.units.unit(crossing.dimension, seed))
+            .with(|document| document.units.unit(crossing.dimension, printed))
     };
     view! {
         {move || chosen.get().map(|(from, to)| {

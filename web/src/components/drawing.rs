@@ -174,9 +174,9 @@ fn length(metres: f64, units: UnitSystem) -> String {
 }
 
 fn length_unit(units: UnitSystem) -> &'static Unit {
-    let seed = output::find("diameter_m")
+    let printed = output::find("diameter_m")
         .map_or(canonical(Dimension::Length), |output| output.shown_unit());
-    units.unit(Dimension::Length, seed)
+    units.unit(Dimension::Length, printed)
 }
 
 fn describe(d: &Dimensions, units: UnitSystem) -> String {

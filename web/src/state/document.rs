@@ -37,7 +37,7 @@ impl Document {
     pub fn new(case: Case) -> Document {
         Document {
             case: Arc::new(case),
-            units: UnitSystem::Seed,
+            units: UnitSystem::Report,
             unit_of: Arc::default(),
             runs: Arc::default(),
         }
