@@ -50,9 +50,10 @@ pub fn Freshness() -> impl IntoView {
             })
         }),
         Phase::Updating => "updating".to_string(),
-        Phase::AtFault => {
-            "input at fault; these are the results of the last good input".to_string()
-        }
+        Phase::AtFault => state.latest.with(|latest| match latest {
+            Some(_) => "input at fault; these are the results of the last good input".to_string(),
+            None => "input at fault; it is solved as soon as it is mended".to_string(),
+        }),
         Phase::Failed(message) => {
             format!("the solver failed: {message}. Change an input to try again.")
         }
