@@ -22,3 +22,6 @@ pub mod rows;
 pub mod runs;
 pub mod segments;
 pub mod share;
+pub mod tabs;
+pub mod vehicle;
+pub mod view3d;

@@ -57,6 +57,24 @@ pub fn class(kind: ComponentKind) -> &'static str {
     }
 }
 
+/// Name of a component's colour in the style sheet.
+pub fn variable(kind: ComponentKind) -> &'static str {
+    match kind {
+        ComponentKind::ForebodyTps => "--part-forebody-tps",
+        ComponentKind::Bond => "--part-bond",
+        ComponentKind::ForebodyCarrier => "--part-forebody-carrier",
+        ComponentKind::AftbodyTps => "--part-aftbody-tps",
+        ComponentKind::AftbodyCarrier => "--part-aftbody-carrier",
+        ComponentKind::PrimaryStructure => "--part-primary-structure",
+        ComponentKind::WingInsulation => "--part-wing-insulation",
+        ComponentKind::ImpactFoam => "--part-impact-foam",
+        ComponentKind::ImpactShell => "--part-impact-shell",
+        ComponentKind::BodyFoam => "--part-body-foam",
+        ComponentKind::LidInsulation => "--part-lid-insulation",
+        ComponentKind::Payload => "--part-payload",
+    }
+}
+
 /// The drawing of a vehicle.
 pub fn section(vehicle: &Vehicle) -> Section {
     let radius_mm = 0.5 * vehicle.dimensions.diameter_m * MM;

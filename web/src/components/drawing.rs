@@ -1,9 +1,9 @@
 //! The vehicle's section, to scale: components, dimensions, centre of gravity.
 
 use crate::components::mass_tree::{Detail, Legend};
+use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
 use crate::drawing::{Section, class, scale_bar_mm, section};
-use crate::state::State;
 use leptos::prelude::*;
 use msape::quantity::output;
 use msape::units::{Dimension, Unit, canonical};
@@ -29,71 +29,76 @@ const LAYERS: [(Layer, &str); 6] = [
     (Layer::CentreOfGravity, "CG"),
 ];
 
-fn layer_of(kind: ComponentKind) -> Layer {
-    match kind {
-        ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::AftbodyTps => {
-            Layer::HeatShield
+impl Layer {
+    /// The components of a layer.
+    fn kinds(self) -> &'static [ComponentKind] {
+        match self {
+            Layer::HeatShield => &[
+                ComponentKind::ForebodyTps,
+                ComponentKind::Bond,
+                ComponentKind::AftbodyTps,
+            ],
+            Layer::Structure => &[
+                ComponentKind::ForebodyCarrier,
+                ComponentKind::AftbodyCarrier,
+                ComponentKind::PrimaryStructure,
+                ComponentKind::ImpactShell,
+            ],
+            Layer::Foam => &[
+                ComponentKind::WingInsulation,
+                ComponentKind::ImpactFoam,
+                ComponentKind::BodyFoam,
+                ComponentKind::LidInsulation,
+            ],
+            Layer::Payload => &[ComponentKind::Payload],
+            Layer::Dimensions | Layer::CentreOfGravity => &[],
         }
-        ComponentKind::ForebodyCarrier
-        | ComponentKind::AftbodyCarrier
-        | ComponentKind::PrimaryStructure
-        | ComponentKind::ImpactShell => Layer::Structure,
-        ComponentKind::WingInsulation
-        | ComponentKind::ImpactFoam
-        | ComponentKind::BodyFoam
-        | ComponentKind::LidInsulation => Layer::Foam,
-        ComponentKind::Payload => Layer::Payload,
     }
 }
 
 /// The drawing with its legend and the detail of the chosen component.
 #[component]
 pub fn Drawing() -> impl IntoView {
-    let state = State::expect();
-    let vehicle =
-        state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
-    let has_vehicle = Memo::new(move |_| vehicle.with(|vehicle| matches!(vehicle, Some(Some(_)))));
-    // A design that does not close leaves the last vehicle in view.
-    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| {
-        vehicle
-            .get()
-            .flatten()
-            .or_else(|| before.cloned().flatten())
-    });
+    let view = VehicleView::expect();
     let hidden = RwSignal::new(Vec::<Layer>::new());
-    let lit = RwSignal::new(None::<ComponentKind>);
-    let chosen = RwSignal::new(None::<ComponentKind>);
-    let units = Memo::new(move |_| state.document.with(|document| document.units));
-    let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
+    let shows = move |layer: Layer| match layer.kinds() {
+        [] => hidden.with(|hidden| !hidden.contains(&layer)),
+        kinds => kinds.iter().any(|kind| view.shows(*kind)),
+    };
+    let toggle = move |layer: Layer| {
+        let is_shown = untrack(|| shows(layer));
+        match layer.kinds() {
+            [] => hidden.update(|hidden| match is_shown {
+                true => hidden.push(layer),
+                false => hidden.retain(|other| *other != layer),
+            }),
+            kinds => view.hidden.update(|hidden| {
+                hidden.retain(|kind| !kinds.contains(kind));
+                if is_shown {
+                    hidden.extend_from_slice(kinds);
+                }
+            }),
+        }
+    };
     let drawing = move || {
-        vehicle.with(|vehicle| {
+        view.vehicle.with(|vehicle| {
             let vehicle = vehicle.as_ref()?;
             let section = section(vehicle);
-            Some(sheet(vehicle, &section, units.get(), hidden, lit, chosen).into_any())
+            Some(sheet(vehicle, &section, view, hidden).into_any())
         })
     };
     view! {
-        <Show when=move || vehicle.with(Option::is_some) fallback=|| view! {
-            <p class="quiet">"There is no vehicle to draw yet."</p>
-        }>
-            <p class="reason" hidden=move || has_vehicle.get()>"This is the last vehicle that closed; there is none for the present inputs."</p>
-            <div class="vehicle" class:old=move || !has_vehicle.get()>
-                <div class="tools" role="group" aria-label="Layers of the drawing">
-                    {LAYERS.into_iter().map(|(layer, name)| view! {
-                        <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
-                            on:click=move |_| hidden.update(|hidden| {
-                                match hidden.iter().position(|other| *other == layer) {
-                                    Some(place) => drop(hidden.remove(place)),
-                                    None => hidden.push(layer),
-                                }
-                            })>{name}</button>
-                    }).collect_view()}
-                </div>
-                {drawing}
-                <Legend vehicle lit chosen />
-                <Detail vehicle chosen units />
+        <div class="vehicle">
+            <div class="tools" role="group" aria-label="Layers of the drawing">
+                {LAYERS.into_iter().map(|(layer, name)| view! {
+                    <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
+                        on:click=move |_| toggle(layer)>{name}</button>
+                }).collect_view()}
             </div>
-        </Show>
+            {drawing}
+            <Legend />
+            <Detail />
+        </div>
     }
 }
 
@@ -101,11 +106,10 @@ pub fn Drawing() -> impl IntoView {
 fn sheet(
     vehicle: &Vehicle,
     section: &Section,
-    units: UnitSystem,
+    view: VehicleView,
     hidden: RwSignal<Vec<Layer>>,
-    lit: RwSignal<Option<ComponentKind>>,
-    chosen: RwSignal<Option<ComponentKind>>,
-) -> impl IntoView {
+) -> impl IntoView + use<> {
+    let (lit, chosen, units) = (view.lit, view.chosen, view.units.get());
     let d = vehicle.dimensions;
     let r = section.radius_mm;
     let (left, right) = (-1.26 * r, 1.62 * r);
@@ -121,11 +125,11 @@ fn sheet(
         let is_lit = move || lit.get() == Some(kind) || chosen.get() == Some(kind);
         let dim = move || lit.get().is_some_and(|other| other != kind);
         view! {
-            <g class:gone=move || !shows(layer_of(kind)) style:display=move || if shows(layer_of(kind)) { "" } else { "none" }>
+            <g style:display=move || if view.shows(kind) { "" } else { "none" }>
                 <path d=fill class=format!("part {}", class(kind)) class:dim=dim
                     on:pointerenter=move |_| lit.set(Some(kind))
                     on:pointerleave=move |_| lit.set(None)
-                    on:click=move |_| chosen.update(|chosen| *chosen = if *chosen == Some(kind) { None } else { Some(kind) })>
+                    on:click=move |_| view.choose(kind)>
                 </path>
                 <path d=edges class="edge" class:lit=is_lit></path>
                 {anchor.map(|(ax, ay)| view! { <path class="leader" d=format!("M{ax:.2} {ay:.2}L{x:.2} {y:.2}")></path> })}
@@ -180,8 +184,20 @@ fn length_unit(units: UnitSystem) -> &'static Unit {
 }
 
 fn describe(d: &Dimensions, units: UnitSystem) -> String {
+    let dimensions = dimensions(d, units);
+    let mut letters = dimensions.chars();
+    let first = letters.next().map(|first| first.to_lowercase().to_string());
     format!(
-        "Section of the vehicle: diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
+        "Section of the vehicle: {}{}",
+        first.unwrap_or_default(),
+        letters.as_str()
+    )
+}
+
+/// The main dimensions in a sentence.
+pub fn dimensions(d: &Dimensions, units: UnitSystem) -> String {
+    format!(
+        "Diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
         length(d.diameter_m, units),
         length(d.vehicle_height_m, units),
         length(d.nose_radius_m, units),

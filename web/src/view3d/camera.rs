@@ -23,6 +23,15 @@ pub struct Camera {
     pub zoom: f32,
 }
 
+/// A line of sight, in the vehicle's frame: across, along its axis, towards the viewer of the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// Where the eye is, m.
+    pub eye_m: [f64; 3],
+    /// Where it looks to.
+    pub direction: [f64; 3],
+}
+
 /// What is looked at: a ball about the vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
@@ -105,11 +114,11 @@ impl Camera {
         ]
     }
 
-    /// From before the eye to the screen.
-    pub fn projection(&self, ball: Ball, aspect: f32) -> Matrix {
+    /// From before the eye to the screen; everything within `reach_m` of the centre has a depth.
+    pub fn projection(&self, ball: Ball, aspect: f32, reach_m: f32) -> Matrix {
         let distance = self.distance_m(ball, aspect);
-        let near = (distance - 1.5 * ball.radius_m).max(0.05 * ball.radius_m);
-        let far = distance + 1.5 * ball.radius_m;
+        let near = (distance - 1.1 * reach_m).max(0.02 * distance);
+        let far = distance + 1.1 * reach_m;
         let f = 1.0 / HALF_VIEW_RAD.tan();
         let mut m = [0.0; 16];
         m[0] = f / aspect;
@@ -118,6 +127,22 @@ impl Camera {
         m[11] = -1.0;
         m[14] = 2.0 * far * near / (near - far);
         m
+    }
+
+    /// The line of sight through a place of the view, each coordinate from −1 to 1, upwards positive.
+    pub fn sight(&self, ball: Ball, aspect: f32, place: [f32; 2]) -> Sight {
+        let view = self.view(ball, aspect);
+        let tan = HALF_VIEW_RAD.tan();
+        let seen = [place[0] * aspect * tan, place[1] * tan, -1.0];
+        // The inverse of a turn is its transpose.
+        let turned_back = |p: [f32; 3]| {
+            let part = |i: usize| (0..3).map(|j| f64::from(view[4 * i + j] * p[j])).sum();
+            [part(0), part(1), part(2)]
+        };
+        Sight {
+            eye_m: turned_back([-view[12], -view[13], -view[14]]),
+            direction: turned_back(seen),
+        }
     }
 
     fn distance_m(&self, ball: Ball, aspect: f32) -> f32 {
@@ -175,10 +200,27 @@ mod tests {
     }
 
     #[test]
+    fn the_line_of_sight_through_a_point_meets_it() {
+        let camera = Camera::START.turned(0.4, -0.9).zoomed(1.3);
+        let (point, aspect) = ([0.1_f32, 0.45, -0.2], 1.6);
+        let p = apply(&camera.view(BALL, aspect), point);
+        let q = apply(&camera.projection(BALL, aspect, 1.0), [p[0], p[1], p[2]]);
+        let sight = camera.sight(BALL, aspect, [q[0] / q[3], q[1] / q[3]]);
+        let t = f64::from(-p[2]);
+        for i in 0..3 {
+            let met = sight.eye_m[i] + t * sight.direction[i];
+            assert!((met - f64::from(point[i])).abs() < 1e-5, "{i}: {met}");
+        }
+    }
+
+    #[test]
     fn the_ball_just_fits_into_narrow_and_wide_views() {
         for aspect in [0.5, 1.0, 2.0] {
             let camera = Camera::SIDE;
-            let (view, projection) = (camera.view(BALL, aspect), camera.projection(BALL, aspect));
+            let (view, projection) = (
+                camera.view(BALL, aspect),
+                camera.projection(BALL, aspect, BALL.radius_m),
+            );
             // The outermost point seen lies a little before the centre.
             let mut widest: f32 = 0.0;
             for i in 0..1000 {

@@ -37,7 +37,7 @@ impl Edge {
     }
 }
 
-/// The edges of a closed profile, run so that the body is on their left; `value` paints a point of a segment.
+/// The edges of a closed profile, run so that the body is on their left; `value` paints a point of a segment as it is given.
 pub fn edges(
     profile: &Profile,
     chord_error_m: f64,
@@ -51,15 +51,14 @@ pub fn edges(
         .sum::<f64>()
         < 0.0;
     let mut edges = Vec::new();
-    let mut add = |segment: &Segment| of_segment(segment, chord_error_m, &value, &mut edges);
+    let mut add = |original: &Segment, run: &Segment| {
+        of_segment(run, chord_error_m, |at| value(original, at), &mut edges);
+    };
     if is_left {
-        profile.segments.iter().for_each(&mut add);
+        profile.segments.iter().for_each(|s| add(s, s));
     } else {
-        profile
-            .segments
-            .iter()
-            .rev()
-            .for_each(|segment| add(&segment.reversed()));
+        let backwards = profile.segments.iter().rev();
+        backwards.for_each(|s| add(s, &s.reversed()));
     }
     edges
 }
@@ -67,7 +66,7 @@ pub fn edges(
 fn of_segment(
     segment: &Segment,
     chord_error_m: f64,
-    value: &impl Fn(&Segment, Point) -> f32,
+    value: impl Fn(Point) -> f32,
     edges: &mut Vec<Edge>,
 ) {
     match *segment {
@@ -77,7 +76,7 @@ fn of_segment(
             if length <= 0.0 {
                 return;
             }
-            let pieces = pieces_of_line(segment, value, start, end);
+            let pieces = pieces_of_line(&value, start, end);
             let corner = |i: usize| {
                 let part = i as f64 / pieces as f64;
                 let at = Point {
@@ -88,7 +87,7 @@ fn of_segment(
                     at,
                     normal_x: dr / length,
                     normal_r: -dx / length,
-                    value: value(segment, at),
+                    value: value(at),
                 }
             };
             edges.extend((0..pieces).map(|i| Edge {
@@ -125,7 +124,7 @@ fn of_segment(
                     at,
                     normal_x: sign * c,
                     normal_r: sign * s,
-                    value: value(segment, at),
+                    value: value(at),
                 }
             };
             edges.extend((0..pieces).map(|i| Edge {
@@ -137,17 +136,8 @@ fn of_segment(
 }
 
 /// A line is one edge, more where what is painted on it changes.
-fn pieces_of_line(
-    segment: &Segment,
-    value: &impl Fn(&Segment, Point) -> f32,
-    start: Point,
-    end: Point,
-) -> usize {
-    if value(segment, start) == value(segment, end) {
-        1
-    } else {
-        24
-    }
+fn pieces_of_line(value: &impl Fn(Point) -> f32, start: Point, end: Point) -> usize {
+    if value(start) == value(end) { 1 } else { 24 }
 }
 
 #[cfg(test)]
@@ -168,8 +158,7 @@ mod tests {
         for profile in [ball(), ball().reversed()] {
             let edges = edges(&profile, 1e-3, |_, _| -1.0);
             for corner in edges.iter().flat_map(|edge| [edge.start, edge.end]) {
-                let out =
-                    (corner.at.x_m - 3.0) * corner.normal_x + corner.at.r_m * corner.normal_r;
+                let out = (corner.at.x_m - 3.0) * corner.normal_x + corner.at.r_m * corner.normal_r;
                 let on_axis = corner.normal_r < 0.0 && corner.at.r_m == 0.0;
                 assert!(on_axis || (out - 2.0).abs() < 1e-12, "{corner:?}");
             }
