@@ -41,9 +41,12 @@ pub fn chains(profile: &Profile) -> Vec<Chain> {
     let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
         return Vec::new();
     };
-    let closed = near(first.start(), last.end());
+    let (start, closed) = (first.start(), near(first.start(), last.end()));
     let swept: f64 = segments.iter().map(|s| s.integrals().r_dx).sum();
-    let whole = closed || (first.start().r_m == 0.0 && last.end().r_m == 0.0);
+    let whole = closed || (start.r_m == 0.0 && last.end().r_m == 0.0);
+    if closed && let Some(last) = segments.last_mut() {
+        *last = between(last, last.start(), start);
+    }
     if whole && swept < 0.0 {
         segments = segments.iter().rev().map(Segment::reversed).collect();
     }
@@ -95,7 +98,7 @@ fn chain(segments: Vec<Segment>) -> Option<Chain> {
         }
     }
     if ends == Ends::Loop {
-        close(&mut merged);
+        corner_first(&mut merged);
     }
     Some(Chain {
         segments: merged,
@@ -103,8 +106,8 @@ fn chain(segments: Vec<Segment>) -> Option<Chain> {
     })
 }
 
-/// Ends a loop at the very point where it begins, in a corner where there is one.
-fn close(segments: &mut Vec<Segment>) {
+/// Begins a loop in a corner, where it has one.
+fn corner_first(segments: &mut Vec<Segment>) {
     if segments.len() > 1
         && let (Some(first), Some(last)) = (segments.first(), segments.last())
         && let Some(both) = together(last, first)
@@ -113,10 +116,6 @@ fn close(segments: &mut Vec<Segment>) {
         if let Some(last) = segments.last_mut() {
             *last = both;
         }
-    }
-    let start = segments.first().map(Segment::start);
-    if let (Some(start), Some(last)) = (start, segments.last_mut()) {
-        *last = between(last, last.start(), start);
     }
 }
 
