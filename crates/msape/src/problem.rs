@@ -5,6 +5,7 @@
 mod design;
 mod flight;
 mod heating;
+mod materials;
 mod planet;
 
 use crate::answer::Answer;
