@@ -1,6 +1,7 @@
 //! What pages are made of. They read signals and call [`crate::state::State::edit`].
 
 pub mod alternatives;
+pub mod cad;
 pub mod chart;
 pub mod chart_panel;
 pub mod chart_table;
@@ -16,6 +17,7 @@ pub mod mass_tree;
 pub mod notes;
 pub mod number;
 pub mod open;
+pub mod outline;
 pub mod residuals;
 pub mod results;
 pub mod rows;

@@ -113,8 +113,10 @@ fn sheet(
     let d = vehicle.dimensions;
     let r = section.radius_mm;
     let (left, right) = (-1.26 * r, 1.62 * r);
-    let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
     let font = 0.084 * r;
+    let lid_label_mm = lid_label_mm(section, font);
+    let top = (section.top_mm - 0.14 * r).min(lid_label_mm - 1.3 * font);
+    let bottom = section.bottom_mm + 0.54 * r;
     let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
     let description = describe(&d, units);
     let parts = section.parts.iter().enumerate().map(|(i, part)| {
@@ -146,6 +148,9 @@ fn sheet(
             <path class="outline" d=section.outline.clone()></path>
             <g style:display=move || if shows(Layer::Dimensions) { "" } else { "none" } font-size=font>
                 {dimension_lines(&d, section, units, left, font)}
+                {angles(vehicle, section, left, font)}
+                {lid(&d, section, units, left, font)}
+                <text x=right - 0.3 * font y=bottom - 0.6 * font text-anchor="end">{cg_label(&d, units)}</text>
                 {scale_bar(section, units, left, bottom, font)}
             </g>
             <g style:display=move || if shows(Layer::CentreOfGravity) { "" } else { "none" } font-size=font>
@@ -238,6 +243,71 @@ fn dimension_lines(
             <text x=left + 0.02 * r y=shoulder_y - 0.26 * r - 1.2 * font text-anchor="start">"shoulder"</text>
             <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("R {}", length(d.shoulder_radius_m, units))}</text>
         </g>
+    }
+}
+
+/// Height of the lid's dimension: above the lid, or above the shoulder's dimension where that stands higher.
+fn lid_label_mm(section: &Section, font: f64) -> f64 {
+    let shoulder = section.shoulder_mm - 0.26 * section.radius_mm - 2.6 * font;
+    section.top_mm.min(shoulder)
+}
+
+fn cg_label(d: &Dimensions, units: UnitSystem) -> String {
+    format!(
+        "CG {} from nose, {} ⌀ from apex",
+        length(d.cg_from_nose_m, units),
+        number(d.cg_over_diameter, 3)
+    )
+}
+
+/// The cone's half-angle on the left, the wing's slope on the right.
+fn angles(vehicle: &Vehicle, section: &Section, left: f64, font: f64) -> impl IntoView + use<> {
+    let r = section.radius_mm;
+    let outline = &vehicle.layout.outline;
+    let on_screen = |x_m: f64, r_m: f64| (r_m * 1e3, -x_m * 1e3);
+    let (fore, aft) = (
+        outline.forebody.shoulder_tangent(0.0),
+        outline.forebody.nose_tangent(0.0),
+    );
+    let cone = on_screen(
+        0.4 * aft.x_m + 0.6 * fore.x_m,
+        -(0.4 * aft.r_m + 0.6 * fore.r_m),
+    );
+    let cone_text = (cone.0 - 0.1 * r, cone.1 + 0.17 * r);
+    let tip = outline.on_tip_line(outline.forebody.shoulder_radius_m);
+    let edge_r_m = outline.annulus_outer_r_m(0.0);
+    let wing = on_screen(
+        0.5 * (tip.x_m + outline.attached_structure_x_m),
+        0.5 * (tip.r_m + edge_r_m),
+    );
+    let wing_text = (1.1 * r, wing.1.min(section.shoulder_mm) - 0.2 * r);
+    let deg = |angle_rad: f64| format!("{} deg", number(angle_rad.to_degrees(), 3));
+    view! {
+        <path class="leader" d=format!("M{:.2} {:.2}L{:.2} {:.2}", cone.0, cone.1, cone_text.0, cone_text.1 - 0.5 * font)></path>
+        <text x=(cone_text.0 + 0.1 * r).max(left + 4.5 * font) y=cone_text.1 + 0.4 * font text-anchor="end">
+            {format!("cone {}", deg(outline.forebody.cone_half_angle_rad))}
+        </text>
+        <path class="leader" d=format!("M{:.2} {:.2}L{:.2} {:.2}", wing.0, wing.1, wing_text.0 - 2.0 * font, wing_text.1 + 0.3 * font)></path>
+        <text x=wing_text.0 y=wing_text.1 text-anchor="end">{format!("wing {}", deg(outline.wing_slope_rad))}</text>
+    }
+}
+
+/// The lid's radius on its left.
+fn lid(
+    d: &Dimensions,
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    font: f64,
+) -> impl IntoView + use<> {
+    let lid_r = d.lid_radius_m * 1e3;
+    // On the lid, 35 deg off the axis.
+    let (x, y) = (-0.574 * lid_r, section.top_mm + (1.0 - 0.819) * lid_r);
+    let label = lid_label_mm(section, font);
+    let text_x = left + 0.02 * section.radius_mm;
+    view! {
+        <path class="leader" d=format!("M{x:.2} {y:.2}L{:.2} {:.2}", text_x + 7.0 * font, label - 0.3 * font)></path>
+        <text x=text_x y=label text-anchor="start">{format!("lid R {}", length(d.lid_radius_m, units))}</text>
     }
 }
 

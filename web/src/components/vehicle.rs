@@ -1,5 +1,6 @@
 //! The vehicle's card: one tab a file.
 
+use crate::components::cad::CadMenu;
 use crate::components::drawing::Drawing;
 use crate::components::mass_tree::MassTree;
 use crate::components::tabs::{Tab, Tabs};
@@ -7,6 +8,7 @@ use crate::components::view3d::View3d;
 use crate::display::UnitSystem;
 use crate::state::{Phase, Solved, State};
 use leptos::prelude::*;
+use msape::export::Model;
 use msape::vehicle::{ComponentKind, Vehicle};
 use std::sync::Arc;
 
@@ -99,11 +101,19 @@ pub fn VehicleCard() -> impl IntoView {
     let view = VehicleView::new(state);
     provide_context(view);
     let stale = move || state.phase.get() != Phase::Fresh;
+    let model = Signal::derive(move || {
+        view.solved.with(|solved| {
+            let solved = solved.as_ref()?;
+            let design = solved.answer.design.as_ref()?;
+            Some(Model::of_vehicle(&solved.case.name, &design.vehicle))
+        })
+    });
     let has_vehicle = move || view.vehicle.with(Option::is_some);
     view! {
         <section class="card panel-vehicle" aria-labelledby="vehicle-title">
             <header>
                 <h2 id="vehicle-title">"Vehicle"</h2>
+                <CadMenu model />
             </header>
             <Show when=has_vehicle fallback=|| view! { <p class="quiet">"There is no vehicle to draw yet."</p> }>
                 <p class="reason" role="status" hidden=move || view.is_present.get()>
