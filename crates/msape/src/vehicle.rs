@@ -13,7 +13,9 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.
 
+pub mod body;
 pub mod close;
+pub mod crossing;
 pub mod forebody;
 pub mod impact;
 pub mod input;
