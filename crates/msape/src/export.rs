@@ -4,13 +4,17 @@
 //! - [`model`]: what is exported: parts with name, material and colour.
 //! - [`chain`]: a profile cleaned for export: joined, without its pieces on the axis, run so that its outside is known.
 //! - [`mesh`]: triangles of a profile turned about the axis.
-//! - [`step`](mod@step): solids.
+//! - [`step`](mod@step): solids; [`iges`](mod@iges): surfaces; [`stl`](mod@stl) and [`gltf`](mod@gltf): triangles.
+//! - [`format`](mod@format): the list of them.
 
 pub mod chain;
 pub mod format;
+pub mod gltf;
+pub mod iges;
 pub mod mesh;
 pub mod model;
 pub mod step;
+pub mod stl;
 
 pub use format::Format;
 pub use model::Model;
