@@ -18,6 +18,7 @@ use crate::tps::Side;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
+use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
@@ -81,6 +82,8 @@ pub struct Library {
     pub grounds: Named<Ground>,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
+    /// Outlines of rigid bodies by name.
+    pub outlines: Named<OutlineData>,
 }
 
 impl Library {
@@ -127,6 +130,7 @@ impl Library {
             vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
             grounds: folder("grounds", Ground::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+            outlines: folder("outlines", OutlineData::parse)?,
         })
     }
 
@@ -158,6 +162,7 @@ impl Library {
                 .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
+            Choices::Outlines => titles(&self.outlines, |outline| &outline.title),
         }
     }
 }

@@ -1,0 +1,149 @@
+//! Dimensions of an outline with their sources, and what follows from them.
+
+use super::Entry;
+use crate::display::{UnitSystem, number, symbol};
+use crate::state::State;
+use leptos::prelude::*;
+use msape::units::{Dimension, Unit, canonical};
+use msape::vehicle::body::RigidBody;
+
+/// Number of digits that facts are shown with.
+const DIGITS: usize = 6;
+
+fn shown(value: f64, dimension: Dimension, units: UnitSystem) -> String {
+    let unit = units.unit(dimension, canonical(dimension));
+    let text = number(unit.from_canonical(value), DIGITS);
+    format!("{text} {}", symbol(unit))
+}
+
+/// A key of a data file in words, and the dimension of its value.
+fn words(key: &str) -> (String, Option<Dimension>) {
+    let (stem, dimension) = match key.rsplit_once('_') {
+        Some((stem, "m")) => (stem, Some(Dimension::Length)),
+        Some((stem, "deg")) => (stem, None),
+        _ => (key, None),
+    };
+    let mut words = stem.replace('_', " ");
+    if let Some(first) = words.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    (words, dimension)
+}
+
+/// The tables.
+#[component]
+pub fn Facts(
+    #[prop(into)] entry: Signal<Option<Entry>>,
+    #[prop(into)] body: Signal<Option<RigidBody>>,
+) -> impl IntoView {
+    let state = State::expect();
+    let units = move || state.document.with(|document| document.units);
+    let given = move || {
+        let units = units();
+        entry.with(|entry| match entry {
+            Some(Entry::Preset(_, data)) => {
+                let rows = data.dimension.iter().map(|(key, datum)| {
+                    let (words, dimension) = words(key);
+                    let value = dimension.map_or_else(
+                        || format!("{} deg", number(datum.value, DIGITS)),
+                        |dimension| shown(datum.value, dimension, units),
+                    );
+                    let is_assumed = datum.source == "assumed";
+                    view! {
+                        <tr>
+                            <th scope="row">{words}</th>
+                            <td class="value">{value}</td>
+                            <td class="words">
+                                {if is_assumed {
+                                    view! { <span class="mark mark-extrapolated">"assumed"</span> }.into_any()
+                                } else {
+                                    view! { <code>{datum.source.clone()}</code> }.into_any()
+                                }}
+                                " " {datum.place.clone()}
+                            </td>
+                        </tr>
+                    }
+                });
+                view! {
+                    <table class="facts">
+                        <caption>"Dimensions and their sources"</caption>
+                        <tbody>{rows.collect_view()}</tbody>
+                    </table>
+                    <p class="quiet">{data.note.clone()} " Source of the shape: " <code>{data.source.clone()}</code> ", " {data.place.clone()} "."</p>
+                }
+                .into_any()
+            }
+            Some(Entry::Own(..)) => view! { <p class="quiet">"Imported; kept in this browser."</p> }.into_any(),
+            None => ().into_any(),
+        })
+    };
+    let computed = move || {
+        let units = units();
+        body.with(|body| {
+            body.as_ref().map(|body| {
+                let solid = body.outline.solid();
+                let tip = body.nose_tip_x_m();
+                let rows = [
+                    ("Diameter", Some(shown(body.diameter_m, Dimension::Length, units))),
+                    ("Length", Some(shown(body.length_m(), Dimension::Length, units))),
+                    ("Nose radius", body.nose_radius_m.map(|r| shown(r, Dimension::Length, units))),
+                    (
+                        "Cone half-angle",
+                        body.cone_half_angle_rad
+                            .map(|angle| format!("{} deg", number(angle.to_degrees(), DIGITS))),
+                    ),
+                    ("Reference area", Some(shown(body.reference_area_m2(), Dimension::Area, units))),
+                    ("Surface", Some(shown(body.outline.wetted_area_m2(), Dimension::Area, units))),
+                    ("Volume", Some(shown(solid.volume_m3, Dimension::Volume, units))),
+                    ("Centroid from nose", Some(shown(solid.centroid_x_m() - tip, Dimension::Length, units))),
+                ];
+                let rows = rows.into_iter().filter_map(|(name, text)| Some((name, text?)));
+                view! {
+                    <table class="facts">
+                        <caption>"What follows from the outline"</caption>
+                        <tbody>
+                            {rows.map(|(name, text)| view! { <tr><th scope="row">{name}</th><td class="value">{text}</td></tr> }).collect_view()}
+                        </tbody>
+                    </table>
+                    <ul class="quiet">{body.notes.iter().map(|note| view! { <li>{note.clone()}</li> }).collect_view()}</ul>
+                }
+            })
+        })
+    };
+    view! {
+        <div class="facts-pair">
+            <div>{given}</div>
+            <div>{computed}</div>
+        </div>
+    }
+}
+
+/// Unit of lengths in files, where a file does not say it.
+pub fn length_units() -> [&'static str; 5] {
+    ["m", "cm", "mm", "in", "ft"]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_become_words() {
+        assert_eq!(
+            words("nose_radius_m"),
+            ("Nose radius".to_string(), Some(Dimension::Length))
+        );
+        assert_eq!(
+            words("aft_cone_1_half_angle_deg"),
+            ("Aft cone 1 half angle".to_string(), None)
+        );
+    }
+
+    #[test]
+    fn units_of_files_are_known() {
+        for symbol in length_units() {
+            assert!(msape::vehicle::body::import::LengthUnit::of(symbol).is_some());
+            assert!(Unit::find(symbol).is_some());
+        }
+    }
+}
