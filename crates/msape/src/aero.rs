@@ -13,6 +13,12 @@
 //! # References
 //! - \[samareh-2014\] section 3.3 and equation 7; \[mitcheltree-1997\] Table 4.
 
+pub mod free_molecular;
+pub mod integral;
+pub mod newtonian;
+pub mod shadow;
+pub mod surface;
+
 use numerics::scalar::Scalar;
 use serde::Deserialize;
 
