@@ -216,17 +216,14 @@ fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
     } else {
         [-1.0, edge.clamp(-1.0, 1.0)]
     };
-    let (Some(&[face_low, face_high]), first, last) = (
-        facing.intervals().first(),
-        lit.intervals().first(),
-        lit.intervals().last(),
-    ) else {
+    // A circle that the air only grazes has no horizon of its own.
+    let Some(&[face_low, face_high]) = facing.intervals().first().filter(|[a, b]| b - a > 1e-6) else {
         return Lit::new(whole[0], whole[1]);
     };
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    let (first, last) = (lit.intervals().first(), lit.intervals().last());
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
     let mut reach = Lit::default();
-    let intervals = lit.intervals();
-    for interval in intervals {
+    for interval in lit.intervals() {
         let [mut low, mut high] = *interval;
         if first == Some(interval) && near(low, face_low) {
             low = low.min(whole[0]);

@@ -7,7 +7,7 @@
 //!
 //! with lengths in diameters, φ the azimuth and α the angle of attack in rad. A piece of the meridian upstream of the circle therefore shades
 //! the azimuths whose cosines h takes on it, from its smallest to its largest value. On a line
-//! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is found by samples and parabolas.
+//! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is searched beside the extreme samples.
 //! What is left of the windward side is a few intervals of cos φ.
 //!
 //! # Valid
@@ -17,11 +17,18 @@
 //! - Intersection of a line with a circle about the axis.
 
 use super::surface::{Piece, Station};
+use numerics::root;
 
 /// Nearest that the axis and the plane normal to it are approached, rad.
 const NUDGE_RAD: f64 = 1e-9;
-/// Samples on an arc, between its ends.
-const SAMPLES: u32 = 7;
+/// Steps between samples on an arc.
+const SAMPLES: u32 = 8;
+/// A sample as far as this beyond 1 may hide an extremum within.
+const STEEP: f64 = 1.0;
+/// Accuracy of the place of an extremum, of an arc.
+const CLOSE: f64 = 1e-6;
+/// Nearer than this to the circle itself, of an arc, the ray leaves along the surface.
+const BESIDE: f64 = 1e-7;
 /// Most intervals that are kept.
 const MOST: usize = 6;
 
@@ -185,11 +192,14 @@ impl Eye {
                     include(&mut range, self.h(piece.position(end)));
                 }
                 Piece::Arc { .. } => {
-                    let points =
-                        (1..=SAMPLES).map(|n| t + (end - t) * f64::from(n) / f64::from(SAMPLES));
-                    let values: Vec<f64> =
-                        core::iter::once(along).chain(points.map(|t| self.h(piece.position(t)))).collect();
-                    include_samples(&mut range, &values);
+                    let h = |t_on: f64| {
+                        if (t_on - t).abs() < BESIDE {
+                            along
+                        } else {
+                            self.h(piece.position(t_on))
+                        }
+                    };
+                    include_arc(&mut range, h, [t, end]);
                 }
             }
         }
@@ -242,14 +252,15 @@ impl Eye {
                     let [_, r] = piece.position(if taus[0] > 0.0 { to } else { from });
                     include(&mut range, self.beside(r));
                 }
-                let steps = f64::from(SAMPLES + 1);
-                let values: Vec<f64> = (0..=SAMPLES + 1)
-                    .map(|n| from + (to - from) * f64::from(n) / steps)
-                    .map(|t| piece.position(t))
-                    .filter(|[x, _]| self.tau(*x) > 0.0)
-                    .map(|point| self.h(point))
-                    .collect();
-                include_samples(&mut range, &values);
+                let h = |t: f64| {
+                    let point = piece.position(t);
+                    if self.tau(point[0]) > 0.0 {
+                        self.h(point)
+                    } else {
+                        self.beside(point[1])
+                    }
+                };
+                include_arc(&mut range, h, [from, to]);
             }
         }
         range
@@ -281,18 +292,29 @@ fn include(range: &mut Option<[f64; 2]>, value: f64) {
     });
 }
 
-/// Takes in samples of a smooth function at even steps, and the tops of the parabolas through three of them.
-fn include_samples(range: &mut Option<[f64; 2]>, values: &[f64]) {
-    for value in values {
-        include(range, *value);
-    }
-    for three in values.windows(3) {
-        if let [a, b, c] = *three {
-            let (slope, bend) = (0.5 * (c - a), c - 2.0 * b + a);
-            if bend != 0.0 && slope.abs() < bend.abs() {
-                include(range, b - 0.5 * slope * slope / bend);
-            }
+/// Takes in the range of h over an arc: samples, and where one of them is extreme, the extremum beside it.
+fn include_arc(range: &mut Option<[f64; 2]>, h: impl Fn(f64) -> f64, [from, to]: [f64; 2]) {
+    let at = |n: u32| from + (to - from) * (f64::from(n) / f64::from(SAMPLES));
+    let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
+    for n in 0..=SAMPLES {
+        let value = h(at(n));
+        include(range, value);
+        if value < least.1 {
+            least = (n, value);
         }
+        if value > most.1 {
+            most = (n, value);
+        }
+    }
+    // Only extrema between -1 and 1 are cosines.
+    let beside = |n: u32| (at(n.saturating_sub(1)), at((n + 1).min(SAMPLES)));
+    if least.1 > -1.0 && least.1 < 1.0 + STEEP {
+        let (a, b) = beside(least.0);
+        include(range, -root::maximum(|t| -h(t), a, b, CLOSE).1);
+    }
+    if most.1 < 1.0 && most.1 > -1.0 - STEEP {
+        let (a, b) = beside(most.0);
+        include(range, root::maximum(h, a, b, CLOSE).1);
     }
 }
 
