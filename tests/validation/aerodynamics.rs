@@ -1,7 +1,7 @@
 //! Coefficients by integration over the surface, against exact and independently computed ones.
 
-use msape::aero::integral::{Effort, Law, Loads, loads};
 use msape::aero::free_molecular::Gas;
+use msape::aero::integral::{Effort, Law, Loads, loads};
 use msape::aero::surface::Surface;
 use msape::vehicle::forebody::Forebody;
 use msape::vehicle::profile::Profile;
@@ -26,9 +26,12 @@ fn sphere_cone(half_angle_deg: f64, nose: f64, shoulder: f64, lid_center: Option
     let center = body.shoulder_center();
     let arc = Segment::arc(center, shoulder, FRAC_PI_2 + theta, -(FRAC_PI_2 + theta));
     let rim = at(center.x_m + shoulder, center.r_m);
-    let front = body.nose(0.0).line_to(body.shoulder_tangent(0.0)).then(&Profile {
-        segments: vec![arc],
-    });
+    let front = body
+        .nose(0.0)
+        .line_to(body.shoulder_tangent(0.0))
+        .then(&Profile {
+            segments: vec![arc],
+        });
     let slope = tan(15.0 * RADIANS_PER_DEGREE);
     match lid_center {
         None => front.line_to(at(rim.x_m, 0.0)).closed(),
@@ -44,14 +47,24 @@ fn sphere_cone(half_angle_deg: f64, nose: f64, shoulder: f64, lid_center: Option
             let foot = at(rim.x_m + slope * (rim.r_m - r), r);
             let start = numerics::math::atan2(foot.r_m, foot.x_m - x_lid);
             let lid = Segment::arc(at(x_lid, 0.0), 0.6, start, -start);
-            front.line_to(foot).then(&Profile { segments: vec![lid] }).closed()
+            front
+                .line_to(foot)
+                .then(&Profile {
+                    segments: vec![lid],
+                })
+                .closed()
         }
     }
 }
 
 fn one(outline: &Profile, law: Law, alpha_deg: f64) -> Loads {
     let surface = Surface::new(outline, 2.0);
-    loads(&surface, &[law], alpha_deg * RADIANS_PER_DEGREE, Effort::FINE)[0]
+    loads(
+        &surface,
+        &[law],
+        alpha_deg * RADIANS_PER_DEGREE,
+        Effort::FINE,
+    )[0]
 }
 
 #[test]
@@ -59,7 +72,10 @@ fn panels_of_an_independent_method_within_a_thousandth() {
     let mut worst = [0.0_f64; 3];
     let mut count = 0;
     let mut out = Vec::new();
-    for line in PANELS.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())) {
+    for line in PANELS
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()))
+    {
         let fields: Vec<&str> = line.split(',').collect();
         let number = |n: usize| fields[n].parse::<f64>().unwrap();
         let cg = number(9);
@@ -80,7 +96,9 @@ fn panels_of_an_independent_method_within_a_thousandth() {
         }
         count += 1;
     }
-    for line in &out { println!("{line}"); }
+    for line in &out {
+        println!("{line}");
+    }
     println!("{count} rows, worst {worst:?}");
     assert!(count > 400 && worst.iter().all(|w| *w < 1e-3), "{worst:?}");
 }
@@ -88,17 +106,32 @@ fn panels_of_an_independent_method_within_a_thousandth() {
 #[test]
 fn closed_forms() {
     let mut worst: f64 = 0.0;
-    for (theta, rn) in [(45.0, 0.5), (60.0, 0.5), (60.0, 0.9), (70.0, 0.5), (70.0, 0.9), (30.0, 0.1)] {
+    for (theta, rn) in [
+        (45.0, 0.5),
+        (60.0, 0.5),
+        (60.0, 0.9),
+        (70.0, 0.5),
+        (70.0, 0.9),
+        (30.0, 0.1),
+    ] {
         let outline = sphere_cone(theta, rn, 0.0, None);
         for alpha in [0.0, 5.0, 15.0, 30.0] {
             let (t, a) = (theta * RADIANS_PER_DEGREE, alpha * RADIANS_PER_DEGREE);
             let (s, c) = (sin(t), cos(t));
             let f = 1.0 - rn * rn * c * c;
             let k = 2.0;
-            let ca = k * (rn * rn * ((1.0 - s * s * s * s) / 2.0 * cos(a) * cos(a) + c * c * c * c / 4.0 * sin(a) * sin(a))
-                + f * (s * s * cos(a) * cos(a) + c * c / 2.0 * sin(a) * sin(a)));
-            let cn = k / 4.0 * rn * rn * c * c * c * c * sin(2.0 * a) + k / 2.0 * f * c * c * sin(2.0 * a);
-            let cm = -k * sin(2.0 * a) * ((1.0 - rn * rn * rn * c * c * c) / (6.0 * tan(t)) + rn * rn * rn * c * c * c * c / (8.0 * s));
+            let ca = k
+                * (rn
+                    * rn
+                    * ((1.0 - s * s * s * s) / 2.0 * cos(a) * cos(a)
+                        + c * c * c * c / 4.0 * sin(a) * sin(a))
+                    + f * (s * s * cos(a) * cos(a) + c * c / 2.0 * sin(a) * sin(a)));
+            let cn = k / 4.0 * rn * rn * c * c * c * c * sin(2.0 * a)
+                + k / 2.0 * f * c * c * sin(2.0 * a);
+            let cm = -k
+                * sin(2.0 * a)
+                * ((1.0 - rn * rn * rn * c * c * c) / (6.0 * tan(t))
+                    + rn * rn * rn * c * c * c * c / (8.0 * s));
             let got = one(&outline, Law::Newtonian(2.0), alpha);
             for (g, w) in [(got.ca, ca), (got.cn, cn), (got.cm, cm)] {
                 worst = worst.max((g - w).abs());
@@ -112,17 +145,33 @@ fn closed_forms() {
 #[test]
 fn spheres() {
     let arc = Segment::arc(Point::on_axis(0.0), 1.0, PI, -PI);
-    let ball = Profile { segments: vec![arc] }.closed();
+    let ball = Profile {
+        segments: vec![arc],
+    }
+    .closed();
     for alpha in [0.0, 20.0, 90.0, 133.0, 180.0] {
         let got = one(&ball, Law::Newtonian(2.0), alpha);
         let a = alpha * RADIANS_PER_DEGREE;
-        println!("newton {alpha}: {:e} {:e} {:e}", got.cd(a) - 1.0, got.cl(a), got.cm);
+        println!(
+            "newton {alpha}: {:e} {:e} {:e}",
+            got.cd(a) - 1.0,
+            got.cl(a),
+            got.cm
+        );
         for s in [5.0, 10.0, 20.0] {
             for w in [0.5, 1.0] {
-                let gas = Gas { wall_temperature_ratio: w, ..Gas::diffuse(s) };
+                let gas = Gas {
+                    wall_temperature_ratio: w,
+                    ..Gas::diffuse(s)
+                };
                 let got = one(&ball, Law::FreeMolecular(gas), alpha);
                 let want = msape::aero::free_molecular::sphere_drag(s, w);
-                println!("fm {alpha} {s}: {:e} {:e} {:e}", got.cd(a) - want, got.cl(a), got.cm);
+                println!(
+                    "fm {alpha} {s}: {:e} {:e} {:e}",
+                    got.cd(a) - want,
+                    got.cl(a),
+                    got.cm
+                );
             }
         }
     }

@@ -132,7 +132,10 @@ impl DampingData {
             return far;
         }
         let after = rows.partition_point(|row| row.mach <= mach);
-        let near = match (after.checked_sub(1).and_then(|n| rows.get(n)), rows.get(after)) {
+        let near = match (
+            after.checked_sub(1).and_then(|n| rows.get(n)),
+            rows.get(after),
+        ) {
             (Some(a), Some(b)) => {
                 let part = (mach - a.mach) / (b.mach - a.mach);
                 a.damping_coefficient + part * (b.damping_coefficient - a.damping_coefficient)

@@ -216,9 +216,7 @@ impl Database {
             ca,
             cn: sign * cn,
             cm: sign * cm,
-            cmq: self
-                .damping
-                .coefficient([mach, knudsen], alpha, [sin, cos]),
+            cmq: self.damping.coefficient([mach, knudsen], alpha, [sin, cos]),
             regime,
         }
     }

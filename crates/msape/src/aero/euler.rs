@@ -166,7 +166,10 @@ fn interpolated(tables: &Tables, square: f64, mach: f64) -> Option<f64> {
         (s * s, table.at(mach))
     };
     let after = tables.partition_point(|table| of(table).0 <= square);
-    match (after.checked_sub(1).and_then(|n| tables.get(n)), tables.get(after)) {
+    match (
+        after.checked_sub(1).and_then(|n| tables.get(n)),
+        tables.get(after),
+    ) {
         (Some(a), Some(b)) => {
             let ((sa, ca), (sb, cb)) = (of(a), of(b));
             Some(ca + (square - sa) / (sb - sa) * (cb - ca))
@@ -181,7 +184,8 @@ mod tests {
     use super::*;
 
     fn correction() -> EulerCorrection {
-        EulerCorrection::parse(include_str!("../../data/aero-models/euler-correction.toml")).unwrap()
+        EulerCorrection::parse(include_str!("../../data/aero-models/euler-correction.toml"))
+            .unwrap()
     }
 
     #[test]
@@ -194,7 +198,10 @@ mod tests {
         // 1.1404 − 0.092·0.5 − 0.2125·0.04 − 0.1465/100 = 1.084435
         assert!((correction().factor(&body, 10.0) - 1.084_435).abs() < 1e-12);
         // beyond Mach 27 it is held
-        assert_eq!(correction().factor(&body, 50.0), correction().factor(&body, 27.0));
+        assert_eq!(
+            correction().factor(&body, 50.0),
+            correction().factor(&body, 27.0)
+        );
     }
 
     #[test]

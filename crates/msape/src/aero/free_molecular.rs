@@ -127,8 +127,14 @@ mod tests {
         };
         let edge = gas.zone();
         for sign in [-1.0, 1.0] {
-            let (a, b) = (gas.loads(sign * edge * (1.0 - 1e-9)), gas.loads(sign * edge * (1.0 + 1e-9)));
-            assert!((a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8, "{a:?} {b:?}");
+            let (a, b) = (
+                gas.loads(sign * edge * (1.0 - 1e-9)),
+                gas.loads(sign * edge * (1.0 + 1e-9)),
+            );
+            assert!(
+                (a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8,
+                "{a:?} {b:?}"
+            );
         }
     }
 

@@ -195,7 +195,11 @@ fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], [low, high]: [f64;
     let (from, to) = (moments(high), moments(low));
     let j: [f64; 4] = core::array::from_fn(|k| to[k] - from[k]);
     let [c0, c1, c2, c3] = c;
-    let (a0, a1, a2) = (c0 + c1 * p + c2 * p * p, c1 * q + 2.0 * c2 * p * q, c2 * q * q);
+    let (a0, a1, a2) = (
+        c0 + c1 * p + c2 * p * p,
+        c1 * q + 2.0 * c2 * p * q,
+        c2 * q * q,
+    );
     sums[0] += a0 * j[0] + a1 * j[1] + a2 * j[2];
     sums[1] += a0 * j[1] + a1 * j[2] + a2 * j[3];
     sums[2] += c3 * (p * j[0] + q * j[1]);
@@ -217,7 +221,8 @@ fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
         [-1.0, edge.clamp(-1.0, 1.0)]
     };
     // A circle that the air only grazes has no horizon of its own.
-    let Some(&[face_low, face_high]) = facing.intervals().first().filter(|[a, b]| b - a > 1e-6) else {
+    let Some(&[face_low, face_high]) = facing.intervals().first().filter(|[a, b]| b - a > 1e-6)
+    else {
         return Lit::new(whole[0], whole[1]);
     };
     let (first, last) = (lit.intervals().first(), lit.intervals().last());
@@ -240,11 +245,7 @@ fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
 fn molecular(sums: &mut Sums, gas: &Gas, [p, q]: [f64; 2], [low, high]: [f64; 2]) {
     let zone = gas.zone();
     let cut = |s: f64| {
-        if q == 0.0 {
-            f64::NAN
-        } else {
-            (s - p) / q
-        }
+        if q == 0.0 { f64::NAN } else { (s - p) / q }
     };
     let mut cuts = [low, high, low, low, low];
     for (place, s) in cuts.iter_mut().skip(2).zip([-zone, 0.0, zone]) {
@@ -304,7 +305,10 @@ fn adaptive<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], effort: Effor
         let mut error: f64 = 0.0;
         for ((w, l), r) in whole.iter().zip(&left).zip(&right) {
             let rest = l.mixed(1.0, r, 1.0).mixed(1.0, w, -1.0);
-            error = error.max(rest.ca.abs()).max(rest.cn.abs()).max(rest.cm.abs());
+            error = error
+                .max(rest.ca.abs())
+                .max(rest.cn.abs())
+                .max(rest.cm.abs());
         }
         if error <= effort.tolerance || depth >= effort.depth {
             for ((sum, l), r) in total.iter_mut().zip(&left).zip(&right) {

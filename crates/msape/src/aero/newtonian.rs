@@ -51,6 +51,9 @@ mod tests {
         // limit [(γ + 1)²/(4γ)]^(γ/(γ−1)) 4/(γ + 1) = 1.8394
         assert!((pressure_coefficient_max(1e4, 1.4) - 1.8394).abs() < 1e-4);
         assert!((pressure_coefficient_max(1e-9, 1.4) - 1.0).abs() < 1e-12);
-        assert!((pressure_coefficient_max(1.0 - 1e-12, 1.4) - pressure_coefficient_max(1.0, 1.4)).abs() < 1e-9);
+        assert!(
+            (pressure_coefficient_max(1.0 - 1e-12, 1.4) - pressure_coefficient_max(1.0, 1.4)).abs()
+                < 1e-9
+        );
     }
 }

@@ -175,24 +175,31 @@ impl Grid {
     /// What lies beyond the table at a place, as one sentence each.
     pub fn beyond(&self, mach: f64, knudsen: f64, alpha_rad: f64) -> Vec<String> {
         let mut found = Vec::new();
-        let mut look = |what: &str, axis: &[f64], x: f64, shown: &dyn Fn(f64) -> f64, unit: &str| {
-            let (Some(low), Some(high)) = (axis.first(), axis.last()) else {
-                return;
+        let mut look =
+            |what: &str, axis: &[f64], x: f64, shown: &dyn Fn(f64) -> f64, unit: &str| {
+                let (Some(low), Some(high)) = (axis.first(), axis.last()) else {
+                    return;
+                };
+                let slack = 1e-9 * (high - low).abs();
+                if axis.len() > 1 && !(low - slack..=high + slack).contains(&x) {
+                    found.push(format!(
+                        "{what} {}{unit}, the table runs from {} to {}{unit}",
+                        shown(x),
+                        shown(*low),
+                        shown(*high)
+                    ));
+                }
             };
-            let slack = 1e-9 * (high - low).abs();
-            if axis.len() > 1 && !(low - slack..=high + slack).contains(&x) {
-                found.push(format!(
-                    "{what} {}{unit}, the table runs from {} to {}{unit}",
-                    shown(x),
-                    shown(*low),
-                    shown(*high)
-                ));
-            }
-        };
         let power = |x: f64| numerics::math::pow(10.0, x);
         let degrees = |x: f64| (x / RADIANS_PER_DEGREE * 1e9).round() / 1e9;
         look("Mach number", &self.mach, mach, &|x| x, "");
-        look("angle of attack", &self.alpha_rad, alpha_rad, &degrees, " deg");
+        look(
+            "angle of attack",
+            &self.alpha_rad,
+            alpha_rad,
+            &degrees,
+            " deg",
+        );
         let log = log10(knudsen.max(1e-30));
         look("Knudsen number", &self.log_knudsen, log, &power, "");
         found

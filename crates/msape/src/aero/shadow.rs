@@ -329,7 +329,9 @@ mod tests {
 
     /// Whether one azimuth is lit.
     fn reached(lit: &Lit, cos: f64) -> bool {
-        lit.intervals().iter().any(|[a, b]| (*a..=*b).contains(&cos))
+        lit.intervals()
+            .iter()
+            .any(|[a, b]| (*a..=*b).contains(&cos))
     }
 
     #[test]

@@ -60,11 +60,21 @@ impl Regime {
     pub fn provenance(self) -> &'static str {
         match self {
             Regime::FreeMolecular => "computed: Schaaf and Chambre over the outline",
-            Regime::Transitional => "computed: both limits over the outline; bridging in Knudsen number from Wilmoth 1999",
-            Regime::Hypersonic => "axial force published or computed, by the named table; the rest computed: modified Newton over the outline; base pressure assumed",
-            Regime::Supersonic => "axial force published; normal force and moment computed: modified Newton over the outline, for want of measurements",
-            Regime::Transonic => "axial force in part constructed; normal force and moment assumed: blended from equation 7 to modified Newton",
-            Regime::Subsonic => "axial and normal force published (equation 7) up to 60 deg; centre of pressure assumed (Newtonian); beyond 100 deg assumed (modified Newton)",
+            Regime::Transitional => {
+                "computed: both limits over the outline; bridging in Knudsen number from Wilmoth 1999"
+            }
+            Regime::Hypersonic => {
+                "axial force published or computed, by the named table; the rest computed: modified Newton over the outline; base pressure assumed"
+            }
+            Regime::Supersonic => {
+                "axial force published; normal force and moment computed: modified Newton over the outline, for want of measurements"
+            }
+            Regime::Transonic => {
+                "axial force in part constructed; normal force and moment assumed: blended from equation 7 to modified Newton"
+            }
+            Regime::Subsonic => {
+                "axial and normal force published (equation 7) up to 60 deg; centre of pressure assumed (Newtonian); beyond 100 deg assumed (modified Newton)"
+            }
             Regime::Table => "the table of the case",
         }
     }

@@ -29,8 +29,7 @@ fn outline() -> Profile {
 }
 
 fn options() -> Options {
-    let force =
-        AxialForce::parse(include_str!("../../../data/aerodynamics/mmeev-60.csv")).unwrap();
+    let force = AxialForce::parse(include_str!("../../../data/aerodynamics/mmeev-60.csv")).unwrap();
     let data = DampingData::parse(include_str!("../../../data/aero-models/damping.toml")).unwrap();
     Options {
         axial_force: force.table,
@@ -54,7 +53,11 @@ fn nose_first_in_a_continuum_it_is_the_table_of_axial_force() {
     for n in 0..=500 {
         let mach = 0.1 * f64::from(n);
         let got = database.coefficients(mach, 1e-3, 0.0);
-        assert!((got.ca - table.at(mach)).abs() < 1e-14, "{mach}: {}", got.ca);
+        assert!(
+            (got.ca - table.at(mach)).abs() < 1e-14,
+            "{mach}: {}",
+            got.ca
+        );
         assert_eq!((got.cn, got.cm), (0.0, 0.0));
     }
 }
@@ -83,13 +86,18 @@ fn between_the_nodes_it_agrees_with_the_integral() {
         let mach = speed_ratio / (0.5 * GAMMA).sqrt();
         let [newton, free] = loads(
             &surface,
-            &[Law::Newtonian(1.0), Law::FreeMolecular(Gas::diffuse(speed_ratio))],
+            &[
+                Law::Newtonian(1.0),
+                Law::FreeMolecular(Gas::diffuse(speed_ratio)),
+            ],
             alpha,
             Effort::FINE,
         );
         let k = pressure_coefficient_max(mach, GAMMA);
         let got = database.coefficients(mach, 0.0, alpha);
-        worst[0] = worst[0].max((got.cn - k * newton.cn).abs()).max((got.cm - k * newton.cm).abs());
+        worst[0] = worst[0]
+            .max((got.cn - k * newton.cn).abs())
+            .max((got.cm - k * newton.cm).abs());
         let got = database.coefficients(mach, 20.0, alpha);
         for (g, w) in [(got.ca, free.ca), (got.cn, free.cn), (got.cm, free.cm)] {
             worst[1] = worst[1].max((g - w).abs());

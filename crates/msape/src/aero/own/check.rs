@@ -155,7 +155,9 @@ fn one_side(rows: &[Row], faults: &mut Vec<String>) -> Vec<Row> {
             }
         } else if row.alpha_deg > 0.0
             && other.is_none()
-            && rows.iter().any(|other| same(other, row) && other.alpha_deg < 0.0)
+            && rows
+                .iter()
+                .any(|other| same(other, row) && other.alpha_deg < 0.0)
         {
             faults.push(format!(
                 "line {}: angle of attack {} deg has no partner at {} deg: the table is one-sided at Mach {}; give the angles from 0 upwards, or both sides alike",
@@ -178,7 +180,10 @@ fn one_side(rows: &[Row], faults: &mut Vec<String>) -> Vec<Row> {
             }
         }
     }
-    rows.iter().filter(|row| row.alpha_deg >= 0.0).copied().collect()
+    rows.iter()
+        .filter(|row| row.alpha_deg >= 0.0)
+        .copied()
+        .collect()
 }
 
 fn alike(row: &Row, other: &Row, faults: &mut Vec<String>) {
@@ -256,7 +261,11 @@ impl Axes {
     }
 
     fn grid(self, rows: &[Row], extrapolation: Extrapolation) -> Grid {
-        let alpha_rad: Vec<f64> = self.alpha_deg.iter().map(|a| a * RADIANS_PER_DEGREE).collect();
+        let alpha_rad: Vec<f64> = self
+            .alpha_deg
+            .iter()
+            .map(|a| a * RADIANS_PER_DEGREE)
+            .collect();
         let given = |found: bool| if found { Given::Yes } else { Given::No };
         let any = |get: fn(&Row) -> Option<f64>| rows.iter().any(|row| get(row).is_some());
         let content = if any(|row| row.ca.or(row.cd)) {
@@ -272,7 +281,11 @@ impl Axes {
             .chunks(alpha_rad.len().max(1))
             .flat_map(|line| {
                 let slopes = slopes(&alpha_rad, line);
-                line.iter().copied().zip(slopes).map(|(f, g)| [f, g]).collect::<Vec<_>>()
+                line.iter()
+                    .copied()
+                    .zip(slopes)
+                    .map(|(f, g)| [f, g])
+                    .collect::<Vec<_>>()
             })
             .collect();
         Grid {
@@ -296,7 +309,12 @@ fn body_axes(row: &Row) -> [f64; 4] {
         }
         (_, ca) => (ca.unwrap_or_default(), row.cn.unwrap_or_default()),
     };
-    [ca, cn, row.cm.unwrap_or_default(), row.cmq.unwrap_or_default()]
+    [
+        ca,
+        cn,
+        row.cm.unwrap_or_default(),
+        row.cmq.unwrap_or_default(),
+    ]
 }
 
 /// Slopes that keep what is monotone monotone; at 0 and 180 deg those of an even C_A and C_mq and an odd C_N and C_m.
@@ -318,11 +336,21 @@ fn slopes(alpha_rad: &[f64], line: &[[f64; 4]]) -> Vec<[f64; 4]> {
             *slope = if n == 0 {
                 if even { 0.0 } else { secant(0, k) }
             } else if n == count - 1 {
-                let turned = alpha_rad.last().is_some_and(|last| (last - PI).abs() < 1e-9);
-                if even && turned { 0.0 } else { secant(n - 1, k) }
+                let turned = alpha_rad
+                    .last()
+                    .is_some_and(|last| (last - PI).abs() < 1e-9);
+                if even && turned {
+                    0.0
+                } else {
+                    secant(n - 1, k)
+                }
             } else {
                 let (a, b) = (secant(n - 1, k), secant(n, k));
-                if a * b <= 0.0 { 0.0 } else { 2.0 * a * b / (a + b) }
+                if a * b <= 0.0 {
+                    0.0
+                } else {
+                    2.0 * a * b / (a + b)
+                }
             };
         }
     }
@@ -376,11 +404,17 @@ mod tests {
         let mut hole = good();
         hole.remove(4);
         let faults = Grid::try_new(&hole, Extrapolation::Hold).unwrap_err();
-        assert_eq!(faults, ["no row for Mach 2, angle of attack 10 deg (before line 7): the table has a hole"]);
+        assert_eq!(
+            faults,
+            ["no row for Mach 2, angle of attack 10 deg (before line 7): the table has a hole"]
+        );
         let mut unsorted = good();
         unsorted.swap(0, 3);
         let faults = Grid::try_new(&unsorted, Extrapolation::Hold).unwrap_err();
-        assert!(faults[0].starts_with("line 3: Mach number 1 after 2"), "{faults:?}");
+        assert!(
+            faults[0].starts_with("line 3: Mach number 1 after 2"),
+            "{faults:?}"
+        );
         let mut one_sided = good();
         one_sided.insert(0, row(1, 1.0, -10.0, 0.9, -0.1));
         let faults = Grid::try_new(&one_sided, Extrapolation::Hold).unwrap_err();
@@ -394,8 +428,16 @@ mod tests {
         assert_eq!(faults.len(), 1);
         assert!(faults[0].starts_with("line 1: CN 0.1 at -10 deg, but 0.1 at 10 deg"));
         let late = [row(1, 1.0, 5.0, 1.0, 0.0), row(2, f64::NAN, 10.0, 1.0, 0.0)];
-        assert_eq!(Grid::try_new(&late, Extrapolation::Hold).unwrap_err().len(), 1);
-        assert_eq!(Grid::try_new(&late[..1], Extrapolation::Hold).unwrap_err().len(), 1);
+        assert_eq!(
+            Grid::try_new(&late, Extrapolation::Hold).unwrap_err().len(),
+            1
+        );
+        assert_eq!(
+            Grid::try_new(&late[..1], Extrapolation::Hold)
+                .unwrap_err()
+                .len(),
+            1
+        );
     }
 
     #[test]
