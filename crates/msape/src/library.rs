@@ -20,6 +20,7 @@ use crate::tps::Side;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
+use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
@@ -94,6 +95,8 @@ pub struct Library {
     pub aerodynamics: Named<AxialForce>,
     /// Models with which a database is computed from an outline.
     pub aero_models: AeroModels,
+    /// Outlines of rigid bodies by name.
+    pub outlines: Named<OutlineData>,
 }
 
 impl Library {
@@ -144,6 +147,7 @@ impl Library {
                 damping: parsed("aero-models/damping.toml", DampingData::parse)?,
                 euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
             },
+            outlines: folder("outlines", OutlineData::parse)?,
         })
     }
 
@@ -175,6 +179,7 @@ impl Library {
                 .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
+            Choices::Outlines => titles(&self.outlines, |outline| &outline.title),
         }
     }
 }
