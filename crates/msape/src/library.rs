@@ -3,6 +3,8 @@
 //! A library is always passed, never global.
 
 use crate::aero::AxialForce;
+use crate::aero::damping::DampingData;
+use crate::aero::euler::EulerCorrection;
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::shoulder::Shoulder;
@@ -57,6 +59,15 @@ pub struct HeatingModels {
     pub shoulder: Shoulder,
 }
 
+/// Models of aerodynamics that need data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AeroModels {
+    /// Pitch damping of the report.
+    pub damping: DampingData,
+    /// Axial force by Euler solutions.
+    pub euler: EulerCorrection,
+}
+
 /// Everything a case may name.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -82,6 +93,8 @@ pub struct Library {
     pub grounds: Named<Ground>,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
+    /// Models with which a database is computed from an outline.
+    pub aero_models: AeroModels,
     /// Outlines of rigid bodies by name.
     pub outlines: Named<OutlineData>,
 }
@@ -130,6 +143,10 @@ impl Library {
             vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
             grounds: folder("grounds", Ground::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+            aero_models: AeroModels {
+                damping: parsed("aero-models/damping.toml", DampingData::parse)?,
+                euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
+            },
             outlines: folder("outlines", OutlineData::parse)?,
         })
     }
