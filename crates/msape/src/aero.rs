@@ -22,7 +22,9 @@ pub mod free_molecular;
 pub mod integral;
 pub mod newtonian;
 pub mod own;
+pub mod polar;
 pub mod shadow;
+pub mod standard;
 pub mod surface;
 
 use numerics::scalar::Scalar;

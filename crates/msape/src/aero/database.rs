@@ -130,7 +130,11 @@ const PRESSURE_NODES: usize = 512;
 impl Database {
     /// The database of an outline whose x starts at the virtual apex.
     pub fn of_outline(outline: &Profile, diameter_m: f64, options: Options) -> Database {
-        let surface = Surface::new(outline, diameter_m);
+        Database::of_surface(&Surface::new(outline, diameter_m), options)
+    }
+
+    /// The database of a surface.
+    pub fn of_surface(surface: &Surface, options: Options) -> Database {
         let [normal, tangential] = options.accommodation;
         let gas = |speed_ratio: f64| {
             Law::FreeMolecular(Gas {
@@ -149,7 +153,7 @@ impl Database {
         ];
         let mut values: [Vec<Loads>; 4] = Default::default();
         for node in 0..=STEPS {
-            let found = loads(&surface, &laws, Curve::angle_rad(node), Effort::TABLE);
+            let found = loads(surface, &laws, Curve::angle_rad(node), Effort::TABLE);
             for (list, value) in values.iter_mut().zip(found) {
                 list.push(value);
             }
@@ -171,7 +175,7 @@ impl Database {
             .map(|y| pressure_coefficient_max(y / (1.0 - y).max(1e-6), GAMMA))
             .collect();
         Database {
-            diameter_m,
+            diameter_m: surface.diameter_m(),
             source: Source::Computed(Box::new(Computed {
                 free_molecular: terms.map(|values| Curve::new(&values)),
                 pressure_center: if slope.cn == 0.0 {

@@ -122,8 +122,14 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface that an outline makes when it is turned about the axis; lines on the axis make none.
+    /// The surface that an outline makes when it is turned about the axis, its x from the virtual apex; lines on the axis
+    /// make none.
     pub fn new(outline: &Profile, diameter_m: f64) -> Surface {
+        Surface::about(outline, diameter_m, 0.0)
+    }
+
+    /// The same for an outline whose virtual apex is at `apex_x_m`.
+    pub fn about(outline: &Profile, diameter_m: f64, apex_x_m: f64) -> Surface {
         let forward: f64 = outline.segments.iter().map(|s| s.integrals().r_dx).sum();
         let run = if forward < 0.0 {
             outline.reversed()
@@ -132,7 +138,7 @@ impl Surface {
         };
         let mut pieces = Vec::with_capacity(4 * run.segments.len());
         for segment in &run.segments {
-            add(&mut pieces, segment, diameter_m);
+            add(&mut pieces, segment, diameter_m, apex_x_m);
         }
         Surface { pieces, diameter_m }
     }
@@ -148,8 +154,8 @@ impl Surface {
     }
 }
 
-fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64) {
-    let scaled = |p: Point| [p.x_m / diameter_m, p.r_m.max(0.0) / diameter_m];
+fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64, apex_x_m: f64) {
+    let scaled = |p: Point| [(p.x_m - apex_x_m) / diameter_m, p.r_m.max(0.0) / diameter_m];
     match *segment {
         Segment::Line { start, end } => {
             let (from, to) = (scaled(start), scaled(end));
@@ -169,7 +175,10 @@ fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64) {
             if radius * sweep_rad.abs() < 1e-12 {
                 return;
             }
-            let center = [center.x_m / diameter_m, center.r_m / diameter_m];
+            let center = [
+                (center.x_m - apex_x_m) / diameter_m,
+                center.r_m / diameter_m,
+            ];
             for [from, to] in parts(start_angle_rad, sweep_rad) {
                 pieces.push(Piece::Arc {
                     center,
