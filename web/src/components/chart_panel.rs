@@ -132,7 +132,8 @@ fn ColumnChoice(spec: RwSignal<ChartSpec>) -> impl IntoView {
     }
 }
 
-fn drawn(figure: &Figure, title: &str) -> String {
+/// A figure with its title as SVG.
+pub fn drawn(figure: &Figure, title: &str) -> String {
     let titled = Figure {
         title: Some(title.to_string()),
         ..figure.clone()
@@ -140,7 +141,11 @@ fn drawn(figure: &Figure, title: &str) -> String {
     svg(&titled, &theme(false), EXPORT_PX.0, EXPORT_PX.1)
 }
 
-fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
+/// Hands a figure to the user as PNG.
+///
+/// # Errors
+/// What the browser refuses.
+pub fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
     let element: HtmlCanvasElement = document().create_element("canvas")?.unchecked_into();
     let size = CanvasSize {
         width_px: f64::from(EXPORT_PX.0),
