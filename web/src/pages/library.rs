@@ -148,6 +148,6 @@ fn OutlineView(#[prop(into)] body: Signal<Option<RigidBody>>) -> impl IntoView {
         file_name(&format!("{}-3d", name.unwrap_or_default()), "png")
     });
     view! {
-        <Stage subject parts=Signal::stored(vec![part]) by_scale=Signal::stored(false) summary name pick=|_| {} />
+        <Stage subject parts=Signal::stored(vec![part]) by_scale=Signal::stored(false) summary name />
     }
 }
