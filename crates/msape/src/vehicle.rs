@@ -22,6 +22,7 @@ pub mod input;
 pub mod layout;
 pub mod mass;
 pub mod material;
+pub mod misfit;
 pub mod msr;
 pub mod non_msr;
 pub mod outline;
