@@ -22,6 +22,7 @@ pub mod impact;
 pub mod input;
 pub mod layout;
 pub mod mass;
+pub mod mass_tree;
 pub mod material;
 pub mod msr;
 pub mod non_msr;
