@@ -93,6 +93,9 @@ pub struct Form {
     /// The time history as KML, for viewers of the globe
     #[arg(long)]
     pub kml: bool,
+    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
+    #[arg(long)]
+    pub mass_tree: bool,
 }
 
 /// Arguments of `export`.
