@@ -1,6 +1,7 @@
 //! The command `msape`: files, arguments and terminals around the core.
 
 mod args;
+mod export;
 mod failure;
 mod output;
 mod quantities;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),

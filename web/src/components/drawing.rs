@@ -280,8 +280,11 @@ fn angles(vehicle: &Vehicle, section: &Section, left: f64, font: f64) -> impl In
         0.5 * (tip.x_m + outline.attached_structure_x_m),
         0.5 * (tip.r_m + edge_r_m),
     );
-    let wing_text = (1.1 * r, wing.1.min(section.shoulder_mm) - 0.2 * r);
-    let deg = |angle_rad: f64| format!("{} deg", number(angle_rad.to_degrees(), 3));
+    let wing_text = (1.12 * r, wing.1.min(section.shoulder_mm) - 0.24 * r);
+    let deg = |angle_rad: f64| {
+        let tenths = (10.0 * angle_rad.to_degrees()).round() / 10.0;
+        format!("{tenths} deg")
+    };
     view! {
         <path class="leader" d=format!("M{:.2} {:.2}L{:.2} {:.2}", cone.0, cone.1, cone_text.0, cone_text.1 - 0.5 * font)></path>
         <text x=(cone_text.0 + 0.1 * r).max(left + 4.5 * font) y=cone_text.1 + 0.4 * font text-anchor="end">

@@ -97,7 +97,7 @@ pub fn View3d() -> impl IntoView {
                     choose=move |choice| colours.set(choice)
                 />
             </div>
-            <Stage subject parts by_scale summary name pick />
+            <Stage subject parts by_scale summary name pick=Callback::new(pick) />
             <div class="beside">
                 <Legend />
                 {move || match colours.get() {

@@ -11,7 +11,6 @@ use crate::files::file_name;
 use crate::state::State;
 use leptos::prelude::*;
 use msape::export::Model;
-use msape::export::model::Measures;
 use msape::vehicle::body::RigidBody;
 use std::sync::Arc;
 
@@ -51,6 +50,9 @@ pub fn Library() -> impl IntoView {
         })
     });
     let body = Memo::new(move |_| entry.with(|entry| entry.as_ref()?.body()));
+    let model = Signal::derive(move || {
+        body.with(|body| body.as_ref().map(|body| Model::of_body(&body.name, body)))
+    });
     let title = move || entry.with(|entry| entry.as_ref().map(Entry::title));
     let choose = move |id: String| {
         link(&id);
@@ -80,7 +82,7 @@ pub fn Library() -> impl IntoView {
                 <section class="card" aria-labelledby="outline-title">
                     <header>
                         <h2 id="outline-title">{title}</h2>
-                        <CadMenu model=Signal::derive(move || body.with(|body| body.as_ref().map(model))) />
+                        <CadMenu model=model />
                     </header>
                     <div class="outline-views">
                         <OutlineDrawing body />
@@ -113,16 +115,6 @@ fn remove_button(state: State, entry: &Entry) -> Option<impl IntoView + use<>> {
     })
 }
 
-/// An outline as it is exported.
-fn model(body: &RigidBody) -> Model {
-    let measures = Measures {
-        nose_radius_m: body.nose_radius_m,
-        cone_half_angle_rad: body.cone_half_angle_rad,
-        ..Measures::default()
-    };
-    Model::of_outline(&body.name, &body.outline, measures)
-}
-
 /// The outline in three dimensions.
 #[component]
 fn OutlineView(#[prop(into)] body: Signal<Option<RigidBody>>) -> impl IntoView {
@@ -148,6 +140,6 @@ fn OutlineView(#[prop(into)] body: Signal<Option<RigidBody>>) -> impl IntoView {
         file_name(&format!("{}-3d", name.unwrap_or_default()), "png")
     });
     view! {
-        <Stage subject parts=Signal::stored(vec![part]) by_scale=Signal::stored(false) summary name pick=|_| {} />
+        <Stage subject parts=Signal::stored(vec![part]) by_scale=Signal::stored(false) summary name />
     }
 }

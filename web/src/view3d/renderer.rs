@@ -141,11 +141,14 @@ impl Renderer {
             None => gl.clear_color(0.0, 0.0, 0.0, 0.0),
         }
         gl.clear(Gl::COLOR_BUFFER_BIT | Gl::DEPTH_BUFFER_BIT | Gl::STENCIL_BUFFER_BIT);
-        gl.uniform1f(self.at.lighting.as_ref(), 1.0);
-        gl.uniform1f(
-            self.at.by_scale.as_ref(),
-            f32::from(u8::from(frame.by_scale)),
-        );
+        // Colours of a scale are to be read: little shade on them.
+        let (lighting, by_scale) = if frame.by_scale {
+            (0.5, 1.0)
+        } else {
+            (1.0, 0.0)
+        };
+        gl.uniform1f(self.at.lighting.as_ref(), lighting);
+        gl.uniform1f(self.at.by_scale.as_ref(), by_scale);
         self.walls(frame);
         gl.uniform1f(self.at.by_scale.as_ref(), 0.0);
         self.faces(frame);

@@ -42,7 +42,9 @@ impl Format {
     /// What it holds, in one phrase.
     pub fn help(self) -> &'static str {
         match self {
-            Format::Step => "solids with true surfaces, names, materials and colours (STEP AP214, mm)",
+            Format::Step => {
+                "solids with true surfaces, names, materials and colours (STEP AP214, mm)"
+            }
             Format::Iges => "surfaces of revolution (IGES 5.3, mm)",
             Format::Stl => "outer surface as triangles (binary STL, mm)",
             Format::Gltf => "triangles of every component (glTF 2.0, m, Y up)",
@@ -66,9 +68,13 @@ impl Format {
         !matches!(self, Format::Stl | Format::Glb)
     }
 
-    /// The format of this name.
+    /// The format of this name, or of files with this ending.
     pub fn named(name: &str) -> Option<Format> {
-        let name = name.trim().to_ascii_lowercase();
+        let name = match name.trim().to_ascii_lowercase().as_str() {
+            "stp" => "step".to_owned(),
+            "igs" => "iges".to_owned(),
+            name => name.to_owned(),
+        };
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 

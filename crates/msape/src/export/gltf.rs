@@ -16,6 +16,9 @@ use serde_json::{Map, Value, json};
 /// Turns x to y, y to z and z to x: a third of a turn about (1, 1, 1).
 const X_TO_Y: [f64; 4] = [0.5, 0.5, 0.5, 0.5];
 
+/// Chord error over that of STL: a picture needs less than a print.
+const COARSER: f64 = 4.0;
+
 /// Codes of the format.
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
@@ -57,12 +60,13 @@ pub fn glb(model: &Model, info: &Info) -> Vec<u8> {
 
 /// The document without its buffer, and the data of the buffer.
 fn document(model: &Model, info: &Info) -> (Map<String, Value>, Vec<u8>) {
-    let options = MeshOptions::whole(chord_error_m(model));
+    let options = MeshOptions::whole(COARSER * chord_error_m(model));
     let mut store = Store::default();
     let (mut nodes, mut meshes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
     for part in model.parts.iter().filter(|p| !p.profiles.is_empty()) {
         let mesh = mesh::mesh(&part.profiles, &options);
-        let [positions, normals] = [&mesh.positions_m, &mesh.normals].map(|list| store.vectors(list));
+        let [positions, normals] =
+            [&mesh.positions_m, &mesh.normals].map(|list| store.vectors(list));
         let indices = store.indices(&mesh);
         let index = meshes.len();
         meshes.push(json!({
@@ -127,7 +131,11 @@ fn material(part: &Part) -> Value {
 /// Light of a colour of the screen (sRGB), to four digits.
 fn linear(screen: u8) -> f64 {
     let c = f64::from(screen) / 255.0;
-    let light = if c <= 0.04045 { c / 12.92 } else { pow((c + 0.055) / 1.055, 2.4) };
+    let light = if c <= 0.04045 {
+        c / 12.92
+    } else {
+        pow((c + 0.055) / 1.055, 2.4)
+    };
     (light * 1e4).round() / 1e4
 }
 
@@ -189,7 +197,11 @@ fn base_64(bytes: &[u8]) -> String {
         for place in 0..4 {
             let letter = LETTERS.get((bits >> (18 - 6 * place) & 63) as usize);
             let padding = place > chunk.len();
-            text.push(if padding { '=' } else { letter.copied().map_or('=', char::from) });
+            text.push(if padding {
+                '='
+            } else {
+                letter.copied().map_or('=', char::from)
+            });
         }
     }
     text
@@ -201,7 +213,13 @@ mod tests {
 
     #[test]
     fn base_64_of_the_words_of_rfc_4648() {
-        let rows = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
+        let rows = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foobar", "Zm9vYmFy"),
+        ];
         for (plain, coded) in rows {
             assert_eq!(base_64(plain.as_bytes()), coded);
         }

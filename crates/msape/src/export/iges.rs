@@ -37,7 +37,11 @@ pub fn iges(model: &Model, info: &Info) -> String {
     for (part, level) in model.parts.iter().zip(1..) {
         add(&mut file, part, level, axis);
     }
-    let day: String = info.time_stamp.chars().filter(char::is_ascii_digit).collect();
+    let day: String = info
+        .time_stamp
+        .chars()
+        .filter(char::is_ascii_digit)
+        .collect();
     let (date, time) = day.split_at_checked(8).unwrap_or(("20000101", "120000"));
     let stamp = text(&format!("{date}.{time}"));
     let (name, program) = (text(&model.name), text(info.program));
@@ -70,7 +74,10 @@ pub fn iges(model: &Model, info: &Info) -> String {
         "0".to_owned(),
         stamp,
     ];
-    file.into_text(&format!("{}: surfaces of revolution, mm", model.name), &global)
+    file.into_text(
+        &format!("{}: surfaces of revolution, mm", model.name),
+        &global,
+    )
 }
 
 fn extent_m(model: &Model) -> f64 {
@@ -108,7 +115,12 @@ fn add(file: &mut File, part: &Part, level: usize, axis: usize) {
             parameters,
             ..Entity::default()
         });
-        let mut parameters = vec![axis.to_string(), curve.to_string(), real(0.0), real(2.0 * PI)];
+        let mut parameters = vec![
+            axis.to_string(),
+            curve.to_string(),
+            real(0.0),
+            real(2.0 * PI),
+        ];
         parameters.extend(named());
         surfaces.push(file.add(Entity {
             kind: 120,
@@ -149,11 +161,20 @@ fn generatrix(segment: &Segment) -> (usize, Vec<String>) {
             sweep_rad,
             ..
         } => {
-            let (from, to) = if sweep_rad > 0.0 { (start, end) } else { (end, start) };
+            let (from, to) = if sweep_rad > 0.0 {
+                (start, end)
+            } else {
+                (end, start)
+            };
             // first the plane: z = 0
             let plane = std::iter::once(real(0.0));
             let points = [center, from, to].map(mm);
-            (100, plane.chain(points.into_iter().flatten().map(real)).collect())
+            (
+                100,
+                plane
+                    .chain(points.into_iter().flatten().map(real))
+                    .collect(),
+            )
         }
     }
 }
@@ -170,8 +191,14 @@ mod tests {
 
     fn ball() -> String {
         let half = Segment::arc(Point::on_axis(1.0), 0.5, PI, -PI);
-        let profile = Profile { segments: vec![half] }.closed();
-        iges(&Model::of_outline("Ball 60°", &profile, Measures::default()), &Info::default())
+        let profile = Profile {
+            segments: vec![half],
+        }
+        .closed();
+        iges(
+            &Model::of_outline("Ball 60°", &profile, Measures::default()),
+            &Info::default(),
+        )
     }
 
     #[test]
@@ -184,7 +211,13 @@ mod tests {
             counts[section] += 1;
             assert_eq!(line[73..].trim().parse::<usize>().unwrap(), counts[section]);
         }
-        assert_eq!(text.lines().last().unwrap()[..32], format!("S{:7}G{:7}D{:7}P{:7}", counts[0], counts[1], counts[2], counts[3]));
+        assert_eq!(
+            text.lines().last().unwrap()[..32],
+            format!(
+                "S{:7}G{:7}D{:7}P{:7}",
+                counts[0], counts[1], counts[2], counts[3]
+            )
+        );
         assert!(text.contains("Ball 60?"));
     }
 

@@ -1,5 +1,6 @@
 //! What is exported: parts with name, material and colour, whatever they come from.
 
+use crate::vehicle::body::RigidBody;
 use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::{DensityBasis, Vehicle};
@@ -92,6 +93,21 @@ impl Model {
                 mass_kg: Some(vehicle.mass.mass_kg),
             },
         }
+    }
+
+    /// A rigid body as a single part.
+    pub fn of_body(name: &str, body: &RigidBody) -> Self {
+        let name = if name.trim().is_empty() {
+            &body.name
+        } else {
+            name
+        };
+        let measures = Measures {
+            nose_radius_m: body.nose_radius_m,
+            cone_half_angle_rad: body.cone_half_angle_rad,
+            ..Measures::default()
+        };
+        Self::of_outline(name, &body.outline, measures)
     }
 
     /// One closed outline as a single part.

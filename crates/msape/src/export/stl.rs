@@ -29,8 +29,19 @@ pub fn stl(model: &Model) -> Vec<u8> {
     for (t, [a, b, c]) in mesh.triangles.iter().zip(mesh.corners_m()) {
         let normal = cross(minus(b, a), minus(c, a));
         let length = dot(normal, normal).sqrt();
-        let unit = normal.map(|v| if length > 0.0 { (v / length) as f32 } else { 0.0 });
-        let corners = t.map(|i| mesh.positions_m.get(i as usize).copied().unwrap_or_default());
+        let unit = normal.map(|v| {
+            if length > 0.0 {
+                (v / length) as f32
+            } else {
+                0.0
+            }
+        });
+        let corners = t.map(|i| {
+            mesh.positions_m
+                .get(i as usize)
+                .copied()
+                .unwrap_or_default()
+        });
         for v in std::iter::once(unit).chain(corners.map(|p| p.map(|v| v * MM_PER_M))) {
             v.iter().for_each(|v| bytes.extend(v.to_le_bytes()));
         }
@@ -61,13 +72,16 @@ mod tests {
         assert_eq!(&bytes[..16], b"Units: mm. Ball ");
         let (mut edges, mut volume) = (BTreeMap::new(), 0.0);
         for triangle in bytes[84..].chunks(50) {
-            let number = |i: usize| f32::from_le_bytes(triangle[4 * i..4 * i + 4].try_into().unwrap());
+            let number =
+                |i: usize| f32::from_le_bytes(triangle[4 * i..4 * i + 4].try_into().unwrap());
             let corner = |k: usize| [number(3 * k), number(3 * k + 1), number(3 * k + 2)];
             let [a, b, c] = [1, 2, 3].map(corner);
             let [x, y, z] = [a, b, c].map(|p| p.map(f64::from));
             volume += dot(x, cross(y, z)) / 6.0;
             for (from, to) in [(a, b), (b, c), (c, a)] {
-                *edges.entry([from, to].map(|p| p.map(f32::to_bits))).or_insert(0) += 1;
+                *edges
+                    .entry([from, to].map(|p| p.map(f32::to_bits)))
+                    .or_insert(0) += 1;
             }
         }
         for (&[from, to], count) in &edges {

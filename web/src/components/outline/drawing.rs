@@ -67,7 +67,7 @@ fn sheet(body: &RigidBody, units: UnitSystem) -> impl IntoView + use<> {
     view! {
         <svg class="section" role="img" aria-label=format!("Section of {}", describe(body, units))
             viewBox=format!("{left:.1} {view_top:.1} {:.1} {:.1}", right - left, view_bottom - view_top)>
-            <path class="part part-body-foam" d=path.clone()></path>
+            <path class="part part-aftbody-carrier" d=path.clone()></path>
             <path class="outline" d=path></path>
             <path class="axis" d=format!("M0 {:.1}V{:.1}", top - 0.08 * r, bottom + 0.08 * r)></path>
             <g font-size=font>

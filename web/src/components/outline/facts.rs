@@ -1,18 +1,25 @@
 //! Dimensions of an outline with their sources, and what follows from them.
 
 use super::Entry;
-use crate::display::{UnitSystem, number, symbol};
+use crate::display::{UnitSystem, input_number, number, symbol};
 use crate::state::State;
 use leptos::prelude::*;
-use msape::units::{Dimension, Unit, canonical};
+use msape::units::{Dimension, canonical};
 use msape::vehicle::body::RigidBody;
 
 /// Number of digits that facts are shown with.
-const DIGITS: usize = 6;
+const DIGITS: usize = 5;
 
 fn shown(value: f64, dimension: Dimension, units: UnitSystem) -> String {
     let unit = units.unit(dimension, canonical(dimension));
     let text = number(unit.from_canonical(value), DIGITS);
+    format!("{text} {}", symbol(unit))
+}
+
+/// A number of a source, with no digit that the source does not have.
+fn as_given(value: f64, dimension: Dimension, units: UnitSystem) -> String {
+    let unit = units.unit(dimension, canonical(dimension));
+    let text = input_number(unit.from_canonical(value));
     format!("{text} {}", symbol(unit))
 }
 
@@ -45,8 +52,8 @@ pub fn Facts(
                 let rows = data.dimension.iter().map(|(key, datum)| {
                     let (words, dimension) = words(key);
                     let value = dimension.map_or_else(
-                        || format!("{} deg", number(datum.value, DIGITS)),
-                        |dimension| shown(datum.value, dimension, units),
+                        || format!("{} deg", input_number(datum.value)),
+                        |dimension| as_given(datum.value, dimension, units),
                     );
                     let is_assumed = datum.source == "assumed";
                     view! {
@@ -143,7 +150,7 @@ mod tests {
     fn units_of_files_are_known() {
         for symbol in length_units() {
             assert!(msape::vehicle::body::import::LengthUnit::of(symbol).is_some());
-            assert!(Unit::find(symbol).is_some());
+            assert!(msape::units::Unit::find(symbol).is_some());
         }
     }
 }

@@ -129,7 +129,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
         <div class="flight-form">
             {FIELDS.into_iter().filter_map(input::find).map(|input| view! { <FlightField input fields faults /> }).collect_view()}
         </div>
-        <ul class="notes" role="status">{others}</ul>
+        <div role="status"><ul class="notes">{others}</ul></div>
         <div class:old=move || faults.with(|faults| !faults.is_empty())>
             {move || flown.get().map(|(answer, name)| view! { <Results answer name /> })}
         </div>

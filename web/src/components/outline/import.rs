@@ -114,7 +114,7 @@ pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl Into
                     <h3 class="note-outside">{format!("{name} has {} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })}</h3>
                     <ul class="notes">{faults.into_iter().map(|fault| view! { <li class="note-outside">{fault}</li> }).collect_view()}</ul>
                     {(!lines.is_empty()).then(|| view! {
-                        <pre class="fault-lines">{lines.into_iter().map(|(number, line)| view! { <span><b>{number}</b> {line} "\n"</span> }).collect_view()}</pre>
+                        <pre class="fault-lines">{lines.into_iter().map(|(number, line)| view! { <span><b>{number}</b> "  " {line} "\n"</span> }).collect_view()}</pre>
                     })}
                     <button type="button" class="small" on:click=move |_| refused.set(None)>"Dismiss"</button>
                 })}
@@ -125,13 +125,13 @@ pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl Into
 
 /// The rows of a file, or every fault of the file or of the outline in it.
 fn checked(name: &str, text: &str, unit: Option<LengthUnit>) -> Result<Vec<Vec<f64>>, Vec<String>> {
-    let words = |faults: &dyn Fn() -> Vec<String>| faults();
-    let rows = read(name, text, unit)
-        .map_err(|faults| words(&|| faults.iter().map(ToString::to_string).collect()))?;
-    match from_rows(name, &rows) {
-        Ok(_) => Ok(rows),
-        Err(faults) => Err(faults.iter().map(ToString::to_string).collect()),
-    }
+    let rows = read(name, text, unit).map_err(|faults| words(&faults))?;
+    from_rows(name, &rows).map_err(|faults| words(&faults))?;
+    Ok(rows)
+}
+
+fn words<T: ToString>(faults: &[T]) -> Vec<String> {
+    faults.iter().map(ToString::to_string).collect()
 }
 
 /// The lines that faults speak of: "line 12: …".

@@ -83,7 +83,8 @@ pub fn Stage(
     #[prop(into)]
     name: Signal<String>,
     /// Called with the place of a part that was clicked.
-    pick: impl Fn(usize) + Copy + Send + Sync + 'static,
+    #[prop(optional)]
+    pick: Option<Callback<usize>>,
 ) -> impl IntoView {
     let state = State::expect();
     let frame_ref = NodeRef::<Div>::new();
@@ -296,8 +297,8 @@ pub fn Stage(
             let cut_rad = cut_deg.get_untracked().to_radians();
             pick::part(&stored.scene.parts, shown, &sight, cut_rad)
         });
-        if let Some(found) = found {
-            pick(found);
+        if let (Some(found), Some(pick)) = (found, pick) {
+            pick.run(found);
         }
     };
     let on_cancel = move |event: PointerEvent| {
@@ -358,7 +359,7 @@ pub fn Stage(
             <Controls camera cut_deg stand=Callback::new(stand) />
             <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{reading}</p>
             <div class="stage-foot">
-                <p class="quiet" id="help-3d">"Drag or press the arrow keys to turn. Once it has the focus, the wheel, + and − zoom. Page Up and Page Down cut, Home resets. A click names a component."</p>
+                <p class="quiet" id="help-3d">"Drag or press the arrow keys to turn. Once it has the focus, the wheel, + and − zoom. Page Up and Page Down cut, Home resets."{pick.map(|_| " A click names a component.")}</p>
                 <button type="button" class="small" on:click=save_image>"PNG"</button>
             </div>
         </div>

@@ -50,7 +50,8 @@ impl File {
         let lines = wrapped(&tokens, 64);
         for line in &lines {
             let number = self.parameters.len() + 1;
-            self.parameters.push(format!("{line:<64} {place:7}P{number:7}"));
+            self.parameters
+                .push(format!("{line:<64} {place:7}P{number:7}"));
         }
         let color = match entity.color {
             0 => "0".to_owned(),
@@ -163,6 +164,9 @@ mod tests {
     #[test]
     fn only_strings_are_cut() {
         let parameters = ["110".to_owned(), "1234.5".to_owned(), text("abcdefghijkl")];
-        assert_eq!(wrapped(&parameters, 8), ["110,", "1234.5,", "12Habcde", "fghijkl;"]);
+        assert_eq!(
+            wrapped(&parameters, 8),
+            ["110,", "1234.5,", "12Habcde", "fghijkl;"]
+        );
     }
 }

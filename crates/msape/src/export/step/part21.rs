@@ -47,7 +47,8 @@ pub fn real(value: f64) -> String {
     let text = format!("{:?}", value + 0.0).to_uppercase();
     match text.split_once('E') {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.E{exponent}"),
-        _ => text.trim_end_matches('0').to_owned(),
+        Some(_) => text,
+        None => text.trim_end_matches('0').to_owned(),
     }
 }
 
