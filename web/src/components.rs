@@ -1,5 +1,6 @@
 //! What pages are made of. They read signals and call [`crate::state::State::edit`].
 
+pub mod aerodynamics;
 pub mod alternatives;
 pub mod cad;
 pub mod chart;
@@ -10,9 +11,11 @@ pub mod coupling;
 pub mod drawing;
 pub mod export;
 pub mod field;
+pub mod figure_panel;
 pub mod form;
 pub mod header;
 pub mod headline;
+pub mod library_tabs;
 pub mod mass_tree;
 pub mod notes;
 pub mod number;

@@ -1,5 +1,6 @@
 //! What the worker does with a question.
 
+use crate::aerodynamics::{self, Kept};
 use crate::clock::now_ms;
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use msape::benchmark::{Bench, JOBS};
@@ -12,6 +13,8 @@ pub struct Solver {
     library: Library,
     /// Made when it is first asked for.
     bench: OnceCell<Result<Bench, DataError>>,
+    /// The database that was last asked for.
+    aerodynamics: Kept,
 }
 
 impl Solver {
@@ -22,7 +25,11 @@ impl Solver {
     pub fn new() -> Result<Solver, DataError> {
         let library = Library::builtin()?;
         let bench = OnceCell::new();
-        Ok(Solver { library, bench })
+        Ok(Solver {
+            library,
+            bench,
+            aerodynamics: Kept::default(),
+        })
     }
 
     /// The reply to a question, both as bytes.
@@ -34,6 +41,12 @@ impl Solver {
             Ask::Solve(job) => Told::Solved(Box::new(self.solve(job))),
             Ask::Measure(batch) => Told::Measured(self.measure(batch)),
             Ask::Fly(case) => Told::Flown(Box::new(self.fly(&case))),
+            Ask::Aerodynamics(question) => Told::Aerodynamics(Box::new(aerodynamics::curves(
+                &question,
+                &self.library,
+                &self.aerodynamics,
+            ))),
+            Ask::ReadTable(text) => Told::TableRead(aerodynamics::read_table(&text)),
         })
     }
 

@@ -70,7 +70,9 @@ fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
 #[component]
 pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoView {
     let state = State::expect();
-    let fields = RwSignal::new(first_fields(state));
+    let given = state.flight_fields.get_untracked();
+    let fields = RwSignal::new(given.unwrap_or_else(|| first_fields(state)));
+    Effect::new(move |_| state.flight_fields.set(Some(fields.get())));
     let flown = RwSignal::new(None::<(Arc<Answer>, String)>);
     let faults = RwSignal::new(Vec::<Fault>::new());
     let asked = StoredValue::new(0_u32);
@@ -151,8 +153,9 @@ fn first_fields(state: State) -> Case {
     fields
 }
 
+/// A field of an input in a small case.
 #[component]
-fn FlightField(
+pub fn FlightField(
     input: &'static Input,
     fields: RwSignal<Case>,
     faults: RwSignal<Vec<Fault>>,
