@@ -2,8 +2,10 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod attitude;
 mod design;
 mod flight;
+mod freedom;
 mod heating;
 mod planet;
 
@@ -13,6 +15,7 @@ use crate::design::coupling;
 use crate::design::inputs::DesignInput;
 use crate::finding::Finding;
 use crate::flight::Request;
+use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
 
@@ -44,13 +47,18 @@ impl FlightProblem {
     pub fn check(case: &Case, library: &Library) -> Result<FlightProblem, Vec<InputError>> {
         let mut reader = Reader::new(case);
         let mission = flight::mission(&mut reader, library, flight::Angle::Any);
-        let body = flight::body(&mut reader, library);
+        let body = flight::body(&mut reader, library, mission.as_ref());
         match mission.zip(body) {
-            Some((mission, body)) if reader.faults.is_empty() => Ok(FlightProblem {
-                mission,
-                body,
-                findings: reader.findings,
-            }),
+            Some((mut mission, body)) if reader.faults.is_empty() => {
+                if let Freedom::Rigid(_) = body.freedom {
+                    freedom::solver(&reader, &mut mission.solver);
+                }
+                Ok(FlightProblem {
+                    mission,
+                    body,
+                    findings: reader.findings,
+                })
+            }
             _ => Err(reader.faults),
         }
     }

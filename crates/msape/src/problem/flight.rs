@@ -1,5 +1,6 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
+use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::planet::{atmosphere, planet, wind};
 use crate::aero::{Drag, DragTable};
@@ -162,7 +163,12 @@ fn solver(reader: &mut Reader) -> Option<Solver> {
 }
 
 /// The vehicle that is flown as it is.
-pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
+pub(super) fn body(
+    reader: &mut Reader,
+    library: &Library,
+    mission: Option<&Mission>,
+) -> Option<Body> {
+    let degrees = degrees(reader);
     let mass_kg = reader.required_number("vehicle.mass_kg");
     let nose_radius_m = reader.required_number("vehicle.nose_radius_m");
     let area_m2 = reader.number("vehicle.reference_area_m2");
@@ -179,16 +185,28 @@ pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
         ),
         _ => {}
     }
-    let drag = drag(reader, library);
+    let drag = drag(reader, library, degrees);
+    let area_m2 = area_m2.or(diameter_m.map(|d| 0.25 * PI * d * d));
+    let length_m = length_m(reader, diameter_m, area_m2);
+    let known = Known {
+        degrees: degrees?,
+        mission,
+        area_m2,
+        length_m,
+    };
+    let freedom = freedom(reader, &known);
     Some(Body {
         mass_kg: mass_kg?,
-        reference_area_m2: area_m2.or(diameter_m.map(|d| 0.25 * PI * d * d))?,
+        reference_area_m2: area_m2?,
         nose_radius_m: nose_radius_m?,
         drag: drag?,
+        reference_length_m: length_m?,
+        freedom: freedom?,
     })
 }
 
-fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Option<Drag> {
+    let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
     let keys = [
         "vehicle.drag_coefficient",
         "vehicle.drag_table",
@@ -196,6 +214,14 @@ fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
     ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
+        [] if constants.is_some() => drag_of_constants(reader),
+        // A body on which the air does not act.
+        [] if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+        [first, ..] if constants.is_some() => {
+            let message = format!("given together with {first}; give one of them");
+            reader.fault(constants.unwrap_or_default(), message);
+            None
+        }
         [only] if *only == keys[0] => reader
             .number("vehicle.drag_coefficient")
             .map(Drag::Constant),

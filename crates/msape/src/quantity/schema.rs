@@ -118,18 +118,21 @@ fn input_schema(input: &Input, library: &Library) -> Map<String, Value> {
         Kind::Rows(columns) => {
             let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
             let fewest = columns.iter().filter(|column| column.required).count();
-            put("type", json!("array"));
-            put("minItems", json!(1));
-            put(
-                "items",
-                json!({
-                    "type": "array",
-                    "items": { "type": "number" },
-                    "minItems": fewest,
-                    "maxItems": columns.len(),
-                    "description": names.join(", "),
-                }),
-            );
+            let row = json!({
+                "type": "array",
+                "items": { "type": "number" },
+                "minItems": fewest,
+                "maxItems": columns.len(),
+                "description": names.join(", "),
+            });
+            if input.is_one_row() {
+                let rows = json!({ "type": "array", "minItems": 1, "maxItems": 1, "items": row });
+                put("anyOf", json!([row, rows]));
+            } else {
+                put("type", json!("array"));
+                put("minItems", json!(1));
+                put("items", row);
+            }
         }
     }
     map
