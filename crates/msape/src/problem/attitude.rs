@@ -6,7 +6,11 @@ use crate::flight::six_dof::attitude::Given;
 use crate::flight::six_dof::quaternion::Quaternion;
 use numerics::math::RADIANS_PER_DEGREE;
 
-const AGAINST_HORIZON: [&str; 3] = ["attitude.yaw_deg", "attitude.pitch_deg", "attitude.roll_deg"];
+const AGAINST_HORIZON: [&str; 3] = [
+    "attitude.yaw_deg",
+    "attitude.pitch_deg",
+    "attitude.roll_deg",
+];
 const AGAINST_VELOCITY: [&str; 3] = [
     "attitude.alpha_deg",
     "attitude.beta_deg",
@@ -44,7 +48,9 @@ pub(super) fn given(reader: &mut Reader) -> Option<Given> {
     .flatten()
     .collect();
     if let [first, second, ..] = ways.as_slice() {
-        let message = format!("given together with {first}; give yaw, pitch and roll, or alpha, beta and bank, or the quaternion");
+        let message = format!(
+            "given together with {first}; give yaw, pitch and roll, or alpha, beta and bank, or the quaternion"
+        );
         reader.fault(second, message);
         return None;
     }
@@ -55,7 +61,10 @@ pub(super) fn given(reader: &mut Reader) -> Option<Given> {
             let quaternion = Quaternion(parts);
             let squared = quaternion.length_squared();
             if !(squared > 0.0 && squared.is_finite()) {
-                let message = format!("got {parts:?}, whose length is {}; must have a length above 0", squared.sqrt());
+                let message = format!(
+                    "got {parts:?}, whose length is {}; must have a length above 0",
+                    squared.sqrt()
+                );
                 reader.fault(QUATERNION, message);
                 return None;
             }

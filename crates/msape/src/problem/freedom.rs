@@ -128,8 +128,7 @@ fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
     if let Some(mission) = known.mission
         && mission.solver.model == Model::AllenEggers
     {
-        let message =
-            "got \"allen-eggers\", which has no attitude; must be \"three-dof\" with vehicle.dof = 6";
+        let message = "got \"allen-eggers\", which has no attitude; must be \"three-dof\" with vehicle.dof = 6";
         reader.fault("solver.flight_model", message);
     }
     let length_m = known.length_m?;
@@ -160,7 +159,10 @@ fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
 fn inertia(reader: &mut Reader) -> Option<Inertia> {
     let key = "vehicle.inertia_kg_m2";
     if !reader.given(key) {
-        reader.fault(key, "missing; with vehicle.dof = 6 give three rows of three numbers, in kg-m^2");
+        reader.fault(
+            key,
+            "missing; with vehicle.dof = 6 give three rows of three numbers, in kg-m^2",
+        );
         return None;
     }
     let rows = reader.rows(key)?;
@@ -169,7 +171,10 @@ fn inertia(reader: &mut Reader) -> Option<Inertia> {
         .map(|row| <[f64; 3]>::try_from(row.as_slice()).ok())
         .collect();
     let Some(Ok(matrix)) = matrix.map(<[[f64; 3]; 3]>::try_from) else {
-        let message = format!("got {} rows, must be three rows of three numbers, in kg-m^2", rows.len());
+        let message = format!(
+            "got {} rows, must be three rows of three numbers, in kg-m^2",
+            rows.len()
+        );
         reader.fault(key, message);
         return None;
     };
@@ -203,12 +208,19 @@ pub(super) fn one_row<const N: usize>(reader: &mut Reader, key: &str) -> Option<
 
 /// The one of several keys that is given; `Err` when there are more, which is noted.
 fn one_of<'k>(reader: &mut Reader, keys: &[&'k str], what: &str) -> Result<Option<&'k str>, ()> {
-    let given: Vec<&str> = keys.iter().copied().filter(|key| reader.given(key)).collect();
+    let given: Vec<&str> = keys
+        .iter()
+        .copied()
+        .filter(|key| reader.given(key))
+        .collect();
     match given.as_slice() {
         [] => Ok(None),
         [only] => Ok(Some(only)),
         [_, second, ..] => {
-            let message = format!("{what} is given in more than one way; give one of {}", keys.join(", "));
+            let message = format!(
+                "{what} is given in more than one way; give one of {}",
+                keys.join(", ")
+            );
             reader.fault(second, message);
             Err(())
         }
@@ -237,7 +249,10 @@ fn bank(reader: &mut Reader) -> Option<Bank> {
 fn table(reader: &mut Reader, key: &str, factor: f64) -> Option<Table1> {
     let rows = reader.rows(key)?;
     let column = |i: usize, factor: f64| -> Vec<f64> {
-        rows.iter().filter_map(|row| row.get(i)).map(|x| x * factor).collect()
+        rows.iter()
+            .filter_map(|row| row.get(i))
+            .map(|x| x * factor)
+            .collect()
     };
     match Table1::try_new(&column(0, 1.0), &column(1, factor), End::Hold) {
         Ok(table) => Some(table),
@@ -249,7 +264,11 @@ fn table(reader: &mut Reader, key: &str, factor: f64) -> Option<Table1> {
 }
 
 /// Length of moments and Knudsen number, m: as given, else the diameter, else that of a circle of the area.
-pub(super) fn length_m(reader: &mut Reader, diameter_m: Option<f64>, area_m2: Option<f64>) -> Option<f64> {
+pub(super) fn length_m(
+    reader: &mut Reader,
+    diameter_m: Option<f64>,
+    area_m2: Option<f64>,
+) -> Option<f64> {
     let of_area = || area_m2.map(|area| (4.0 * area / PI).sqrt());
     if reader.given("vehicle.reference_length_m") {
         return reader.number("vehicle.reference_length_m");
@@ -260,7 +279,11 @@ pub(super) fn length_m(reader: &mut Reader, diameter_m: Option<f64>, area_m2: Op
 /// Drag as a point mass has it, where constants stand in its place.
 pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
     let ca = reader.number(CONSTANTS[0]);
-    Some(Drag::Constant(if reader.given(CONSTANTS[0]) { ca? } else { 0.0 }))
+    Some(Drag::Constant(if reader.given(CONSTANTS[0]) {
+        ca?
+    } else {
+        0.0
+    }))
 }
 
 /// Method and accuracy of six degrees of freedom, where the case does not say otherwise.

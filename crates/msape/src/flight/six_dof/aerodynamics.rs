@@ -224,7 +224,8 @@ mod tests {
 
     #[test]
     fn drag_is_against_the_velocity_at_any_attitude() {
-        let load = Aerodynamics::Drag.load(&stream([-3.0, 0.0, 4.0]), &REFERENCE, &Damping::default());
+        let load =
+            Aerodynamics::Drag.load(&stream([-3.0, 0.0, 4.0]), &REFERENCE, &Damping::default());
         // q S C_D = 0.25 · 0.7
         for (force, part) in load.force_n.iter().zip([0.6, 0.0, -0.8]) {
             assert!((force - 0.175 * part).abs() < 1e-16);
@@ -234,8 +235,15 @@ mod tests {
 
     #[test]
     fn damping_takes_the_span_in_roll_and_yaw_and_the_length_in_pitch() {
-        let damping = Damping { clp: -1.0, cmq: -1.0, cnr: -1.0 };
-        let turning = Stream { rates_rad_s: [1.0, 1.0, 1.0], ..stream([5.0, 0.0, 0.0]) };
+        let damping = Damping {
+            clp: -1.0,
+            cmq: -1.0,
+            cnr: -1.0,
+        };
+        let turning = Stream {
+            rates_rad_s: [1.0, 1.0, 1.0],
+            ..stream([5.0, 0.0, 0.0])
+        };
         let load = Aerodynamics::Drag.load(&turning, &REFERENCE, &damping);
         // q S b · b/(2 V) = 0.25 · 16/10 and 0.25 · 9/10
         for (moment, expected) in load.moment_n_m.iter().zip([-0.4, -0.225, -0.4]) {
@@ -246,6 +254,12 @@ mod tests {
     #[test]
     fn at_rest_there_is_nothing() {
         let load = STABLE.load(&stream([0.0; 3]), &REFERENCE, &Damping::default());
-        assert_eq!(load, Load { force_n: [-0.0; 3], moment_n_m: [0.0; 3] });
+        assert_eq!(
+            load,
+            Load {
+                force_n: [-0.0; 3],
+                moment_n_m: [0.0; 3]
+            }
+        );
     }
 }

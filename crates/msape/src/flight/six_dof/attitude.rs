@@ -80,9 +80,8 @@ fn of_stream(alpha: f64, beta: f64) -> Quaternion {
 /// Yaw, pitch and roll against local north, east and down of an attitude against planet-fixed axes, rad.
 pub fn angles_rad(attitude: &Matrix, up: [f64; 3]) -> [f64; 3] {
     let to_planet = of_horizon(&Horizon::new(up));
-    let columns: [[f64; 3]; 3] = core::array::from_fn(|j| {
-        turned_back(&to_planet, core::array::from_fn(|i| attitude[i][j]))
-    });
+    let columns: [[f64; 3]; 3] =
+        core::array::from_fn(|j| turned_back(&to_planet, core::array::from_fn(|i| attitude[i][j])));
     yaw_pitch_roll_rad(&core::array::from_fn(|i| {
         core::array::from_fn(|j| columns[j][i])
     }))
@@ -108,7 +107,9 @@ mod tests {
         let up = [0.48, 0.6, 0.64];
         let to_planet = Quaternion::of_matrix(&of_horizon(&Horizon::new(up)));
         let angles = [1.0, -0.5, 2.0];
-        let attitude = to_planet.after(&Quaternion::of_yaw_pitch_roll(angles)).matrix();
+        let attitude = to_planet
+            .after(&Quaternion::of_yaw_pitch_roll(angles))
+            .matrix();
         for (given, back) in angles.iter().zip(angles_rad(&attitude, up)) {
             assert!((given - back).abs() < 1e-14);
         }

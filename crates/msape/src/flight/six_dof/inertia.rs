@@ -46,14 +46,13 @@ impl Inertia {
         }
         for (i, axis) in axes.iter().enumerate() {
             let moment = rows[i][i];
-            if !(moment > 0.0) {
-                let message =
-                    format!("got {moment} kg-m^2 about {axis}, must be above 0 kg-m^2");
+            if moment <= 0.0 || moment.is_nan() {
+                let message = format!("got {moment} kg-m^2 about {axis}, must be above 0 kg-m^2");
                 faults.push(message);
             }
             for j in 0..i {
                 let (a, b) = (rows[i][j], rows[j][i]);
-                if !((a - b).abs() <= ROUNDING * largest) {
+                if (a - b).abs() > ROUNDING * largest {
                     let other = axes[j];
                     faults.push(format!("got {a} kg-m^2 in row {axis}, column {other} and {b} kg-m^2 in row {other}, column {axis}; both must be the same"));
                 }
@@ -66,7 +65,7 @@ impl Inertia {
             core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (rows[i][j] + rows[j][i])));
         let [low, middle, high] = principal_moments(&tensor);
         let moments = format!("principal moments {low:.6}, {middle:.6} and {high:.6} kg-m^2");
-        if !(low > 0.0) {
+        if low <= 0.0 || low.is_nan() {
             faults.push(format!("has the {moments}; all must be above 0 kg-m^2"));
         } else if high > (low + middle) * (1.0 + ROUNDING) {
             faults.push(format!("has the {moments}; the largest must be at most {:.6} kg-m^2, the sum of the others, or no mass has them", low + middle));
@@ -130,7 +129,8 @@ mod tests {
 
     #[test]
     fn a_body_about_its_axes_spins_steadily() {
-        let inertia = Inertia::try_new([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).unwrap();
+        let inertia =
+            Inertia::try_new([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).unwrap();
         assert_eq!(
             inertia.acceleration_rad_s2([3.0, 0.0, 0.0], [0.0; 3]),
             [0.0; 3]
@@ -144,9 +144,9 @@ mod tests {
     fn the_inverse_is_the_inverse_with_products_of_inertia() {
         let m = [[3.0, -0.2, 0.1], [-0.2, 4.0, 0.3], [0.1, 0.3, 5.0]];
         let inertia = Inertia::try_new(m).unwrap();
-        for i in 0..3 {
+        for (i, row) in m.iter().enumerate() {
             for j in 0..3 {
-                let sum: f64 = (0..3).map(|k| m[i][k] * inertia.inverse[k][j]).sum();
+                let sum: f64 = (0..3).map(|k| row[k] * inertia.inverse[k][j]).sum();
                 assert!((sum - f64::from(u8::from(i == j))).abs() < 1e-15);
             }
         }
@@ -155,8 +155,11 @@ mod tests {
     #[test]
     fn principal_moments_of_a_turned_body() {
         // In the plane x, y: 4 ± 1 with equal diagonal and off-diagonal 1.
-        let [low, middle, high] = principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]]);
-        assert!((low - 3.0).abs() < 1e-14 && (middle - 4.5).abs() < 1e-14 && (high - 5.0).abs() < 1e-14);
+        let [low, middle, high] =
+            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]]);
+        assert!(
+            (low - 3.0).abs() < 1e-14 && (middle - 4.5).abs() < 1e-14 && (high - 5.0).abs() < 1e-14
+        );
     }
 
     #[test]

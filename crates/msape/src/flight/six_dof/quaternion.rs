@@ -189,7 +189,12 @@ mod tests {
     fn the_length_does_not_matter_to_the_matrix() {
         let q = Quaternion::of_yaw_pitch_roll([0.3, -0.2, 0.1]);
         let long = Quaternion(q.0.map(|part| 3.0 * part));
-        for (a, b) in q.matrix().iter().flatten().zip(long.matrix().iter().flatten()) {
+        for (a, b) in q
+            .matrix()
+            .iter()
+            .flatten()
+            .zip(long.matrix().iter().flatten())
+        {
             assert!((a - b).abs() < 1e-15);
         }
     }
@@ -198,7 +203,12 @@ mod tests {
     fn the_derivative_is_that_of_a_small_turn_after_the_attitude() {
         let q = Quaternion::of_yaw_pitch_roll([0.3, -0.2, 0.1]);
         let (rates, dt) = ([0.5, -0.3, 0.2], 1e-4);
-        let turn = Quaternion([1.0, 0.5 * rates[0] * dt, 0.5 * rates[1] * dt, 0.5 * rates[2] * dt]);
+        let turn = Quaternion([
+            1.0,
+            0.5 * rates[0] * dt,
+            0.5 * rates[1] * dt,
+            0.5 * rates[2] * dt,
+        ]);
         let later = q.after(&turn);
         for i in 0..4 {
             let slope = (later.0[i] - q.0[i]) / dt;
