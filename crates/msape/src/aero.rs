@@ -13,6 +13,18 @@
 //! # References
 //! - \[samareh-2014\] section 3.3 and equation 7; \[mitcheltree-1997\] Table 4.
 
+pub mod bridging;
+pub mod curve;
+pub mod damping;
+pub mod database;
+pub mod euler;
+pub mod free_molecular;
+pub mod integral;
+pub mod newtonian;
+pub mod own;
+pub mod shadow;
+pub mod surface;
+
 use numerics::scalar::Scalar;
 use serde::Deserialize;
 
@@ -72,6 +84,12 @@ impl DragTable {
         } else {
             Err(faults)
         }
+    }
+
+    /// A table from rows that ascend in Mach number.
+    pub(crate) fn from_ascending(rows: &[(f64, f64)]) -> DragTable {
+        let (mach, coefficient) = rows.iter().copied().unzip();
+        DragTable { mach, coefficient }
     }
 
     /// Drag coefficient at a Mach number.

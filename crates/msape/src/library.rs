@@ -3,6 +3,8 @@
 //! A library is always passed, never global.
 
 use crate::aero::AxialForce;
+use crate::aero::damping::DampingData;
+use crate::aero::euler::EulerCorrection;
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::shoulder::Shoulder;
@@ -18,6 +20,7 @@ use crate::tps::Side;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
+use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
@@ -56,6 +59,15 @@ pub struct HeatingModels {
     pub shoulder: Shoulder,
 }
 
+/// Models of aerodynamics that need data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AeroModels {
+    /// Pitch damping of the report.
+    pub damping: DampingData,
+    /// Axial force by Euler solutions.
+    pub euler: EulerCorrection,
+}
+
 /// Everything a case may name.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -81,6 +93,10 @@ pub struct Library {
     pub grounds: Named<Ground>,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
+    /// Models with which a database is computed from an outline.
+    pub aero_models: AeroModels,
+    /// Outlines of rigid bodies by name.
+    pub outlines: Named<OutlineData>,
 }
 
 impl Library {
@@ -127,6 +143,11 @@ impl Library {
             vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
             grounds: folder("grounds", Ground::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+            aero_models: AeroModels {
+                damping: parsed("aero-models/damping.toml", DampingData::parse)?,
+                euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
+            },
+            outlines: folder("outlines", OutlineData::parse)?,
         })
     }
 
@@ -158,6 +179,7 @@ impl Library {
                 .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
+            Choices::Outlines => titles(&self.outlines, |outline| &outline.title),
         }
     }
 }

@@ -3,10 +3,14 @@
 //! Checking reports every fault at once; after it, physics cannot fail.
 
 mod attitude;
+mod center;
+mod database;
 mod design;
 mod flight;
 mod freedom;
 mod heating;
+mod materials;
+mod outline;
 mod planet;
 
 use crate::answer::Answer;
@@ -18,6 +22,9 @@ use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
+use crate::vehicle::body::RigidBody;
+
+pub use outline::rigid_body;
 
 /// A flight that was checked.
 #[derive(Clone, Debug)]
@@ -26,6 +33,8 @@ pub struct FlightProblem {
     pub mission: Mission,
     /// The vehicle.
     pub body: Body,
+    /// Its outline, where the case has one.
+    pub outline: Option<RigidBody>,
     /// What the check remarked.
     pub findings: Vec<Finding>,
 }
@@ -47,7 +56,8 @@ impl FlightProblem {
     pub fn check(case: &Case, library: &Library) -> Result<FlightProblem, Vec<InputError>> {
         let mut reader = Reader::new(case);
         let mission = flight::mission(&mut reader, library, flight::Angle::Any);
-        let body = flight::body(&mut reader, library, mission.as_ref());
+        let outline = outline::outline(&mut reader, library);
+        let body = flight::body(&mut reader, library, mission.as_ref(), &outline);
         match mission.zip(body) {
             Some((mut mission, body)) if reader.faults.is_empty() => {
                 if let Freedom::Rigid(_) = body.freedom {
@@ -56,6 +66,7 @@ impl FlightProblem {
                 Ok(FlightProblem {
                     mission,
                     body,
+                    outline: outline.body(),
                     findings: reader.findings,
                 })
             }
@@ -69,6 +80,7 @@ impl FlightProblem {
             mission,
             body,
             findings,
+            ..
         } = self;
         let (flight, outcome, reason) = crate::flight::fly(mission, body, request);
         let mut findings = findings.clone();

@@ -13,12 +13,15 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.
 
+pub mod body;
 pub mod close;
+pub mod crossing;
 pub mod forebody;
 pub mod impact;
 pub mod input;
 pub mod layout;
 pub mod mass;
+pub mod material;
 pub mod msr;
 pub mod non_msr;
 pub mod outline;
@@ -30,6 +33,7 @@ pub mod structure;
 
 pub use input::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
 pub use mass::{Component, ComponentKind, MassProperties};
+pub use material::{DensityBasis, Material, Materials};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};

@@ -1,6 +1,7 @@
 //! Checks a design.
 
 use super::flight::{Angle, mission};
+use super::materials::materials;
 use crate::case::Reader;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
@@ -95,6 +96,12 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             .unwrap_or(aftbody_material.density.density_kg_m3),
         aftbody_carrier: wall(WallPlace::Aftbody, densities.aftbody_carrier),
         primary_carrier: wall(WallPlace::Primary, densities.primary),
+        materials: materials(
+            &densities,
+            library,
+            concept,
+            [&forebody_material, &aftbody_material],
+        )?,
         densities: densities.fillings(library.vehicle.densities().ok()?),
         loads: FIRST_LOADS,
         structure_loads: library.vehicle.structure_loads().ok()?,
@@ -165,17 +172,17 @@ fn payload_size(reader: &mut Reader) -> Option<PayloadSize> {
 }
 
 /// Densities of the case, kg/m³, where it gives them.
-struct Densities {
-    forebody_tps: Option<f64>,
-    forebody_carrier: Option<f64>,
-    aftbody_tps: Option<f64>,
-    aftbody_carrier: Option<f64>,
-    primary: Option<f64>,
-    impact_foam: Option<f64>,
-    impact_shell: Option<f64>,
-    body_foam: Option<f64>,
-    lid_insulation: Option<f64>,
-    wing_insulation: Option<f64>,
+pub(super) struct Densities {
+    pub(super) forebody_tps: Option<f64>,
+    pub(super) forebody_carrier: Option<f64>,
+    pub(super) aftbody_tps: Option<f64>,
+    pub(super) aftbody_carrier: Option<f64>,
+    pub(super) primary: Option<f64>,
+    pub(super) impact_foam: Option<f64>,
+    pub(super) impact_shell: Option<f64>,
+    pub(super) body_foam: Option<f64>,
+    pub(super) lid_insulation: Option<f64>,
+    pub(super) wing_insulation: Option<f64>,
 }
 
 impl Densities {

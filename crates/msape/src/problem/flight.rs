@@ -1,7 +1,9 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
+use super::database::database;
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
+use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
@@ -167,10 +169,19 @@ pub(super) fn body(
     reader: &mut Reader,
     library: &Library,
     mission: Option<&Mission>,
+    outline: &Outline,
 ) -> Option<Body> {
     let degrees = degrees(reader);
     let mass_kg = reader.required_number("vehicle.mass_kg");
-    let nose_radius_m = reader.required_number("vehicle.nose_radius_m");
+    let nose_radius_m = match (reader.given("vehicle.nose_radius_m"), outline) {
+        (false, Outline::Faulty) => None,
+        (false, Outline::Body(body)) if body.nose_radius_m.is_some() => body.nose_radius_m,
+        _ => reader.required_number("vehicle.nose_radius_m"),
+    };
+    let area_of_outline_m2 = match outline {
+        Outline::Body(body) => Some(body.reference_area_m2()),
+        _ => None,
+    };
     let area_m2 = reader.number("vehicle.reference_area_m2");
     let diameter_m = reader.number("vehicle.diameter_m");
     let given = ["vehicle.reference_area_m2", "vehicle.diameter_m"].map(|key| reader.given(key));
@@ -179,22 +190,32 @@ pub(super) fn body(
             "vehicle.diameter_m",
             "given together with vehicle.reference_area_m2; give one of them",
         ),
-        [false, false] => reader.fault(
+        [false, false] if *outline == Outline::Absent => reader.fault(
             "vehicle.reference_area_m2",
             "missing; give it, in m^2, or vehicle.diameter_m, in m",
         ),
         _ => {}
     }
-    let drag = drag(reader, library, degrees);
-    let area_m2 = area_m2.or(diameter_m.map(|d| 0.25 * PI * d * d));
+    let (drag, database) = match (degrees, by_outline(reader, outline)) {
+        (Some(Degrees::Six), true) => match database(reader, library, outline) {
+            Some(computed) => (Some(computed.axial_force), Some(computed.database)),
+            None => (None, None),
+        },
+        _ => (drag(reader, library, degrees), None),
+    };
+    let area_m2 = area_m2
+        .or(diameter_m.map(|d| 0.25 * PI * d * d))
+        .or(area_of_outline_m2);
     let length_m = length_m(reader, diameter_m, area_m2);
     let known = Known {
         degrees: degrees?,
         mission,
         area_m2,
         length_m,
+        database,
+        outline,
     };
-    let freedom = freedom(reader, &known);
+    let freedom = freedom(reader, known);
     Some(Body {
         mass_kg: mass_kg?,
         reference_area_m2: area_m2?,
@@ -203,6 +224,16 @@ pub(super) fn body(
         reference_length_m: length_m?,
         freedom: freedom?,
     })
+}
+
+/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
+fn by_outline(reader: &Reader, outline: &Outline) -> bool {
+    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
+    let given = otherwise
+        .iter()
+        .chain(&CONSTANTS)
+        .any(|key| reader.given(key));
+    !given && (reader.given("vehicle.aerodynamics") || *outline != Outline::Absent)
 }
 
 fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Option<Drag> {

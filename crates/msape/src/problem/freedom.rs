@@ -1,7 +1,9 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
-use super::attitude;
+use super::outline::Outline;
+use super::{attitude, center};
 use crate::aero::Drag;
+use crate::aero::database::Database;
 use crate::case::Reader;
 use crate::finding::{Finding, Severity};
 use crate::flight::freedom::Freedom;
@@ -70,10 +72,12 @@ pub(super) struct Known<'a> {
     pub(super) mission: Option<&'a Mission>,
     pub(super) area_m2: Option<f64>,
     pub(super) length_m: Option<f64>,
+    pub(super) database: Option<Database>,
+    pub(super) outline: &'a Outline,
 }
 
 /// How the vehicle is free to move.
-pub(super) fn freedom(reader: &mut Reader, known: &Known) -> Option<Freedom> {
+pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
     match known.degrees {
         Degrees::Three => {
             unused(reader, "three degrees of freedom", |key| {
@@ -116,9 +120,9 @@ fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
     }
 }
 
-fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
+fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
     let inertia = inertia(reader);
-    let cg = one_row::<3>(reader, "vehicle.cg_m");
+    let cg = center::cg(reader, known.outline, known.database.is_some());
     let span_m = reader.number("vehicle.reference_span_m");
     let [ca, cn, cm] = CONSTANTS.map(|key| reader.number(key).unwrap_or(0.0));
     let [clp, cmq, cnr] = DAMPING.map(|key| reader.number(key).unwrap_or(0.0));
@@ -135,20 +139,20 @@ fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
     let mission = known.mission?;
     Some(Rigid {
         inertia: inertia?,
-        cg_m: cg?.unwrap_or_default(),
+        cg_m: cg?,
         reference: Reference {
             area_m2: known.area_m2?,
             length_m,
             span_m: span_m.unwrap_or(length_m),
         },
-        aerodynamics: if constants {
-            Aerodynamics::Constants(Constants {
+        aerodynamics: match known.database {
+            Some(database) => Aerodynamics::Database(Box::new(database)),
+            None if constants => Aerodynamics::Constants(Constants {
                 ca,
                 cn_alpha_per_rad: cn,
                 cm_alpha_per_rad: cm,
-            })
-        } else {
-            Aerodynamics::Drag
+            }),
+            None => Aerodynamics::Drag,
         },
         damping: Damping { clp, cmq, cnr },
         attitude: crate::flight::six_dof::attitude::at_start(&given?, &mission.start, mission),

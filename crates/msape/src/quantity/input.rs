@@ -3,6 +3,7 @@
 mod attitude;
 mod design;
 mod mission;
+mod outline;
 mod vehicle;
 
 use crate::units::{Dimension, Unit, canonical};
@@ -122,6 +123,8 @@ pub enum Choices {
     Grounds,
     /// Aerodynamic databases of the library.
     Aerodynamics,
+    /// Outlines of the library.
+    Outlines,
 }
 
 /// A column of an input table.
@@ -311,6 +314,7 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .iter()
         .chain(design::INPUTS)
         .chain(vehicle::INPUTS)
+        .chain(outline::INPUTS)
         .chain(attitude::INPUTS)
 }
 

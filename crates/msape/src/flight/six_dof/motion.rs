@@ -16,7 +16,7 @@
 //! # References
 //! - \[stevens-lewis-2016\] section 1.7; \[samareh-2014\] section 3.2.
 
-use super::aerodynamics::{Load, Stream, total_alpha_rad};
+use super::aerodynamics::{Aerodynamics, Load, Stream, total_alpha_rad};
 use super::attitude::angles_rad;
 use super::quaternion::{Matrix, Quaternion, turned, turned_back};
 use super::rigid::Rigid;
@@ -70,6 +70,7 @@ impl RigidMotion<'_> {
             density_kg_m3: around.density_kg_m3,
             drag_coefficient: around.drag_coefficient,
             rates_rad_s: core::array::from_fn(|i| y[RATES + i]),
+            mach_knudsen: self.mach_knudsen(&around),
         };
         Instant {
             point,
@@ -93,13 +94,26 @@ impl RigidMotion<'_> {
 
     #[inline]
     fn load(&self, stream: &Stream) -> Load {
-        let Rigid {
-            aerodynamics,
-            reference,
-            damping,
-            ..
-        } = self.rigid;
-        aerodynamics.load(stream, reference, damping)
+        self.rigid.aerodynamics.load(stream, self.rigid)
+    }
+
+    /// Mach and Knudsen number, where the coefficients depend on them.
+    #[inline]
+    fn mach_knudsen(&self, around: &Surroundings<f64>) -> [f64; 2] {
+        match &self.rigid.aerodynamics {
+            Aerodynamics::Drag | Aerodynamics::Constants(_) => [0.0; 2],
+            Aerodynamics::Database(database) => {
+                let air = self
+                    .point
+                    .mission
+                    .atmosphere
+                    .air_in(self.point.layer, around.altitude_m);
+                [
+                    around.air_speed_m_s / air.speed_of_sound_m_s,
+                    air.mean_free_path_m / database.diameter_m,
+                ]
+            }
+        }
     }
 }
 

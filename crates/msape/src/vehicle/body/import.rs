@@ -1,0 +1,1 @@
+//! Outlines from files: CSV of points, DXF of lines and arcs.
