@@ -1,5 +1,7 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
+use super::database::database;
+use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
@@ -163,7 +165,13 @@ fn solver(reader: &mut Reader) -> Option<Solver> {
 }
 
 /// The vehicle that is flown as it is.
-pub(super) fn body(reader: &mut Reader, library: &Library, outline: &Outline) -> Option<Body> {
+pub(super) fn body(
+    reader: &mut Reader,
+    library: &Library,
+    mission: Option<&Mission>,
+    outline: &Outline,
+) -> Option<Body> {
+    let degrees = degrees(reader);
     let mass_kg = reader.required_number("vehicle.mass_kg");
     let nose_radius_m = match (reader.given("vehicle.nose_radius_m"), outline) {
         (false, Outline::Faulty) => None,
@@ -188,18 +196,48 @@ pub(super) fn body(reader: &mut Reader, library: &Library, outline: &Outline) ->
         ),
         _ => {}
     }
-    let drag = drag(reader, library);
+    let (drag, database) = match (degrees, by_outline(reader, outline)) {
+        (Some(Degrees::Six), true) => match database(reader, library, outline) {
+            Some(computed) => (Some(computed.axial_force), Some(computed.database)),
+            None => (None, None),
+        },
+        _ => (drag(reader, library, degrees), None),
+    };
+    let area_m2 = area_m2
+        .or(diameter_m.map(|d| 0.25 * PI * d * d))
+        .or(area_of_outline_m2);
+    let length_m = length_m(reader, diameter_m, area_m2);
+    let known = Known {
+        degrees: degrees?,
+        mission,
+        area_m2,
+        length_m,
+        database,
+        outline,
+    };
+    let freedom = freedom(reader, known);
     Some(Body {
         mass_kg: mass_kg?,
-        reference_area_m2: area_m2
-            .or(diameter_m.map(|d| 0.25 * PI * d * d))
-            .or(area_of_outline_m2)?,
+        reference_area_m2: area_m2?,
         nose_radius_m: nose_radius_m?,
         drag: drag?,
+        reference_length_m: length_m?,
+        freedom: freedom?,
     })
 }
 
-fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
+fn by_outline(reader: &Reader, outline: &Outline) -> bool {
+    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
+    let given = otherwise
+        .iter()
+        .chain(&CONSTANTS)
+        .any(|key| reader.given(key));
+    !given && (reader.given("vehicle.aerodynamics") || *outline != Outline::Absent)
+}
+
+fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Option<Drag> {
+    let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
     let keys = [
         "vehicle.drag_coefficient",
         "vehicle.drag_table",
@@ -207,6 +245,14 @@ fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
     ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
+        [] if constants.is_some() => drag_of_constants(reader),
+        // A body on which the air does not act.
+        [] if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+        [first, ..] if constants.is_some() => {
+            let message = format!("given together with {first}; give one of them");
+            reader.fault(constants.unwrap_or_default(), message);
+            None
+        }
         [only] if *only == keys[0] => reader
             .number("vehicle.drag_coefficient")
             .map(Drag::Constant),
