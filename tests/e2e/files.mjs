@@ -11,7 +11,12 @@ import { pageTest } from "./harness.mjs";
 const cargo = (words, options) => execFileSync("cargo", words, { stdio: ["pipe", "pipe", "inherit"], ...options });
 cargo(["build", "--quiet", "--package", "msape-cli"], { timeout: 1_200_000 });
 
-/** What the command line writes for a case given as text. */
+/** What the command line prints for a case given as text. */
+function printed(text, words) {
+  return cargo(["run", "--quiet", "--package", "msape-cli", "--", ...words], { input: text, timeout: 60_000 });
+}
+
+/** The file that the command line writes for a case given as text. */
 function exported(text, format) {
   const folder = mkdtempSync(join(tmpdir(), "msape-"));
   try {
@@ -49,7 +54,11 @@ async function compare(page, text) {
 pageTest("the files of a vehicle are those of the command line", async (page) => {
   await page.locator(".headline .freshness", { hasText: "up to date" }).waitFor();
   const inputs = await downloaded(page, page.getByRole("button", { name: "Inputs (TOML)", exact: true }));
-  await compare(page, inputs.bytes.toString("utf8"));
+  const text = inputs.bytes.toString("utf8");
+  await compare(page, text);
+  await page.getByRole("tab", { name: "Mass tree" }).click();
+  const tree = await downloaded(page, page.getByRole("button", { name: "CSV of the mass tree" }));
+  assert.ok(tree.bytes.equals(printed(text, ["design", "-", "--mass-tree"])), "the same mass tree");
 });
 
 pageTest(

@@ -1,7 +1,7 @@
 //! The formats, declared once: name, file name ending, media type, help, writer.
 
 use crate::export::model::Model;
-use crate::export::{Info, gltf, iges, step, stl};
+use crate::export::{Info, dxf, gltf, iges, step, stl, table};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,16 +16,22 @@ pub enum Format {
     Gltf,
     /// The same as one binary file.
     Glb,
+    /// Lines and arcs of the half-section.
+    Dxf,
+    /// The same as a table.
+    Csv,
 }
 
 impl Format {
     /// All of them, in the order in which they are offered.
-    pub const ALL: [Format; 5] = [
+    pub const ALL: [Format; 7] = [
         Format::Step,
         Format::Iges,
         Format::Stl,
         Format::Gltf,
         Format::Glb,
+        Format::Dxf,
+        Format::Csv,
     ];
 
     /// Name, as typed; also the ending of its files.
@@ -36,6 +42,8 @@ impl Format {
             Format::Stl => "stl",
             Format::Gltf => "gltf",
             Format::Glb => "glb",
+            Format::Dxf => "dxf",
+            Format::Csv => "csv",
         }
     }
 
@@ -49,6 +57,10 @@ impl Format {
             Format::Stl => "outer surface as triangles (binary STL, mm)",
             Format::Gltf => "triangles of every component (glTF 2.0, m, Y up)",
             Format::Glb => "the same as one binary file",
+            Format::Dxf => {
+                "lines and arcs of the half-section, one layer a component (AutoCAD 2000, mm)"
+            }
+            Format::Csv => "the same as a table (mm)",
         }
     }
 
@@ -60,6 +72,8 @@ impl Format {
             Format::Stl => "model/stl",
             Format::Gltf => "model/gltf+json",
             Format::Glb => "model/gltf-binary",
+            Format::Dxf => "image/vnd.dxf",
+            Format::Csv => "text/csv",
         }
     }
 
@@ -86,6 +100,8 @@ impl Format {
             Format::Stl => stl::stl(model),
             Format::Gltf => gltf::gltf(model, info).into_bytes(),
             Format::Glb => gltf::glb(model, info),
+            Format::Dxf => dxf::dxf(model).into_bytes(),
+            Format::Csv => table::csv(model).into_bytes(),
         }
     }
 }

@@ -18,10 +18,11 @@ fn payload_key(size: PayloadSize) -> &'static str {
 fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     let payload = payload_key(input.payload_size);
     match misfit {
-        Misfit::NoseWiderThanShoulder => {
+        Misfit::NoseWiderThanShoulder { .. } => {
             vec!["design.nose_radius_ratio", "design.shoulder_radius_ratio"]
         }
-        Misfit::LidWiderThanShoulder { .. }
+        Misfit::PayloadWiderThanVehicle { .. }
+        | Misfit::LidWiderThanShoulder { .. }
         | Misfit::WingTooShallow { .. }
         | Misfit::PayloadWiderThanLid { .. } => vec!["design.diameter_m", payload],
         Misfit::WingTooSteep => vec!["design.cone_half_angle_deg", payload],

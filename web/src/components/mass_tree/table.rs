@@ -1,66 +1,59 @@
 //! The mass tree: every component, the margin once, and their sum.
 
-use super::{basis, drawn};
+use super::basis;
+use crate::components::chart_panel::save;
 use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
-use crate::drawing::class;
+use crate::files::{self, file_name};
+use crate::state::State;
 use leptos::prelude::*;
+use msape::table;
 use msape::units::{Dimension, Unit, canonical};
-use msape::vehicle::{Component, Vehicle};
+use msape::vehicle::Vehicle;
+use msape::vehicle::mass_tree::{Line, MassTree as Tree};
 
-/// A column of numbers: heading, quantity, and its value for a component and for the whole.
+/// A column of numbers: heading, quantity, and its value in a line.
 struct Column {
     heading: &'static str,
     dimension: Dimension,
-    digits: usize,
-    of: fn(&Component, &Vehicle) -> f64,
-    total: fn(&Vehicle) -> f64,
+    of: fn(&Line) -> Option<f64>,
 }
 
 const COLUMNS: &[Column] = &[
     Column {
         heading: "CG from nose",
         dimension: Dimension::Length,
-        digits: 4,
-        of: |c, v| c.cg_x_m - v.dimensions.virtual_apex_ahead_m,
-        total: |v| v.dimensions.cg_from_nose_m,
+        of: |line| Some(line.cg_from_nose_m),
     },
     Column {
         heading: "Ixx",
         dimension: Dimension::Inertia,
-        digits: 4,
-        of: |c, _| c.ixx_kg_m2,
-        total: |v| v.mass.ixx_kg_m2,
+        of: |line| Some(line.ixx_kg_m2),
     },
     Column {
         heading: "Iyy = Izz",
         dimension: Dimension::Inertia,
-        digits: 4,
-        of: |c, _| c.iyy_kg_m2,
-        total: |v| v.mass.iyy_kg_m2,
+        of: |line| Some(line.iyy_kg_m2),
     },
     Column {
         heading: "Volume",
         dimension: Dimension::Volume,
-        digits: 4,
-        of: |c, _| c.volume_m3,
-        total: |v| v.mass.volume_m3,
+        of: |line| line.volume_m3,
     },
     Column {
         heading: "Surface",
         dimension: Dimension::Area,
-        digits: 4,
-        of: |c, _| c.surface_area_m2,
-        total: |v| v.components.iter().map(|c| c.surface_area_m2).sum(),
+        of: |line| line.surface_area_m2,
     },
     Column {
         heading: "Wetted",
         dimension: Dimension::Area,
-        digits: 4,
-        of: |c, _| c.wetted_area_m2,
-        total: |v| v.dimensions.wetted_area_m2,
+        of: |line| line.wetted_area_m2,
     },
 ];
+
+/// Number of digits of masses and of the rest.
+const DIGITS: (usize, usize) = (5, 4);
 
 fn unit(units: UnitSystem, dimension: Dimension) -> &'static Unit {
     units.unit(dimension, canonical(dimension))
@@ -69,92 +62,94 @@ fn unit(units: UnitSystem, dimension: Dimension) -> &'static Unit {
 /// The tab.
 #[component]
 pub fn MassTree() -> impl IntoView {
+    let state = State::expect();
     let view = VehicleView::expect();
     let table = move || {
         let units = view.units.get();
-        view.vehicle
-            .with(|vehicle| vehicle.as_ref().map(|vehicle| tree(vehicle, units)))
+        let vehicle = view.vehicle;
+        vehicle.with(|vehicle| vehicle.as_ref().map(|vehicle| tree(vehicle, units)))
+    };
+    let csv = move |_| {
+        let name = state.case.with_untracked(|case| case.name.clone());
+        let text = view
+            .vehicle
+            .with_untracked(|vehicle| Some(table::mass_tree(vehicle.as_ref()?).to_csv()));
+        if let Some(text) = text {
+            let name = file_name(&format!("{name}-mass-tree"), "csv");
+            save(state, files::download(&name, "text/csv", &text));
+        }
     };
     view! {
         <div class="mass-tree" tabindex="0" role="region" aria-label="Mass tree">{table}</div>
-        <p class="quiet">"Masses of components are without margin; the margin stands once, below them. Inertia is with margin: of a component about its own centre of gravity, of the whole about the whole's."</p>
+        <div class="stage-foot">
+            <p class="quiet">"Components are without margin; the margin stands once, below them. Inertia is about the centre of gravity of the line."</p>
+            <button type="button" class="small" aria-label="CSV of the mass tree" on:click=csv>"CSV"</button>
+        </div>
     }
 }
 
 fn tree(vehicle: &Vehicle, units: UnitSystem) -> impl IntoView + use<> {
-    let mass_unit = unit(units, Dimension::Mass);
-    let density_unit = unit(units, Dimension::Density);
-    let total = vehicle.mass;
-    let margin_kg = total.mass_kg - total.mass_without_margin_kg;
-    let mass = move |kg: f64| number(mass_unit.from_canonical(kg), 5);
-    let share = move |kg: f64| format!("{:.1}", 100.0 * kg / total.mass_kg);
-    let heading = |text: &str, unit: &Unit| format!("{text}, {}", symbol(unit));
-    let head = COLUMNS
+    let Tree {
+        components,
+        without_margin,
+        margin,
+        total,
+        crushed,
+    } = vehicle.mass_tree();
+    let total_kg = total.mass_kg;
+    let bodies = components
         .iter()
-        .map(|column| {
-            let text = heading(column.heading, unit(units, column.dimension));
-            view! { <th scope="col">{text}</th> }
-        })
+        .filter(|line| line.volume_m3 != Some(0.0))
+        .map(|line| row(line, total_kg, units, ""))
         .collect_view();
-    let numbers = |value: &dyn Fn(&Column) -> f64| {
-        COLUMNS
-            .iter()
-            .map(|column| {
-                let unit = unit(units, column.dimension);
-                let shown = number(unit.from_canonical(value(column)), column.digits);
-                view! { <td>{shown}</td> }
-            })
-            .collect_view()
-    };
-    let rows = drawn(vehicle)
-        .map(|component| {
-            let density = number(density_unit.from_canonical(component.density_kg_m3), 4);
-            view! {
-                <tr>
-                    <th scope="row">
-                        <svg viewBox="0 0 10 10" aria-hidden="true"><rect width="10" height="10" rx="2" class=class(component.kind)></rect></svg>
-                        {component.kind.label()}
-                    </th>
-                    <td class="words">{component.material.clone()}</td>
-                    <td>{density}<span class="basis">{basis(component.density_basis)}</span></td>
-                    <td class="value">{mass(component.mass_kg)}</td>
-                    <td>{share(component.mass_kg)}</td>
-                    {numbers(&|column| (column.of)(component, vehicle))}
-                </tr>
-            }
-        })
-        .collect_view();
+    let heading = |text: &str, dimension| format!("{text}, {}", symbol(unit(units, dimension)));
     view! {
         <table class="tree">
             <thead>
                 <tr>
                     <th scope="col">"Component"</th>
                     <th scope="col" class="words">"Material"</th>
-                    <th scope="col">{heading("Density", density_unit)}</th>
-                    <th scope="col">{heading("Mass", mass_unit)}</th>
+                    <th scope="col">{heading("Density", Dimension::Density)}</th>
+                    <th scope="col">{heading("Mass", Dimension::Mass)}</th>
                     <th scope="col">"Share, %"</th>
-                    {head}
+                    {COLUMNS.iter().map(|column| view! { <th scope="col">{heading(column.heading, column.dimension)}</th> }).collect_view()}
                 </tr>
             </thead>
-            <tbody>{rows}</tbody>
+            <tbody>{bodies}</tbody>
             <tfoot>
-                <tr>
-                    <th scope="row">"Margin"</th>
-                    <td class="words">"on all but the payload"</td>
-                    <td></td>
-                    <td class="value">{mass(margin_kg)}</td>
-                    <td>{share(margin_kg)}</td>
-                    {COLUMNS.iter().map(|_| view! { <td></td> }).collect_view()}
-                </tr>
-                <tr class="sum">
-                    <th scope="row">"Entry mass"</th>
-                    <td></td>
-                    <td></td>
-                    <td class="value" data-mass-kg=total.mass_kg.to_string()>{mass(total.mass_kg)}</td>
-                    <td>"100.0"</td>
-                    {numbers(&|column| (column.total)(vehicle))}
-                </tr>
+                {row(&without_margin, total_kg, units, "")}
+                {row(&margin, total_kg, units, "")}
+                {row(&total, total_kg, units, "sum")}
+                {row(&crushed, total_kg, units, "")}
             </tfoot>
         </table>
+    }
+}
+
+fn row(
+    line: &Line,
+    total_kg: f64,
+    units: UnitSystem,
+    class: &'static str,
+) -> impl IntoView + use<> {
+    let shown = |value: Option<f64>, dimension: Dimension, digits: usize| {
+        value.map(|value| number(unit(units, dimension).from_canonical(value), digits))
+    };
+    let numbers = COLUMNS
+        .iter()
+        .map(|column| view! { <td>{shown((column.of)(line), column.dimension, DIGITS.1)}</td> })
+        .collect_view();
+    view! {
+        <tr class=class>
+            <th scope="row">{line.name.clone()}</th>
+            <td class="words">{line.material.clone()}</td>
+            <td>
+                {shown(line.density_kg_m3, Dimension::Density, DIGITS.1)}
+                {line.density_basis.map(|of| view! { <span class="basis">{basis(of)}</span> })}
+            </td>
+            <td class="value">{shown(Some(line.mass_kg), Dimension::Mass, DIGITS.0)}</td>
+            <td>{format!("{:.1}", 100.0 * line.mass_kg / total_kg)}</td>
+            {numbers}
+        </tr>
     }
 }
