@@ -3,7 +3,6 @@
 //! What did not occur, and what is not a finite number, is `null`.
 
 use super::Answer;
-use crate::quantity::trajectory::columns;
 use crate::quantity::{Job, outputs};
 use serde_json::{Map, Value, json as value};
 
@@ -19,9 +18,8 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     object.insert("adjustments".to_string(), value!(answer.adjustments));
     object.insert("passes".to_string(), value!(answer.passes));
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
-        let history = columns()
-            .iter()
-            .zip(&trajectory.values)
+        let history = trajectory
+            .columns()
             .map(|(column, values)| (column.key.to_string(), value!(values)))
             .collect();
         object.insert("trajectory".to_string(), Value::Object(history));

@@ -1,5 +1,6 @@
 //! What is flown, through what, from where, until when, how exactly.
 
+use super::freedom::Freedom;
 use crate::aero::Drag;
 use crate::heating::StagnationHeating;
 use crate::planet::Planet;
@@ -10,6 +11,9 @@ use numerics::ode::Method;
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
+/// Accuracy asked of a flight in six degrees of freedom when the case does not say: angles to 1e-4 after some hundred
+/// oscillations, energy and angular momentum without forces to 1e-9 over ten minutes.
+pub const DEFAULT_TOLERANCE_SIX_DOF: f64 = 1e-9;
 
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +26,10 @@ pub struct Body {
     pub nose_radius_m: f64,
     /// Drag coefficient.
     pub drag: Drag,
+    /// Length of the Knudsen number: the largest diameter, m.
+    pub reference_length_m: f64,
+    /// What moves it besides its drag.
+    pub freedom: Freedom,
 }
 
 /// Entry state in planet-fixed axes, and the same in words.

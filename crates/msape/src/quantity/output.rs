@@ -1,5 +1,6 @@
 //! The outputs: one entry for each number of an answer.
 
+mod attitude;
 mod design;
 mod flight;
 
@@ -142,7 +143,10 @@ pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
         Job::Fly => &[],
         Job::Design => design::OUTPUTS,
     };
-    of_design.iter().chain(flight::OUTPUTS)
+    of_design
+        .iter()
+        .chain(flight::OUTPUTS)
+        .chain(attitude::OUTPUTS)
 }
 
 /// The output with this key.
