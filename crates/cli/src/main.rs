@@ -1,5 +1,6 @@
 //! The command `msape`: files, arguments and terminals around the core.
 
+mod aero;
 mod args;
 mod export;
 mod failure;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
         Command::Export(arguments) => export::export(&arguments),
+        Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),

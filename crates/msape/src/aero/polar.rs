@@ -25,6 +25,11 @@ use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::root;
 use serde::{Deserialize, Serialize};
 
+mod remarks;
+pub mod write;
+
+pub use remarks::remarks;
+
 /// Which theory answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Theory {
@@ -48,8 +53,9 @@ impl Theory {
     /// Newton at a Mach number; his own coefficient without one.
     pub fn newtonian(mach: Option<f64>) -> Theory {
         Theory::Newtonian {
-            pressure_coefficient_max: mach
-                .map_or(STRAIGHT_NEWTON, |mach| pressure_coefficient_max(mach, GAMMA)),
+            pressure_coefficient_max: mach.map_or(STRAIGHT_NEWTON, |mach| {
+                pressure_coefficient_max(mach, GAMMA)
+            }),
         }
     }
 }

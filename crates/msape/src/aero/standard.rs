@@ -45,11 +45,13 @@ impl AeroBody {
         AeroBody {
             name: body.name.clone(),
             surface: Surface::about(&body.outline, body.diameter_m, apex_x_m),
-            sphere_cone: body.cone_half_angle_rad.map(|cone_half_angle_rad| SphereCone {
-                cone_half_angle_rad,
-                nose_radius_ratio: body.nose_radius_m.unwrap_or(0.0) / radius_m,
-                shoulder_radius_ratio: shoulder_radius_m(&body.outline, radius_m) / radius_m,
-            }),
+            sphere_cone: body
+                .cone_half_angle_rad
+                .map(|cone_half_angle_rad| SphereCone {
+                    cone_half_angle_rad,
+                    nose_radius_ratio: body.nose_radius_m.unwrap_or(0.0) / radius_m,
+                    shoulder_radius_ratio: shoulder_radius_m(&body.outline, radius_m) / radius_m,
+                }),
             cg_m,
         }
     }
@@ -126,7 +128,9 @@ fn shoulder_radius_m(outline: &Profile, radius_m: f64) -> f64 {
         .iter()
         .find_map(|segment| match *segment {
             Segment::Arc {
-                center, radius_m: r, ..
+                center,
+                radius_m: r,
+                ..
             } if center.r_m > 0.0 && (center.r_m + r - radius_m).abs() < 1e-6 * radius_m => Some(r),
             _ => None,
         })
@@ -140,7 +144,11 @@ mod tests {
     #[test]
     fn stardust_is_recognized_and_its_hypersonic_force_is_near_the_published_one() {
         let library = Library::builtin().unwrap();
-        let (_, data) = library.outlines.iter().find(|(name, _)| name == "stardust").unwrap();
+        let (_, data) = library
+            .outlines
+            .iter()
+            .find(|(name, _)| name == "stardust")
+            .unwrap();
         let body = AeroBody::of_rigid(&data.scaled_body(None).unwrap(), None);
         let cone = body.sphere_cone.unwrap();
         assert!((cone.nose_radius_ratio - 0.5625).abs() < 1e-3);

@@ -1,10 +1,12 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
+use super::aerodynamics::table_drag;
 use super::database::database;
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
+use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
@@ -201,7 +203,7 @@ pub(super) fn body(
             Some(computed) => (Some(computed.axial_force), Some(computed.database)),
             None => (None, None),
         },
-        _ => (drag(reader, library, degrees), None),
+        _ => (drag(reader, library, degrees, outline), None),
     };
     let area_m2 = area_m2
         .or(diameter_m.map(|d| 0.25 * PI * d * d))
@@ -236,18 +238,35 @@ fn by_outline(reader: &Reader, outline: &Outline) -> bool {
     !given && (reader.given("vehicle.aerodynamics") || *outline != Outline::Absent)
 }
 
-fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Option<Drag> {
+fn drag(
+    reader: &mut Reader,
+    library: &Library,
+    degrees: Option<Degrees>,
+    outline: &Outline,
+) -> Option<Drag> {
     let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
     let keys = [
         "vehicle.drag_coefficient",
         "vehicle.drag_table",
         "vehicle.aerodynamics",
+        "vehicle.aerodynamics.table",
     ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
         [] if constants.is_some() => drag_of_constants(reader),
-        // A body on which the air does not act.
-        [] if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+        [] => match outline {
+            Outline::Body(body) => Some(Drag::Table(
+                AeroBody::of_rigid(body, None).axial_force(library),
+            )),
+            Outline::Faulty => None,
+            // A body on which the air does not act.
+            Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+            Outline::Absent => {
+                let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics, or [outline]";
+                reader.fault("vehicle.drag_coefficient", message);
+                None
+            }
+        },
         [first, ..] if constants.is_some() => {
             let message = format!("given together with {first}; give one of them");
             reader.fault(constants.unwrap_or_default(), message);
@@ -256,6 +275,13 @@ fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Opt
         [only] if *only == keys[0] => reader
             .number("vehicle.drag_coefficient")
             .map(Drag::Constant),
+        [only] if *only == keys[3] => {
+            let diameter_m = match outline {
+                Outline::Body(body) => body.diameter_m,
+                _ => reader.number("vehicle.diameter_m").unwrap_or(1.0),
+            };
+            table_drag(reader, library, diameter_m)
+        }
         [only] if *only == keys[1] => {
             let rows: Vec<(f64, f64)> = reader
                 .rows("vehicle.drag_table")?
@@ -280,11 +306,6 @@ fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Opt
                 .collect();
             let name = reader.choice("vehicle.aerodynamics", &names)?;
             named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
-        }
-        [] => {
-            let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics";
-            reader.fault("vehicle.drag_coefficient", message);
-            None
         }
         [_, second, ..] => {
             reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");
