@@ -1,9 +1,6 @@
 //! Curves of aerodynamic coefficients: what is asked, what the worker answers.
 //!
-//! - [`curves`]: from a database, all that the page draws. The theory is in `msape::aero`.
-//! - [`origin`]: which coefficient is measured, computed or assumed where.
-
-pub mod origin;
+//! The theory is in `msape::aero`.
 
 use crate::protocol::Fault;
 use msape::aero::database::{Coefficients, Database, Regime};

@@ -2,6 +2,7 @@
 
 pub mod aerodynamics;
 pub mod alternatives;
+pub mod attitude;
 pub mod cad;
 pub mod chart;
 pub mod chart_panel;

@@ -15,6 +15,8 @@ pub enum Ask {
     Fly(Case),
     /// For curves of coefficients.
     Aerodynamics(Box<Question>),
+    /// For the flight of a design with its attitude.
+    Attitude(Box<Case>),
     /// To read a table of coefficients.
     ReadTable(String),
 }

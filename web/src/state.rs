@@ -227,6 +227,15 @@ impl State {
         link.ok_or("there is no worker")?.fly(case).await
     }
 
+    /// The flight of a design with its attitude, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn attitude(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.attitude(case).await
+    }
+
     /// Curves of coefficients, or every fault of their case.
     ///
     /// # Errors

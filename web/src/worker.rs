@@ -84,6 +84,17 @@ impl WorkerLink {
         }
     }
 
+    /// The flight of a design with its attitude, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn attitude(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        match self.ask(Ask::Attitude(Box::new(case))).await? {
+            Told::Flown(flown) => Ok(*flown),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
     /// Curves of coefficients, or every fault of their case.
     ///
     /// # Errors
