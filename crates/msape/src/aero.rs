@@ -25,6 +25,7 @@ pub mod own;
 pub mod polar;
 pub mod shadow;
 pub mod standard;
+pub mod stored;
 pub mod surface;
 
 use numerics::scalar::Scalar;

@@ -120,6 +120,12 @@ pub fn loads<const K: usize>(
             *sum = sum.mixed(1.0, &part, 1.0);
         }
     }
+    if wind.sin == 0.0 {
+        // Along the axis there is no side.
+        for sum in &mut total {
+            (sum.cn, sum.cm) = (0.0, 0.0);
+        }
+    }
     total
 }
 
