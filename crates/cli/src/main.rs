@@ -3,6 +3,7 @@
 mod aero;
 mod args;
 mod failure;
+mod outline;
 mod output;
 mod quantities;
 mod read;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Design(arguments) => run::run(&arguments, Job::Design),
         Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),
     };

@@ -16,11 +16,13 @@
 pub mod body;
 pub mod close;
 pub mod crossing;
+pub mod crush;
 pub mod forebody;
 pub mod impact;
 pub mod input;
 pub mod layout;
 pub mod mass;
+pub mod mass_tree;
 pub mod material;
 pub mod msr;
 pub mod non_msr;
@@ -30,6 +32,7 @@ pub mod remarks;
 pub mod rules;
 pub mod segment;
 pub mod structure;
+pub mod winding;
 
 pub use input::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
 pub use mass::{Component, ComponentKind, MassProperties};
@@ -58,6 +61,8 @@ pub struct Vehicle {
     pub components: Vec<Component>,
     /// Mass, centre of gravity, inertia.
     pub mass: MassProperties,
+    /// The same after landing, the payload moved forward by the required stroke.
+    pub crushed: MassProperties,
     /// Key dimensions.
     pub dimensions: Dimensions,
     /// Landing.
@@ -200,7 +205,9 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         structure,
         iterations,
     } = closed;
+    let crushed = crush::crushed(input.concept, &layout, &components, stroke_m);
     Ok(Vehicle {
+        crushed,
         concept: input.concept,
         outline: layout.outline.profile(),
         layout,
@@ -245,7 +252,7 @@ fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed
             Err(misfit) => (low, at_largest) = (high, misfit),
         }
     }
-    let reason = format!(
+    let mut reason = format!(
         "No vehicle of {:.3} m to {:.3} m closes: at {:.3} m {}; at {:.3} m {}.",
         input.diameter_m,
         largest.max(input.diameter_m),
@@ -254,11 +261,42 @@ fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed
         largest.max(input.diameter_m),
         at_largest.reason()
     );
+    if let Some(diameter_m) = largest_payload_m(input, foam, largest.max(input.diameter_m)) {
+        reason.push_str(&format!(
+            " The widest payload of this mass that fits into {:.3} m is {diameter_m:.3} m across, this one is {:.3} m.",
+            largest.max(input.diameter_m),
+            input.payload_diameter_m()
+        ));
+    }
     Err(NotClosed {
         reason,
         at_input: Some(at_input),
         at_largest: Some(at_largest),
     })
+}
+
+/// Halvings in the search for the widest payload: to a few micrometres.
+const PAYLOAD_HALVINGS: usize = 18;
+
+/// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.
+fn largest_payload_m(input: &VehicleInput, foam: Foam, diameter_m: f64) -> Option<f64> {
+    let closes = |payload_m: f64| {
+        let mut input = input.clone();
+        input.payload_size = PayloadSize::DiameterM(payload_m);
+        close(&input, diameter_m, foam).is_ok()
+    };
+    let (mut low, mut high) = (0.0, input.payload_diameter_m());
+    for _ in 0..PAYLOAD_HALVINGS {
+        let middle = 0.5 * (low + high);
+        if closes(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    // rounded down to the millimetre, so that what is said does fit
+    let said = (low * 1000.0).floor() / 1000.0;
+    (said > 0.0 && closes(said)).then_some(said)
 }
 
 fn dimensions(input: &VehicleInput, diameter_m: f64, closed: &Closed) -> Dimensions {

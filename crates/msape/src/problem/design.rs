@@ -21,6 +21,37 @@ const FIRST_LOADS: Loads = Loads {
 const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
 
+/// What would cross what where a dimension is outside its range.
+const CROSSINGS: [(&str, &str); 4] = [
+    (
+        "design.shoulder_radius_ratio",
+        "without a shoulder the layers of forebody and aftbody would cross at a sharp edge; beyond half the radius the shoulder would cross the nose",
+    ),
+    (
+        "design.nose_radius_ratio",
+        "at a sharp tip the layers of the heat shield would cross on the axis; a wider nose sphere would cross the shoulder",
+    ),
+    (
+        "design.payload_diameter_ratio",
+        "a wider payload would cross the outline of the vehicle",
+    ),
+    (
+        "design.cone_half_angle_deg",
+        "a sharper or blunter cone would cross the wing, whose aft side slopes 5 to 30 deg",
+    ),
+];
+
+/// Adds to faults of the geometry what would cross what.
+fn explain_crossings(reader: &mut Reader) {
+    for fault in &mut reader.faults {
+        if let Some((_, why)) = CROSSINGS.iter().find(|(key, _)| *key == fault.key)
+            && fault.message.contains("must be")
+        {
+            fault.message = format!("{}: {why}", fault.message);
+        }
+    }
+}
+
 /// Everything that determines a design.
 pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
     let mission = mission(reader, library, Angle::Descending);
@@ -58,6 +89,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         iterations,
         relaxation,
     ] = numbers;
+    explain_crossings(reader);
     let mut densities = Densities::read(reader);
     let [
         diameter_m,

@@ -33,7 +33,7 @@ fn materials(data: &VehicleData) -> Materials {
 }
 
 /// The MSR vehicle of Table 15 with PICA on honeycomb.
-fn msr() -> VehicleInput {
+pub(super) fn msr() -> VehicleInput {
     let data = data();
     let honeycomb = data.carrier.get("al-honeycomb").unwrap();
     VehicleInput {
@@ -87,7 +87,7 @@ fn msr_carbon() -> VehicleInput {
     input
 }
 
-fn galahad() -> VehicleInput {
+pub(super) fn galahad() -> VehicleInput {
     let mut input = msr();
     input.concept = Concept::NonMsr;
     input.diameter_m = 1.1;
