@@ -1,28 +1,23 @@
 //! Checks which database a rigid body flies with: that of its own outline.
 
 use super::outline::Outline;
+use crate::aero::AxialForce;
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
 use crate::aero::database::{Database, Options};
-use crate::aero::{AxialForce, Drag};
 use crate::case::Reader;
 use crate::finding::{Finding, Severity};
+use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::vehicle::body::RigidBody;
 use numerics::math::RADIANS_PER_DEGREE;
-
-/// A database, and the axial force on which it rests nose first.
-pub(super) struct Computed {
-    pub(super) database: Database,
-    pub(super) axial_force: Drag,
-}
 
 /// The database of the outline of a case; with axial force by name where one is named, else by the angle of the cone.
 pub(super) fn database(
     reader: &mut Reader,
     library: &Library,
     outline: &Outline,
-) -> Option<Computed> {
+) -> Option<OfOutline> {
     let Outline::Body(body) = outline else {
         if *outline == Outline::Absent {
             reader.fault("vehicle.aerodynamics", "has axial force alone; with vehicle.dof = 6 give an [outline] from which the rest is computed, or constants in [vehicle.aerodynamics]");
@@ -60,9 +55,9 @@ pub(super) fn database(
             reading: Reading::Corrected,
         },
     };
-    Some(Computed {
+    Some(OfOutline {
         database: Database::of_outline(&body.outline, body.diameter_m, options),
-        axial_force: Drag::Table(force.table.clone()),
+        axial_force: force.table.clone(),
     })
 }
 

@@ -198,7 +198,11 @@ pub(super) fn body(
     }
     let (drag, database) = match (degrees, by_outline(reader, outline)) {
         (Some(Degrees::Six), true) => match database(reader, library, outline) {
-            Some(computed) => (Some(computed.axial_force), Some(computed.database)),
+            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+            Some(of_outline) => {
+                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
+                (Some(drag), Some(of_outline))
+            }
             None => (None, None),
         },
         _ => (drag(reader, library, degrees), None),
