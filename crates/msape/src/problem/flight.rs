@@ -1,6 +1,7 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
 use super::aerodynamics::table_drag;
+use super::database::database;
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
@@ -197,7 +198,17 @@ pub(super) fn body(
         ),
         _ => {}
     }
-    let drag = drag(reader, library, degrees, outline);
+    let (drag, database) = match (degrees, by_outline(reader, outline)) {
+        (Some(Degrees::Six), true) => match database(reader, library, outline) {
+            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+            Some(of_outline) => {
+                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
+                (Some(drag), Some(of_outline))
+            }
+            None => (None, None),
+        },
+        _ => (drag(reader, library, degrees, outline), None),
+    };
     let area_m2 = area_m2
         .or(diameter_m.map(|d| 0.25 * PI * d * d))
         .or(area_of_outline_m2);
@@ -207,8 +218,10 @@ pub(super) fn body(
         mission,
         area_m2,
         length_m,
+        database,
+        outline,
     };
-    let freedom = freedom(reader, &known);
+    let freedom = freedom(reader, known);
     Some(Body {
         mass_kg: mass_kg?,
         reference_area_m2: area_m2?,
@@ -217,6 +230,18 @@ pub(super) fn body(
         reference_length_m: length_m?,
         freedom: freedom?,
     })
+}
+
+/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
+fn by_outline(reader: &Reader, outline: &Outline) -> bool {
+    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
+    let given = otherwise
+        .iter()
+        .chain(&CONSTANTS)
+        .any(|key| reader.given(key));
+    let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
+    let named = named.iter().any(|key| reader.given(key));
+    !given && (named || *outline != Outline::Absent)
 }
 
 fn drag(

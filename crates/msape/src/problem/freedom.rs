@@ -1,13 +1,16 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
-use super::attitude;
+use super::outline::Outline;
+use super::{attitude, center};
 use crate::aero::Drag;
 use crate::case::Reader;
 use crate::finding::{Finding, Severity};
 use crate::flight::freedom::Freedom;
 use crate::flight::lift::{Bank, Lift, Source};
-use crate::flight::mission::{DEFAULT_TOLERANCE_SIX_DOF, Mission, Model, Solver};
-use crate::flight::six_dof::aerodynamics::{Aerodynamics, Constants, Damping, Reference};
+use crate::flight::mission::{Mission, Model, Solver};
+use crate::flight::six_dof::aerodynamics::{
+    Aerodynamics, Constants, Damping, OfOutline, Reference,
+};
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
 use crate::quantity::input::inputs;
@@ -70,10 +73,12 @@ pub(super) struct Known<'a> {
     pub(super) mission: Option<&'a Mission>,
     pub(super) area_m2: Option<f64>,
     pub(super) length_m: Option<f64>,
+    pub(super) database: Option<OfOutline>,
+    pub(super) outline: &'a Outline,
 }
 
 /// How the vehicle is free to move.
-pub(super) fn freedom(reader: &mut Reader, known: &Known) -> Option<Freedom> {
+pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
     match known.degrees {
         Degrees::Three => {
             unused(reader, "three degrees of freedom", |key| {
@@ -116,9 +121,9 @@ fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
     }
 }
 
-fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
+fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
     let inertia = inertia(reader);
-    let cg = one_row::<3>(reader, "vehicle.cg_m");
+    let cg = center::cg(reader, known.outline, known.database.is_some());
     let span_m = reader.number("vehicle.reference_span_m");
     let [ca, cn, cm] = CONSTANTS.map(|key| reader.number(key).unwrap_or(0.0));
     let [clp, cmq, cnr] = DAMPING.map(|key| reader.number(key).unwrap_or(0.0));
@@ -135,20 +140,20 @@ fn rigid(reader: &mut Reader, known: &Known) -> Option<Rigid> {
     let mission = known.mission?;
     Some(Rigid {
         inertia: inertia?,
-        cg_m: cg?.unwrap_or_default(),
+        cg_m: cg?,
         reference: Reference {
             area_m2: known.area_m2?,
             length_m,
             span_m: span_m.unwrap_or(length_m),
         },
-        aerodynamics: if constants {
-            Aerodynamics::Constants(Constants {
+        aerodynamics: match known.database {
+            Some(database) => Aerodynamics::Database(Box::new(database)),
+            None if constants => Aerodynamics::Constants(Constants {
                 ca,
                 cn_alpha_per_rad: cn,
                 cm_alpha_per_rad: cm,
-            })
-        } else {
-            Aerodynamics::Drag
+            }),
+            None => Aerodynamics::Drag,
         },
         damping: Damping { clp, cmq, cnr },
         attitude: crate::flight::six_dof::attitude::at_start(&given?, &mission.start, mission),
@@ -286,12 +291,25 @@ pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
     }))
 }
 
+/// Without moments the steps are long: energy and angular momentum keep to 1e-10 over ten minutes of tumbling.
+const TOLERANCE_FREE: f64 = 1e-11;
+/// With constants: energy and angular momentum without air to 1e-9, a swing of 10 Hz to 1e-5 after three minutes.
+const TOLERANCE_CONSTANTS: f64 = 1e-9;
+/// With a database, whose tables have kinks: largest angles of an entry to 1e-5.
+const TOLERANCE_DATABASE: f64 = 1e-8;
+
 /// Method and accuracy of six degrees of freedom, where the case does not say otherwise.
-pub(super) fn solver(reader: &Reader, solver: &mut Solver) {
+pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
     if !reader.given("solver.method") {
         solver.method = Method::DormandPrince853;
     }
     if !reader.given("solver.tolerance") {
-        solver.tolerance = DEFAULT_TOLERANCE_SIX_DOF;
+        let damped = rigid.damping != Damping::default();
+        solver.tolerance = match &rigid.aerodynamics {
+            Aerodynamics::Database(_) => TOLERANCE_DATABASE,
+            Aerodynamics::Drag if !damped => TOLERANCE_FREE,
+            Aerodynamics::Constants(c) if !damped && c.cm_alpha_per_rad == 0.0 => TOLERANCE_FREE,
+            _ => TOLERANCE_CONSTANTS,
+        };
     }
 }

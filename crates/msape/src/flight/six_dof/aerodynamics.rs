@@ -12,13 +12,16 @@
 //! α the total angle of attack in rad. C_m is positive when it lifts the nose away from the velocity.
 //!
 //! # Valid
-//! Bodies of revolution, and bodies with constants. Constants are linear in α at every α. The rate of the planet in the
-//! damping is left out, as in \[nesc-2015\].
+//! Bodies of revolution, and bodies with constants. Constants are linear in α at every α. The coefficients of a database
+//! belong to the virtual apex and to its diameter; constants of damping are added to its pitch damping, which holds for yaw,
+//! too. The rate of the planet in the damping is left out, as in \[nesc-2015\].
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.3.1 (reference point) and 3.3.7; \[stevens-lewis-2016\] section 2.3.
 
-use crate::aero::Drag;
+use super::rigid::Rigid;
+use crate::aero::DragTable;
+use crate::aero::database::{Coefficients, Database};
 use numerics::math;
 
 /// Where force and moment come from.
@@ -28,6 +31,17 @@ pub enum Aerodynamics {
     Drag,
     /// Constants.
     Constants(Constants),
+    /// Coefficients of an outline at any Mach number, Knudsen number and angle.
+    Database(Box<OfOutline>),
+}
+
+/// The database of an outline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfOutline {
+    /// Coefficients.
+    pub database: Database,
+    /// Axial force nose first against Mach number, on which they rest; its rows are kinks.
+    pub axial_force: DragTable,
 }
 
 /// Coefficients that do not depend on Mach number, moment about the centre of gravity.
@@ -76,6 +90,8 @@ pub struct Stream {
     pub drag_coefficient: f64,
     /// Inertial rates, axes of the body, rad/s.
     pub rates_rad_s: [f64; 3],
+    /// Mach and Knudsen number, where the coefficients depend on them.
+    pub mach_knudsen: [f64; 2],
 }
 
 /// Force and moment about the centre of gravity, axes of the body.
@@ -93,6 +109,10 @@ struct Static {
     ca: f64,
     cn: f64,
     cm: f64,
+    /// Pitch and yaw damping.
+    cmq: f64,
+    /// Length of `cm` and `cmq`, m.
+    length_m: f64,
     /// From the centre of gravity to the point of `cm`, axes of the body, m.
     arm_m: [f64; 3],
 }
@@ -106,7 +126,13 @@ pub fn total_alpha_rad([u, v, w]: [f64; 3]) -> f64 {
 impl Aerodynamics {
     /// Force and moment.
     #[inline]
-    pub fn load(&self, stream: &Stream, reference: &Reference, damping: &Damping) -> Load {
+    pub fn load(&self, stream: &Stream, body: &Rigid) -> Load {
+        let Rigid {
+            reference,
+            damping,
+            cg_m: [x, y, z],
+            ..
+        } = body;
         let Stream {
             velocity_m_s: [u, v, w],
             speed_m_s,
@@ -141,35 +167,53 @@ impl Aerodynamics {
                     ca: constants.ca,
                     cn: constants.cn_alpha_per_rad * alpha,
                     cm: constants.cm_alpha_per_rad * alpha,
+                    cmq: 0.0,
+                    length_m: d,
                     arm_m: [0.0; 3],
+                }
+            }
+            Aerodynamics::Database(of_outline) => {
+                let database = &of_outline.database;
+                let alpha = total_alpha_rad(stream.velocity_m_s);
+                let [mach, knudsen] = stream.mach_knudsen;
+                let Coefficients {
+                    ca, cn, cm, cmq, ..
+                } = database.coefficients(mach, knudsen, alpha);
+                Static {
+                    ca,
+                    cn,
+                    cm,
+                    cmq,
+                    length_m: database.diameter_m,
+                    arm_m: [*x, -y, -z],
                 }
             }
         };
         let across = (v * v + w * w).sqrt().max(f64::MIN_POSITIVE);
         let (cv, cw) = (v / across, w / across);
-        let Static { ca, cn, cm, arm_m } = coefficients;
+        let Static {
+            ca,
+            cn,
+            cm,
+            cmq,
+            length_m,
+            arm_m,
+        } = coefficients;
         let force_n = [
             -pressure_area * ca,
             -pressure_area * cn * cv,
             -pressure_area * cn * cw,
         ];
-        let moment = pressure_area * d * cm;
+        let moment = pressure_area * length_m * cm;
+        let damping = rate_area * length_m * length_m * cmq;
         let [l, m, n] = cross(arm_m, force_n);
         Load {
             force_n,
             moment_n_m: [
                 l + damped[0],
-                m + moment * cw + damped[1],
-                n - moment * cv + damped[2],
+                m + moment * cw + damped[1] + damping * q,
+                n - moment * cv + damped[2] + damping * r,
             ],
-        }
-    }
-
-    /// Drag at zero angle of attack, as a point mass has it.
-    pub fn drag_ahead(&self, of_body: &Drag) -> Drag {
-        match self {
-            Aerodynamics::Drag => of_body.clone(),
-            Aerodynamics::Constants(constants) => Drag::Constant(constants.ca),
         }
     }
 }
@@ -186,12 +230,30 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::flight::six_dof::inertia::Inertia;
+    use crate::flight::six_dof::quaternion::Quaternion;
 
-    const REFERENCE: Reference = Reference {
-        area_m2: 2.0,
-        length_m: 3.0,
-        span_m: 4.0,
-    };
+    fn body(aerodynamics: Aerodynamics, damping: Damping) -> Rigid {
+        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        Rigid {
+            inertia: Inertia::try_new(unit).unwrap(),
+            cg_m: [0.3, 0.0, 0.0],
+            reference: Reference {
+                area_m2: 2.0,
+                length_m: 3.0,
+                span_m: 4.0,
+            },
+            aerodynamics,
+            damping,
+            attitude: Quaternion([1.0, 0.0, 0.0, 0.0]),
+            rates_rad_s: [0.0; 3],
+        }
+    }
+
+    fn load_on(body: &Rigid, stream: &Stream) -> Load {
+        body.aerodynamics.load(stream, body)
+    }
+
     const STABLE: Aerodynamics = Aerodynamics::Constants(Constants {
         ca: 1.0,
         cn_alpha_per_rad: 0.5,
@@ -206,26 +268,29 @@ mod tests {
             density_kg_m3: 0.01,
             drag_coefficient: 0.7,
             rates_rad_s: [0.0; 3],
+            mach_knudsen: [0.0; 2],
         }
     }
 
     #[test]
     fn nose_up_in_pitch_and_nose_left_in_sideslip_are_turned_back() {
         // 3-4-5: α = atan(4/3) = 0.927295, q S = ½ 0.01 25 · 2 = 0.25 N, C_N = 0.463648, C_m = −0.0927295
-        let load = STABLE.load(&stream([3.0, 0.0, 4.0]), &REFERENCE, &Damping::default());
+        let load = load_on(&body(STABLE, Damping::default()), &stream([3.0, 0.0, 4.0]));
         assert!((load.force_n[0] + 0.25).abs() < 1e-15 && load.force_n[1] == 0.0);
         assert!((load.force_n[2] + 0.115_911_90).abs() < 1e-8);
         assert!((load.moment_n_m[1] + 0.069_547_14).abs() < 1e-8);
         // The velocity to the right: the nose is left of it and is turned right.
-        let aside = STABLE.load(&stream([3.0, 4.0, 0.0]), &REFERENCE, &Damping::default());
+        let aside = load_on(&body(STABLE, Damping::default()), &stream([3.0, 4.0, 0.0]));
         assert!((aside.force_n[1] - load.force_n[2]).abs() < 1e-15);
         assert!((aside.moment_n_m[2] + load.moment_n_m[1]).abs() < 1e-15);
     }
 
     #[test]
     fn drag_is_against_the_velocity_at_any_attitude() {
-        let load =
-            Aerodynamics::Drag.load(&stream([-3.0, 0.0, 4.0]), &REFERENCE, &Damping::default());
+        let load = load_on(
+            &body(Aerodynamics::Drag, Damping::default()),
+            &stream([-3.0, 0.0, 4.0]),
+        );
         // q S C_D = 0.25 · 0.7
         for (force, part) in load.force_n.iter().zip([0.6, 0.0, -0.8]) {
             assert!((force - 0.175 * part).abs() < 1e-16);
@@ -244,7 +309,7 @@ mod tests {
             rates_rad_s: [1.0, 1.0, 1.0],
             ..stream([5.0, 0.0, 0.0])
         };
-        let load = Aerodynamics::Drag.load(&turning, &REFERENCE, &damping);
+        let load = load_on(&body(Aerodynamics::Drag, damping), &turning);
         // q S b · b/(2 V) = 0.25 · 16/10 and 0.25 · 9/10
         for (moment, expected) in load.moment_n_m.iter().zip([-0.4, -0.225, -0.4]) {
             assert!((moment - expected).abs() < 1e-15);
@@ -253,7 +318,7 @@ mod tests {
 
     #[test]
     fn at_rest_there_is_nothing() {
-        let load = STABLE.load(&stream([0.0; 3]), &REFERENCE, &Damping::default());
+        let load = load_on(&body(STABLE, Damping::default()), &stream([0.0; 3]));
         assert_eq!(
             load,
             Load {
