@@ -66,6 +66,9 @@ pub struct Aero {
     /// CSV, a line an angle
     #[arg(long)]
     pub csv: bool,
+    /// The database at the Mach and Knudsen numbers of the report's figures, 0 to 180 deg, as CSV
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    pub database: bool,
     /// Write to a file, which is replaced only when all went well
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,
@@ -106,6 +109,13 @@ pub fn run(arguments: &Aero) -> Done {
             return Err(Failure::Input(faults));
         }
     };
+    if arguments.database {
+        output::write(
+            &msape::aero::stored::csv(&database),
+            arguments.output.as_deref(),
+        )?;
+        return Ok(ExitCode::SUCCESS);
+    }
     refuse(&database, &theory, &angles)?;
     let polar = polar::polar(&polar::Aero::new(&body, theory, Some(&database)), &angles);
     let findings = remarks(&polar, &theory, &database);
@@ -166,7 +176,7 @@ fn theory(arguments: &Aero, faults: &mut Vec<String>) -> Theory {
             })
         }
         Regime::Blended => {
-            if arguments.mach.is_none() {
+            if arguments.mach.is_none() && !arguments.database {
                 faults.push("--mach: missing; the blended regime needs a Mach number".to_string());
             }
             Theory::Blended {
@@ -242,8 +252,7 @@ fn table(name: &str, body: &AeroBody, polar: &Polar, findings: &[Finding]) -> St
             .enumerate()
             .map(|(n, (_, get))| match get(row) {
                 Some(value) if n == 0 => value.to_string(),
-                // Plus zero, so that no zero carries a sign.
-                Some(value) => format!("{:.DECIMALS$}", value + 0.0),
+                Some(value) => unsigned_zero(format!("{value:.DECIMALS$}")),
                 None => "-".to_string(),
             });
         columns.push(cells.collect());
@@ -273,4 +282,17 @@ fn table(name: &str, body: &AeroBody, polar: &Polar, findings: &[Finding]) -> St
         text.push_str(&format!("\n{}\n", finding.message));
     }
     text
+}
+
+/// A zero without a sign.
+fn unsigned_zero(text: String) -> String {
+    let nothing = text
+        .trim_start_matches('-')
+        .chars()
+        .all(|c| c == '0' || c == '.');
+    if nothing {
+        text.trim_start_matches('-').to_string()
+    } else {
+        text
+    }
 }

@@ -4,6 +4,7 @@ mod aero;
 mod args;
 mod export;
 mod failure;
+mod outline;
 mod output;
 mod quantities;
 mod read;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Export(arguments) => export::export(&arguments),
         Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),
     };

@@ -25,6 +25,10 @@ pub struct Bench {
     pub msr_body: Body,
     /// A vehicle of another concept.
     pub galahad: DesignProblem,
+    /// A spinning entry in six degrees of freedom with the database of its outline.
+    pub spinning: FlightProblem,
+    /// The same as a case.
+    pub spinning_case: Case,
 }
 
 /// Something that is measured.
@@ -37,7 +41,7 @@ pub struct Job {
 }
 
 /// What is measured; the first is the reference.
-pub static JOBS: [Job; 10] = [
+pub static JOBS: [Job; 12] = [
     Job {
         name: "bare kernel: order 5, exponential air, no results",
         run: |bench| {
@@ -88,6 +92,22 @@ pub static JOBS: [Job; 10] = [
         run: |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
     },
     Job {
+        name: "six degrees of freedom (spinning Stardust)",
+        run: |bench| {
+            let FlightProblem { mission, body, .. } = &bench.spinning;
+            black_box(flight::fly(mission, body, Request::Nothing));
+        },
+    },
+    Job {
+        name: "the same, checked, with its database",
+        run: |bench| {
+            drop(black_box(FlightProblem::check(
+                &bench.spinning_case,
+                &bench.library,
+            )))
+        },
+    },
+    Job {
         name: "checking a case (MSR)",
         run: |bench| {
             drop(black_box(DesignProblem::check(
@@ -120,6 +140,10 @@ impl Bench {
         let galahad = shipped("cases/galahad.toml", |case| {
             DesignProblem::check(&case, &library)
         })?;
+        let (spinning_case, spinning) = shipped("cases/stardust-spinning.toml", |case| {
+            let spinning = FlightProblem::check(&case, &library)?;
+            Ok((case, spinning))
+        })?;
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
         let msr_body = msr.input.body(&built);
@@ -130,6 +154,8 @@ impl Bench {
             msr,
             msr_body,
             galahad,
+            spinning,
+            spinning_case,
         })
     }
 }

@@ -64,8 +64,8 @@ impl FlightProblem {
         let body = flight::body(&mut reader, library, mission.as_ref(), &outline);
         match mission.zip(body) {
             Some((mut mission, body)) if reader.faults.is_empty() => {
-                if let Freedom::Rigid(_) = body.freedom {
-                    freedom::solver(&reader, &mut mission.solver);
+                if let Freedom::Rigid(rigid) = &body.freedom {
+                    freedom::solver(&reader, rigid, &mut mission.solver);
                 }
                 Ok(FlightProblem {
                     mission,

@@ -16,7 +16,7 @@
 
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, hypot, sin_cos};
+use numerics::math::{FRAC_PI_2, PI, atan2, hypot, sin_cos};
 
 /// Longest arc of a piece, rad.
 const LONGEST_ARC_RAD: f64 = 0.25 * PI;
@@ -114,11 +114,45 @@ impl Piece {
     }
 }
 
+/// Whether a body can shade itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bulge {
+    /// It cannot: it is convex.
+    Convex,
+    /// It can.
+    Concave,
+}
+
 /// The outer surface of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     pieces: Vec<Piece>,
     diameter_m: f64,
+    bulge: Bulge,
+}
+
+/// Turns to the wrong side up to this are rounding, rad.
+const STRAIGHT_RAD: f64 = 1e-7;
+
+/// A meridian is that of a convex body when it only turns towards the axis.
+fn bulge(pieces: &[Piece]) -> Bulge {
+    let mut before: Option<f64> = None;
+    for piece in pieces {
+        let direction = |t: f64| {
+            let station = piece.at(t);
+            atan2(-station.normal_x, station.normal_r)
+        };
+        let outwards = |from: f64, to: f64| {
+            let turn = to - from;
+            turn - 2.0 * PI * (turn / (2.0 * PI)).round() > STRAIGHT_RAD
+        };
+        let hollow = matches!(piece, Piece::Arc { sweep_rad, .. } if *sweep_rad > 0.0);
+        if hollow || before.is_some_and(|before| outwards(before, direction(0.0))) {
+            return Bulge::Concave;
+        }
+        before = Some(direction(1.0));
+    }
+    Bulge::Convex
 }
 
 impl Surface {
@@ -140,12 +174,21 @@ impl Surface {
         for segment in &run.segments {
             add(&mut pieces, segment, diameter_m, apex_x_m);
         }
-        Surface { pieces, diameter_m }
+        Surface {
+            bulge: bulge(&pieces),
+            pieces,
+            diameter_m,
+        }
     }
 
     /// The pieces, in order from the nose.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// Whether it can shade itself.
+    pub fn bulge(&self) -> Bulge {
+        self.bulge
     }
 
     /// Reference diameter, m.
@@ -247,7 +290,28 @@ mod tests {
         // run the other way it is the same surface
         let again = Surface::new(&outline.reversed(), 2.0);
         assert!((again.pieces()[0].at(0.0).normal_x + 1.0).abs() < 1e-15);
+        assert_eq!(surface.bulge(), Bulge::Convex);
         let length: f64 = surface.pieces().iter().map(Piece::length).sum();
         assert!((length - 0.5 * PI).abs() < 1e-14);
+    }
+    #[test]
+    fn a_step_makes_a_body_concave() {
+        let at = |x_m: f64, r_m: f64| Point { x_m, r_m };
+        let points = [
+            at(0.0, 0.0),
+            at(0.0, 0.5),
+            at(0.2, 0.5),
+            at(0.2, 0.2),
+            at(1.0, 0.2),
+            at(1.0, 0.0),
+        ];
+        let line = |pair: &[Point]| Segment::Line {
+            start: pair[0],
+            end: pair[1],
+        };
+        let outline = Profile {
+            segments: points.windows(2).map(line).collect(),
+        };
+        assert_eq!(Surface::new(&outline.closed(), 1.0).bulge(), Bulge::Concave);
     }
 }

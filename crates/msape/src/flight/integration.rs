@@ -17,7 +17,7 @@ mod gate;
 
 use super::equations::{Radiation, STATES};
 use super::motion::Motion;
-use crate::aero::Drag;
+use crate::aero::DragTable;
 use crate::answer::Outcome;
 use crate::planet::Gravity;
 use gate::{Gate, Place, place, speed_m_s};
@@ -118,7 +118,6 @@ pub fn point_tolerance(tolerance: f64) -> Tolerance<STATES> {
 impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
     fn new(mut motion: M, start: [f64; N]) -> Self {
         let mission = motion.point().mission;
-        let body = motion.point().body;
         let altitude_m = mission
             .planet
             .local([start[0], start[1], start[2]])
@@ -139,13 +138,11 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
                 false => Radiation::Over,
             };
         }
-        let kinks_mach = match &body.drag {
-            Drag::Constant(_) => Vec::new(),
-            Drag::Table(table) => {
-                let rows = table.rows().map(|(mach, _)| mach);
-                rows.filter(|mach| *mach >= KINKS_FROM_MACH).collect()
-            }
-        };
+        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
+        let kinks_mach = rows
+            .map(|(mach, _)| mach)
+            .filter(|mach| *mach >= KINKS_FROM_MACH)
+            .collect();
         Integration {
             here: place(&motion, &start),
             kinks_m_s,

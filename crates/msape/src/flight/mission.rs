@@ -11,10 +11,6 @@ use numerics::ode::Method;
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
-/// Accuracy asked of a flight in six degrees of freedom when the case does not say: angles to 1e-4 after some hundred
-/// oscillations, energy and angular momentum without forces to 1e-9 over ten minutes.
-pub const DEFAULT_TOLERANCE_SIX_DOF: f64 = 1e-9;
-
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {

@@ -18,6 +18,7 @@ use super::freedom::Freedom;
 use super::integration::point_tolerance;
 use super::lift::Lift;
 use super::sample::{EARTH_G_M_S2, Loads};
+use crate::aero::{Drag, DragTable};
 use numerics::ode::Tolerance;
 
 /// A motion with a state of `N` numbers, the first [`STATES`] of which are those of a point mass.
@@ -39,6 +40,15 @@ pub trait Motion<'a, const N: usize>: Copy {
 
     /// Coefficient of the force against the velocity relative to the air.
     fn drag_coefficient(&self, t: f64, y: &[f64; N]) -> f64;
+
+    /// Axial force or drag against Mach number, whose rows are kinks.
+    #[inline]
+    fn drag_table(&self) -> Option<&'a DragTable> {
+        match &self.point().body.drag {
+            Drag::Constant(_) => None,
+            Drag::Table(table) => Some(table),
+        }
+    }
 
     /// Attitude and rates, where the motion has them.
     fn attitude(&self, y: &[f64; N]) -> Option<AttitudeSample>;

@@ -76,3 +76,6 @@ pub fn fly(
     flight.attitude = Some(events::events(motion, &record, marks));
     (flight, record.outcome, record.reason)
 }
+
+#[cfg(test)]
+mod tests;

@@ -200,7 +200,11 @@ pub(super) fn body(
     }
     let (drag, database) = match (degrees, by_outline(reader, outline)) {
         (Some(Degrees::Six), true) => match database(reader, library, outline) {
-            Some(computed) => (Some(computed.axial_force), Some(computed.database)),
+            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+            Some(of_outline) => {
+                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
+                (Some(drag), Some(of_outline))
+            }
             None => (None, None),
         },
         _ => (drag(reader, library, degrees, outline), None),
@@ -235,7 +239,9 @@ fn by_outline(reader: &Reader, outline: &Outline) -> bool {
         .iter()
         .chain(&CONSTANTS)
         .any(|key| reader.given(key));
-    !given && (reader.given("vehicle.aerodynamics") || *outline != Outline::Absent)
+    let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
+    let named = named.iter().any(|key| reader.given(key));
+    !given && (named || *outline != Outline::Absent)
 }
 
 fn drag(

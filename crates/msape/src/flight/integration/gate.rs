@@ -13,7 +13,6 @@
 //! - \[dowell-jarratt-1971\] for the halving (Illinois).
 
 use super::Integration;
-use crate::aero::Drag;
 use crate::flight::equations::Radiation;
 use crate::flight::motion::Motion;
 use crate::planet::Gravity;
@@ -237,9 +236,9 @@ pub(super) fn place<'a, const N: usize>(motion: &impl Motion<'a, N>, y: &[f64; N
     let equations = motion.point();
     let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
     let [u, v, w] = local.up;
-    let mach = match equations.body.drag {
-        Drag::Constant(_) => 0.0,
-        Drag::Table(_) => {
+    let mach = match motion.drag_table() {
+        None => 0.0,
+        Some(_) => {
             let atmosphere = &equations.mission.atmosphere;
             speed_m_s(y) / atmosphere.speed_of_sound_in(equations.layer, local.altitude_m)
         }

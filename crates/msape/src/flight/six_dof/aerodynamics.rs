@@ -20,6 +20,7 @@
 //! - \[samareh-2014\] sections 3.3.1 (reference point) and 3.3.7; \[stevens-lewis-2016\] section 2.3.
 
 use super::rigid::Rigid;
+use crate::aero::DragTable;
 use crate::aero::database::{Coefficients, Database};
 use numerics::math;
 
@@ -31,7 +32,16 @@ pub enum Aerodynamics {
     /// Constants.
     Constants(Constants),
     /// Coefficients of an outline at any Mach number, Knudsen number and angle.
-    Database(Box<Database>),
+    Database(Box<OfOutline>),
+}
+
+/// The database of an outline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfOutline {
+    /// Coefficients.
+    pub database: Database,
+    /// Axial force nose first against Mach number, on which they rest; its rows are kinks.
+    pub axial_force: DragTable,
 }
 
 /// Coefficients that do not depend on Mach number, moment about the centre of gravity.
@@ -162,7 +172,8 @@ impl Aerodynamics {
                     arm_m: [0.0; 3],
                 }
             }
-            Aerodynamics::Database(database) => {
+            Aerodynamics::Database(of_outline) => {
+                let database = &of_outline.database;
                 let alpha = total_alpha_rad(stream.velocity_m_s);
                 let [mach, knudsen] = stream.mach_knudsen;
                 let Coefficients {

@@ -12,7 +12,7 @@
 //! # References
 //! - \[brent-1973\] for the search.
 
-use super::motion::{RIGID_STATES, RigidMotion};
+use super::motion::{RATES, RIGID_STATES, RigidMotion};
 use crate::flight::integration::{Leg, Record};
 use crate::flight::motion::{Motion, head};
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
@@ -92,8 +92,8 @@ pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) 
     let mut turning = 0.0_f64;
     let mut before = initial;
     for leg in &record.legs {
-        let layer = leg.layer;
-        let alpha = |t: f64| course.alpha_rad(&leg.step.at(t), layer);
+        let motion = course.motion.in_layer(leg.layer);
+        let alpha = |t: f64| motion.total_alpha_in_rad(&leg.step, t);
         let (t0, t1) = (leg.step.t0, leg.step.t1);
         let part = (t1 - t0) / f64::from(PARTS);
         let mut top = (before, t0);
@@ -104,9 +104,9 @@ pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) 
             } else {
                 t0 + f64::from(i) * part
             };
-            let y = leg.step.at(t);
-            let here = course.alpha_rad(&y, layer);
-            turning = turning.max(transverse_rad_s(&y));
+            let here = alpha(t);
+            let [q, r] = [RATES + 1, RATES + 2].map(|i| leg.step.component(i, t));
+            turning = turning.max((q * q + r * r).sqrt());
             let when = |level: f64| root::brent(|t| alpha(t) - level, t_before, t, 1e-9);
             if first_below_s.is_none() && here < SMALL_RAD {
                 first_below_s = when(SMALL_RAD).or(Some(t));
@@ -137,12 +137,6 @@ pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) 
         final_amplitude_rad: last.best.angle_rad,
         maximum_transverse_rate_rad_s: turning,
     }
-}
-
-/// Rate of turn across the axis, rad/s.
-fn transverse_rad_s(y: &[f64; RIGID_STATES]) -> f64 {
-    let [.., q, r] = *y;
-    (q * q + r * r).sqrt()
 }
 
 /// The largest angle from a time on.

@@ -20,12 +20,13 @@ use super::aerodynamics::{Aerodynamics, Load, Stream, total_alpha_rad};
 use super::attitude::angles_rad;
 use super::quaternion::{Matrix, Quaternion, turned, turned_back};
 use super::rigid::Rigid;
+use crate::aero::{Drag, DragTable};
 use crate::flight::equations::{Equations, STATES, Surroundings};
 use crate::flight::integration::point_tolerance;
 use crate::flight::motion::{AttitudeSample, Motion, head};
 use crate::flight::sample::{EARTH_G_M_S2, Loads};
 use crate::planet::wind::Wind;
-use numerics::ode::Tolerance;
+use numerics::ode::{Step, Tolerance};
 
 /// Components of the state: a point mass, quaternion, rates.
 pub const RIGID_STATES: usize = RATES + 3;
@@ -81,6 +82,19 @@ impl RigidMotion<'_> {
         }
     }
 
+    /// The same within a step, at the cost of the components that it takes.
+    #[inline]
+    pub fn total_alpha_in_rad(&self, step: &Step<RIGID_STATES>, t: f64) -> f64 {
+        match &self.point.mission.wind {
+            Wind::Calm => {
+                let velocity_m_s = core::array::from_fn(|i| step.component(3 + i, t));
+                let parts = core::array::from_fn(|i| step.component(ATTITUDE + i, t));
+                total_alpha_rad(turned_back(&Quaternion(parts).matrix(), velocity_m_s))
+            }
+            _ => self.total_alpha_rad(&step.at(t)),
+        }
+    }
+
     /// Angle between the axis and the velocity relative to the air, rad.
     #[inline]
     pub fn total_alpha_rad(&self, y: &[f64; RIGID_STATES]) -> f64 {
@@ -102,7 +116,7 @@ impl RigidMotion<'_> {
     fn mach_knudsen(&self, around: &Surroundings<f64>) -> [f64; 2] {
         match &self.rigid.aerodynamics {
             Aerodynamics::Drag | Aerodynamics::Constants(_) => [0.0; 2],
-            Aerodynamics::Database(database) => {
+            Aerodynamics::Database(of_outline) => {
                 let air = self
                     .point
                     .mission
@@ -110,7 +124,7 @@ impl RigidMotion<'_> {
                     .air_in(self.point.layer, around.altitude_m);
                 [
                     around.air_speed_m_s / air.speed_of_sound_m_s,
-                    air.mean_free_path_m / database.diameter_m,
+                    air.mean_free_path_m / of_outline.database.diameter_m,
                 ]
             }
         }
@@ -126,6 +140,15 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
     #[inline]
     fn point_mut(&mut self) -> &mut Equations<'a> {
         &mut self.point
+    }
+
+    #[inline]
+    fn drag_table(&self) -> Option<&'a DragTable> {
+        match (&self.rigid.aerodynamics, &self.point.body.drag) {
+            (Aerodynamics::Database(of_outline), _) => Some(&of_outline.axial_force),
+            (Aerodynamics::Drag, Drag::Table(table)) => Some(table),
+            _ => None,
+        }
     }
 
     fn tolerance(&self) -> Tolerance<RIGID_STATES> {
