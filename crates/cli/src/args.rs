@@ -13,6 +13,7 @@ Examples:
   msape fly cases/stardust.toml --json --trajectory       results and time history as one JSON object
   msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
   msape fly - < my-case.toml                              the case from standard input
+  msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
@@ -36,6 +37,9 @@ pub enum Command {
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
     #[command(after_help = EXAMPLES)]
     Design(Run),
+    /// Coefficients of an outline, or of a designed vehicle, over the angle of attack
+    #[command(after_help = EXAMPLES)]
+    Aero(crate::aero::Aero),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
     /// Print the JSON Schema of case files, for editors

@@ -1,5 +1,6 @@
 //! The command `msape`: files, arguments and terminals around the core.
 
+mod aero;
 mod args;
 mod failure;
 mod output;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),

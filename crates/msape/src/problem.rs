@@ -2,9 +2,9 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod aerodynamics;
 mod attitude;
 mod center;
-mod database;
 mod design;
 mod flight;
 mod freedom;
@@ -24,6 +24,7 @@ use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
 use crate::vehicle::body::RigidBody;
 
+pub use aerodynamics::aero;
 pub use outline::rigid_body;
 
 /// A flight that was checked.

@@ -9,8 +9,8 @@
 //!
 //! with A, N, C the Newtonian coefficients of the outline for C_p,max = 1, A₀ that at α = 0, C_A0(M) the axial force nose first, w the bridging weight,
 //! x_cp the Newtonian centre of pressure in diameters from the virtual apex, α the total angle of attack in rad. Between Mach 0.5
-//! and 1.5, and between 60 and 100 deg, both are blended by a smooth step. C_fm is quadratic in 1/S
-//! through S = 5, 10 and ∞.
+//! and 1.5, and between 60 and 100 deg, both are blended by a smooth step. C_fm is cubic in 1/S
+//! through S = 5, 10, 25 and ∞.
 //!
 //! # Valid
 //! Air; bodies of revolution. Backward flight in a continuum is an impact theory and no more; the base pressure b and the blends
@@ -50,7 +50,7 @@ const ALPHA_BLEND_DEG: [f64; 2] = [60.0, 100.0];
 /// Below this Mach number the base pressure is held.
 pub const BASE_MACH_MIN: f64 = 3.0;
 /// Speed ratios at which free-molecular flow is computed, beside infinity.
-const SPEED_RATIOS: [f64; 2] = [10.0, 5.0];
+const SPEED_RATIOS: [f64; 3] = [25.0, 10.0, 5.0];
 
 /// Choices of a database that is computed from an outline.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,8 +116,8 @@ enum Source {
 #[derive(Clone, Debug, PartialEq)]
 struct Computed {
     newtonian: Curve,
-    /// Of C_fm = c₀ + c₁/S + c₂/S².
-    free_molecular: [Curve; 3],
+    /// Of C_fm = c₀ + y (c₁ + (y − y₁) (c₂ + (y − y₂) c₃)), y = 1/S.
+    free_molecular: [Curve; 4],
     axial_force: DragTable,
     pressure_coefficient: Vec<f64>,
     pressure_center: f64,
@@ -130,7 +130,11 @@ const PRESSURE_NODES: usize = 512;
 impl Database {
     /// The database of an outline whose x starts at the virtual apex.
     pub fn of_outline(outline: &Profile, diameter_m: f64, options: Options) -> Database {
-        let surface = Surface::new(outline, diameter_m);
+        Database::of_surface(&Surface::new(outline, diameter_m), options)
+    }
+
+    /// The database of a surface.
+    pub fn of_surface(surface: &Surface, options: Options) -> Database {
         let [normal, tangential] = options.accommodation;
         let gas = |speed_ratio: f64| {
             Law::FreeMolecular(Gas {
@@ -140,30 +144,24 @@ impl Database {
                 tangential_accommodation: tangential,
             })
         };
-        let [slow, slower] = SPEED_RATIOS;
+        let [first, second, third] = SPEED_RATIOS;
         let laws = [
             Law::Newtonian(1.0),
             gas(f64::INFINITY),
-            gas(slow),
-            gas(slower),
+            gas(first),
+            gas(second),
+            gas(third),
         ];
-        let mut values: [Vec<Loads>; 4] = Default::default();
+        let mut values: [Vec<Loads>; 5] = Default::default();
         for node in 0..=STEPS {
-            let found = loads(&surface, &laws, Curve::angle_rad(node), Effort::TABLE);
+            let found = loads(surface, &laws, Curve::angle_rad(node), Effort::TABLE);
             for (list, value) in values.iter_mut().zip(found) {
                 list.push(value);
             }
         }
-        let [newtonian, cold, warm, hot] = values;
-        // c₀ + c₁ y + c₂ y² through y = 0, a, b
-        let (a, b) = (1.0 / slow, 1.0 / slower);
-        let mut terms: [Vec<Loads>; 3] = [cold.clone(), Vec::new(), Vec::new()];
-        for ((f0, fa), fb) in cold.iter().zip(&warm).zip(&hot) {
-            let (da, db) = (fa.mixed(1.0, f0, -1.0), fb.mixed(1.0, f0, -1.0));
-            let scale = 1.0 / (a * b * (b - a));
-            terms[1].push(da.mixed(b * b * scale, &db, -a * a * scale));
-            terms[2].push(db.mixed(a * scale, &da, -b * scale));
-        }
+        let [newtonian, mut f0, mut f1, mut f2, mut f3] = values;
+        let [y1, y2, y3] = SPEED_RATIOS.map(|speed_ratio| 1.0 / speed_ratio);
+        divide(&mut [&mut f0, &mut f1, &mut f2, &mut f3], [0.0, y1, y2, y3]);
         let newtonian = Curve::new(&newtonian);
         let slope = newtonian.first_slope();
         let pressure_coefficient = (0..=PRESSURE_NODES)
@@ -171,9 +169,9 @@ impl Database {
             .map(|y| pressure_coefficient_max(y / (1.0 - y).max(1e-6), GAMMA))
             .collect();
         Database {
-            diameter_m,
+            diameter_m: surface.diameter_m(),
             source: Source::Computed(Box::new(Computed {
-                free_molecular: terms.map(|values| Curve::new(&values)),
+                free_molecular: [f0, f1, f2, f3].map(|values| Curve::new(&values)),
                 pressure_center: if slope.cn == 0.0 {
                     0.0
                 } else {
@@ -235,6 +233,21 @@ impl Database {
     }
 }
 
+/// Newton's divided differences, in place.
+fn divide<const K: usize>(values: &mut [&mut Vec<Loads>; K], y: [f64; K]) {
+    for order in 1..K {
+        for n in (order..K).rev() {
+            let scale = 1.0 / (y[n] - y[n - order]);
+            let (before, rest) = values.split_at_mut(n);
+            if let (Some(before), Some(here)) = (before.last(), rest.first_mut()) {
+                for (here, before) in here.iter_mut().zip(before.iter()) {
+                    *here = here.mixed(scale, before, -scale);
+                }
+            }
+        }
+    }
+}
+
 /// 0 below the first, 1 above the second, with level ends.
 fn smooth_step(x: f64, [from, to]: [f64; 2]) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
@@ -263,11 +276,12 @@ impl Computed {
     }
 
     fn free_molecular(&self, mach: f64, place: &Place) -> Loads {
-        let [_, slowest] = SPEED_RATIOS;
+        let [first, second, slowest] = SPEED_RATIOS;
         let y = 1.0 / (mach * (0.5 * GAMMA).sqrt()).max(slowest);
-        let [c0, c1, c2] = &self.free_molecular;
-        c0.at(place)
-            .mixed(1.0, &c1.at(place).mixed(y, &c2.at(place), y * y), 1.0)
+        let [c0, c1, c2, c3] = &self.free_molecular;
+        let last = c2.at(place).mixed(1.0, &c3.at(place), y - 1.0 / second);
+        let middle = c1.at(place).mixed(1.0, &last, y - 1.0 / first);
+        c0.at(place).mixed(1.0, &middle, y)
     }
 
     fn continuum(&self, mach: f64, alpha: f64, [sin, cos]: [f64; 2], place: &Place) -> Loads {

@@ -19,7 +19,7 @@
 
 use super::free_molecular::Gas;
 use super::shadow::{Lit, Wind, cast, windward};
-use super::surface::{Piece, Station, Surface};
+use super::surface::{Bulge, Piece, Station, Surface};
 use numerics::math::{PI, acos, sin_cos};
 use numerics::quadrature::Rule;
 use serde::{Deserialize, Serialize};
@@ -79,6 +79,8 @@ pub struct Effort {
     pub tolerance: f64,
     /// Most halvings.
     pub depth: u32,
+    /// Pieces shorter than this, in diameters, are one panel.
+    pub short: f64,
 }
 
 impl Effort {
@@ -86,11 +88,13 @@ impl Effort {
     pub const FINE: Effort = Effort {
         tolerance: 1e-8,
         depth: 14,
+        short: 0.0,
     };
     /// For tables, which are interpolated anyway: 1e-5 in a panel.
     pub const TABLE: Effort = Effort {
         tolerance: 1e-5,
         depth: 8,
+        short: 0.02,
     };
 }
 
@@ -108,16 +112,27 @@ pub fn loads<const K: usize>(
     let mut total = [Loads::default(); K];
     for (own, piece) in surface.pieces().iter().enumerate() {
         let mut circle = Circle {
-            pieces: surface.pieces(),
+            surface,
             own,
             wind,
             laws,
             last: None,
         };
         let length = piece.length();
-        let part = adaptive(&mut |t| circle.at(piece, t, length), effort);
+        let mut at = |t| circle.at(piece, t, length);
+        let part = if length < effort.short {
+            panel(&mut at, [0.0, 1.0])
+        } else {
+            adaptive(&mut at, effort)
+        };
         for (sum, part) in total.iter_mut().zip(part) {
             *sum = sum.mixed(1.0, &part, 1.0);
+        }
+    }
+    if wind.sin == 0.0 {
+        // Along the axis there is no side.
+        for sum in &mut total {
+            (sum.cn, sum.cm) = (0.0, 0.0);
         }
     }
     total
@@ -125,7 +140,7 @@ pub fn loads<const K: usize>(
 
 /// Circles of latitude on one piece, with what was found for the last one: along a cone it often holds again.
 struct Circle<'a, const K: usize> {
-    pieces: &'a [Piece],
+    surface: &'a Surface,
     own: usize,
     wind: Wind,
     laws: &'a [Law; K],
@@ -137,7 +152,9 @@ impl<const K: usize> Circle<'_, K> {
         let station = piece.at(t);
         let facing = windward(&station, self.wind);
         let mut lit = facing;
-        cast(&mut lit, self.pieces, self.own, t, self.wind);
+        if self.surface.bulge() == Bulge::Concave {
+            cast(&mut lit, self.surface.pieces(), self.own, t, self.wind);
+        }
         let normal = [station.normal_x, station.normal_r];
         let sums = match self.last {
             Some((n, l, sums)) if n == normal && l == lit => sums,

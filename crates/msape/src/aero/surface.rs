@@ -16,7 +16,7 @@
 
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, hypot, sin_cos};
+use numerics::math::{FRAC_PI_2, PI, atan2, hypot, sin_cos};
 
 /// Longest arc of a piece, rad.
 const LONGEST_ARC_RAD: f64 = 0.25 * PI;
@@ -114,16 +114,56 @@ impl Piece {
     }
 }
 
+/// Whether a body can shade itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bulge {
+    /// It cannot: it is convex.
+    Convex,
+    /// It can.
+    Concave,
+}
+
 /// The outer surface of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     pieces: Vec<Piece>,
     diameter_m: f64,
+    bulge: Bulge,
+}
+
+/// Turns to the wrong side up to this are rounding, rad.
+const STRAIGHT_RAD: f64 = 1e-7;
+
+/// A meridian is that of a convex body when it only turns towards the axis.
+fn bulge(pieces: &[Piece]) -> Bulge {
+    let mut before: Option<f64> = None;
+    for piece in pieces {
+        let direction = |t: f64| {
+            let station = piece.at(t);
+            atan2(-station.normal_x, station.normal_r)
+        };
+        let outwards = |from: f64, to: f64| {
+            let turn = to - from;
+            turn - 2.0 * PI * (turn / (2.0 * PI)).round() > STRAIGHT_RAD
+        };
+        let hollow = matches!(piece, Piece::Arc { sweep_rad, .. } if *sweep_rad > 0.0);
+        if hollow || before.is_some_and(|before| outwards(before, direction(0.0))) {
+            return Bulge::Concave;
+        }
+        before = Some(direction(1.0));
+    }
+    Bulge::Convex
 }
 
 impl Surface {
-    /// The surface that an outline makes when it is turned about the axis; lines on the axis make none.
+    /// The surface that an outline makes when it is turned about the axis, its x from the virtual apex; lines on the axis
+    /// make none.
     pub fn new(outline: &Profile, diameter_m: f64) -> Surface {
+        Surface::about(outline, diameter_m, 0.0)
+    }
+
+    /// The same for an outline whose virtual apex is at `apex_x_m`.
+    pub fn about(outline: &Profile, diameter_m: f64, apex_x_m: f64) -> Surface {
         let forward: f64 = outline.segments.iter().map(|s| s.integrals().r_dx).sum();
         let run = if forward < 0.0 {
             outline.reversed()
@@ -132,14 +172,23 @@ impl Surface {
         };
         let mut pieces = Vec::with_capacity(4 * run.segments.len());
         for segment in &run.segments {
-            add(&mut pieces, segment, diameter_m);
+            add(&mut pieces, segment, diameter_m, apex_x_m);
         }
-        Surface { pieces, diameter_m }
+        Surface {
+            bulge: bulge(&pieces),
+            pieces,
+            diameter_m,
+        }
     }
 
     /// The pieces, in order from the nose.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// Whether it can shade itself.
+    pub fn bulge(&self) -> Bulge {
+        self.bulge
     }
 
     /// Reference diameter, m.
@@ -148,8 +197,8 @@ impl Surface {
     }
 }
 
-fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64) {
-    let scaled = |p: Point| [p.x_m / diameter_m, p.r_m.max(0.0) / diameter_m];
+fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64, apex_x_m: f64) {
+    let scaled = |p: Point| [(p.x_m - apex_x_m) / diameter_m, p.r_m.max(0.0) / diameter_m];
     match *segment {
         Segment::Line { start, end } => {
             let (from, to) = (scaled(start), scaled(end));
@@ -169,7 +218,10 @@ fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64) {
             if radius * sweep_rad.abs() < 1e-12 {
                 return;
             }
-            let center = [center.x_m / diameter_m, center.r_m / diameter_m];
+            let center = [
+                (center.x_m - apex_x_m) / diameter_m,
+                center.r_m / diameter_m,
+            ];
             for [from, to] in parts(start_angle_rad, sweep_rad) {
                 pieces.push(Piece::Arc {
                     center,
@@ -238,7 +290,28 @@ mod tests {
         // run the other way it is the same surface
         let again = Surface::new(&outline.reversed(), 2.0);
         assert!((again.pieces()[0].at(0.0).normal_x + 1.0).abs() < 1e-15);
+        assert_eq!(surface.bulge(), Bulge::Convex);
         let length: f64 = surface.pieces().iter().map(Piece::length).sum();
         assert!((length - 0.5 * PI).abs() < 1e-14);
+    }
+    #[test]
+    fn a_step_makes_a_body_concave() {
+        let at = |x_m: f64, r_m: f64| Point { x_m, r_m };
+        let points = [
+            at(0.0, 0.0),
+            at(0.0, 0.5),
+            at(0.2, 0.5),
+            at(0.2, 0.2),
+            at(1.0, 0.2),
+            at(1.0, 0.0),
+        ];
+        let line = |pair: &[Point]| Segment::Line {
+            start: pair[0],
+            end: pair[1],
+        };
+        let outline = Profile {
+            segments: points.windows(2).map(line).collect(),
+        };
+        assert_eq!(Surface::new(&outline.closed(), 1.0).bulge(), Bulge::Concave);
     }
 }

@@ -1,13 +1,15 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::database::database;
+use super::aerodynamics::{database, table_database, table_drag};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
+use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
+use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
@@ -196,17 +198,17 @@ pub(super) fn body(
         ),
         _ => {}
     }
-    let (drag, database) = match (degrees, by_outline(reader, outline)) {
-        (Some(Degrees::Six), true) => match database(reader, library, outline) {
-            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
-            Some(of_outline) => {
-                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
-                (Some(drag), Some(of_outline))
-            }
-            None => (None, None),
-        },
-        _ => (drag(reader, library, degrees), None),
-    };
+    let mut drag = drag(reader, library, degrees, outline);
+    let mut database = None;
+    if degrees == Some(Degrees::Six) && by_database(reader, outline) {
+        database = of_outline(reader, library, outline, drag.as_ref(), diameter_m);
+        // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+        drag = match (drag, &database) {
+            (Some(Drag::Table(table)), Some(_)) => Some(Drag::Constant(table.at(25.0))),
+            (drag, Some(_)) => drag,
+            (_, None) => None,
+        };
+    }
     let area_m2 = area_m2
         .or(diameter_m.map(|d| 0.25 * PI * d * d))
         .or(area_of_outline_m2);
@@ -230,28 +232,76 @@ pub(super) fn body(
     })
 }
 
-/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
-fn by_outline(reader: &Reader, outline: &Outline) -> bool {
-    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
-    let given = otherwise
-        .iter()
-        .chain(&CONSTANTS)
-        .any(|key| reader.given(key));
-    !given && (reader.given("vehicle.aerodynamics") || *outline != Outline::Absent)
+/// Whether force and moment of a rigid body come from a database: where it has an outline, a name or a table.
+fn by_database(reader: &Reader, outline: &Outline) -> bool {
+    let constants = CONSTANTS.iter().any(|key| reader.given(key));
+    let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
+    let named = named.iter().any(|key| reader.given(key));
+    !constants && (named || *outline != Outline::Absent)
 }
 
-fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Option<Drag> {
+/// The database of a rigid body, from its outline or from a table.
+fn of_outline(
+    reader: &mut Reader,
+    library: &Library,
+    outline: &Outline,
+    drag: Option<&Drag>,
+    diameter_m: Option<f64>,
+) -> Option<OfOutline> {
+    let database = match outline {
+        Outline::Body(body) => database(
+            reader,
+            library,
+            &AeroBody::of_rigid(body, None),
+            Some(drag?),
+        ),
+        Outline::Faulty => None,
+        Outline::Absent if reader.given("vehicle.aerodynamics.table") => {
+            table_database(reader, library, diameter_m?)
+        }
+        Outline::Absent => {
+            reader.fault("vehicle.aerodynamics", "has axial force alone; with vehicle.dof = 6 give an [outline] from which the rest is computed, or constants in [vehicle.aerodynamics]");
+            None
+        }
+    }?;
+    Some(OfOutline {
+        database,
+        axial_force: match drag {
+            Some(Drag::Table(table)) => Some(table.clone()),
+            _ => None,
+        },
+    })
+}
+
+fn drag(
+    reader: &mut Reader,
+    library: &Library,
+    degrees: Option<Degrees>,
+    outline: &Outline,
+) -> Option<Drag> {
     let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
     let keys = [
         "vehicle.drag_coefficient",
         "vehicle.drag_table",
         "vehicle.aerodynamics",
+        "vehicle.aerodynamics.table",
     ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
         [] if constants.is_some() => drag_of_constants(reader),
-        // A body on which the air does not act.
-        [] if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+        [] => match outline {
+            Outline::Body(body) => Some(Drag::Table(
+                AeroBody::of_rigid(body, None).axial_force(library),
+            )),
+            Outline::Faulty => None,
+            // A body on which the air does not act.
+            Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+            Outline::Absent => {
+                let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics, or [outline]";
+                reader.fault("vehicle.drag_coefficient", message);
+                None
+            }
+        },
         [first, ..] if constants.is_some() => {
             let message = format!("given together with {first}; give one of them");
             reader.fault(constants.unwrap_or_default(), message);
@@ -260,6 +310,13 @@ fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Opt
         [only] if *only == keys[0] => reader
             .number("vehicle.drag_coefficient")
             .map(Drag::Constant),
+        [only] if *only == keys[3] => {
+            let diameter_m = match outline {
+                Outline::Body(body) => body.diameter_m,
+                _ => reader.number("vehicle.diameter_m").unwrap_or(1.0),
+            };
+            table_drag(reader, library, diameter_m)
+        }
         [only] if *only == keys[1] => {
             let rows: Vec<(f64, f64)> = reader
                 .rows("vehicle.drag_table")?
@@ -284,11 +341,6 @@ fn drag(reader: &mut Reader, library: &Library, degrees: Option<Degrees>) -> Opt
                 .collect();
             let name = reader.choice("vehicle.aerodynamics", &names)?;
             named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
-        }
-        [] => {
-            let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics";
-            reader.fault("vehicle.drag_coefficient", message);
-            None
         }
         [_, second, ..] => {
             reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");

@@ -1,5 +1,6 @@
 //! The inputs: one entry for each key that a case file may hold.
 
+mod aerodynamics;
 mod attitude;
 mod design;
 mod mission;
@@ -316,6 +317,7 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .chain(vehicle::INPUTS)
         .chain(outline::INPUTS)
         .chain(attitude::INPUTS)
+        .chain(aerodynamics::INPUTS)
 }
 
 /// The input with this key or alias.

@@ -82,7 +82,7 @@ fn between_the_nodes_it_agrees_with_the_integral() {
     let mut worst: [f64; 2] = [0.0; 2];
     for n in 0..72 {
         let alpha = (f64::from(n) + 0.4) * 2.5 * RADIANS_PER_DEGREE;
-        let speed_ratio = 25.0;
+        let speed_ratio = 15.0 + 0.5 * f64::from(n);
         let mach = speed_ratio / (0.5 * GAMMA).sqrt();
         let [newton, free] = loads(
             &surface,
@@ -100,7 +100,10 @@ fn between_the_nodes_it_agrees_with_the_integral() {
             .max((got.cm - k * newton.cm).abs());
         let got = database.coefficients(mach, 20.0, alpha);
         for (g, w) in [(got.ca, free.ca), (got.cn, free.cn), (got.cm, free.cm)] {
-            worst[1] = worst[1].max((g - w).abs());
+            if (g - w).abs() > worst[1] {
+                worst[1] = (g - w).abs();
+                println!("{alpha} {speed_ratio}: {g} {w}");
+            }
         }
     }
     println!("{worst:?}");

@@ -24,6 +24,8 @@ pub struct Row {
     pub alpha_deg: f64,
     /// Knudsen number.
     pub knudsen: Option<f64>,
+    /// Altitude, m, in the place of the Knudsen number.
+    pub altitude_m: Option<f64>,
     /// Axial force coefficient.
     pub ca: Option<f64>,
     /// Normal force coefficient.
@@ -36,6 +38,54 @@ pub struct Row {
     pub cm: Option<f64>,
     /// Pitch damping per unit of q D/(2V).
     pub cmq: Option<f64>,
+}
+
+impl Row {
+    /// The row of a case: mach, alpha_deg, ca, cn, cm, cmq, knudsen, altitude_m, the last ones optional.
+    pub fn of_cells(cells: &[f64], line: u64) -> Row {
+        let cell = |n: usize| cells.get(n).copied();
+        Row {
+            line,
+            mach: cell(0).unwrap_or_default(),
+            alpha_deg: cell(1).unwrap_or_default(),
+            ca: cell(2),
+            cn: cell(3),
+            cm: cell(4),
+            cmq: cell(5),
+            knudsen: if cell(7).is_some() { None } else { cell(6) },
+            altitude_m: cell(7),
+            ..Row::default()
+        }
+    }
+
+    /// The row of a damping table: mach, alpha_deg, cmq, knudsen, the last one optional.
+    pub fn of_damping(cells: &[f64], line: u64) -> Row {
+        let cell = |n: usize| cells.get(n).copied();
+        Row {
+            line,
+            mach: cell(0).unwrap_or_default(),
+            alpha_deg: cell(1).unwrap_or_default(),
+            cmq: cell(2),
+            knudsen: cell(3),
+            ..Row::default()
+        }
+    }
+
+    /// The cells of [`Row::of_cells`], as far as there are any.
+    pub fn cells(&self) -> Vec<f64> {
+        let [ca, cn, ..] = body_axes(self);
+        let mut cells = vec![self.mach, self.alpha_deg, ca, cn];
+        let rest = [self.cm, self.cmq, self.knudsen, self.altitude_m];
+        let count = rest.iter().rposition(Option::is_some).map_or(0, |n| n + 1);
+        cells.extend(rest.iter().take(count).map(|value| value.unwrap_or(0.0)));
+        cells
+    }
+
+    /// What orders rows beside Mach number and angle: Knudsen number, or altitude above the lowest.
+    fn height(&self) -> Option<f64> {
+        self.knudsen
+            .or(self.altitude_m.map(|altitude_m| altitude_m + 1e4))
+    }
 }
 
 /// Faults are listed up to this number.
@@ -89,6 +139,9 @@ fn ranges(rows: &[Row], faults: &mut Vec<String>) {
         if let Some(knudsen) = row.knudsen {
             within("Knudsen number", knudsen, 1e-12, 1e12);
         }
+        if let Some(altitude_m) = row.altitude_m {
+            within("altitude", altitude_m, -5e3, 1e6);
+        }
         let all = [
             ("CA", row.ca),
             ("CN", row.cn),
@@ -109,7 +162,7 @@ fn order(rows: &[Row], faults: &mut Vec<String>) {
     for pair in rows.windows(2) {
         let [before, row] = pair else { continue };
         let line = row.line;
-        let knudsen = |row: &Row| row.knudsen.unwrap_or(0.0);
+        let knudsen = |row: &Row| row.knudsen.or(row.altitude_m).unwrap_or(0.0);
         if row.mach < before.mach {
             faults.push(format!(
                 "line {line}: Mach number {} after {}; rows must ascend in Mach number",
@@ -117,7 +170,7 @@ fn order(rows: &[Row], faults: &mut Vec<String>) {
             ));
         } else if row.mach == before.mach && knudsen(row) < knudsen(before) {
             faults.push(format!(
-                "line {line}: Knudsen number {} after {}; rows of one Mach number must ascend in Knudsen number",
+                "line {line}: Knudsen number or altitude {} after {}; rows of one Mach number must ascend in it",
                 knudsen(row),
                 knudsen(before)
             ));
@@ -140,7 +193,7 @@ fn order(rows: &[Row], faults: &mut Vec<String>) {
 
 /// Rows of α ≥ 0, after the other side was compared with them.
 fn one_side(rows: &[Row], faults: &mut Vec<String>) -> Vec<Row> {
-    let same = |a: &Row, b: &Row| a.mach == b.mach && a.knudsen == b.knudsen;
+    let same = |a: &Row, b: &Row| a.mach == b.mach && a.height() == b.height();
     for row in rows {
         let other = rows
             .iter()
@@ -224,7 +277,7 @@ impl Axes {
     fn new(rows: &[Row]) -> Axes {
         Axes {
             mach: axis(rows.iter().map(|row| row.mach)),
-            knudsen: axis(rows.iter().map(|row| row.knudsen.unwrap_or(1.0))),
+            knudsen: axis(rows.iter().map(|row| row.height().unwrap_or(1.0))),
             alpha_deg: axis(rows.iter().map(|row| row.alpha_deg)),
         }
     }
@@ -237,7 +290,7 @@ impl Axes {
                 for alpha in &self.alpha_deg {
                     let here = |row: &Row| {
                         row.mach == *mach
-                            && row.knudsen.unwrap_or(1.0) == *knudsen
+                            && row.height().unwrap_or(1.0) == *knudsen
                             && row.alpha_deg == *alpha
                     };
                     if rest.peek().is_some_and(|row| here(row)) {
