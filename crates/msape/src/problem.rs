@@ -6,7 +6,6 @@ mod aerodynamics;
 mod attitude;
 mod attitude_of_design;
 mod center;
-mod database;
 mod design;
 mod flight;
 mod freedom;
