@@ -33,6 +33,7 @@ pub mod remarks;
 pub mod rules;
 pub mod segment;
 pub mod structure;
+pub mod winding;
 
 pub use input::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
 pub use mass::{Component, ComponentKind, MassProperties};
