@@ -184,7 +184,7 @@ pageTest("the mass tree adds up, with the margin once", async (page) => {
 pageTest("a vehicle that does not close leaves the last one in view and says what does not fit", async (page) => {
   await open3d(page);
   const before = await picture(page);
-  const ratio = page.getByLabel("Payload Diameter / Vehicle Diameter", { exact: true });
+  const ratio = page.getByRole("textbox", { name: "Payload Diameter / Vehicle Diameter" });
   await ratio.fill("0.95");
   await page.keyboard.press("Tab");
   await page.locator(".panel-vehicle .reason", { hasText: "This is the last vehicle that closed" }).waitFor();

@@ -176,7 +176,12 @@ fn drawn(body: &AeroBody, database: &Database, places: &Places) -> Curves {
                 x,
             }
         };
-        places.alpha_deg.iter().take(CURVES_MAX).map(of_angle).collect()
+        places
+            .alpha_deg
+            .iter()
+            .take(CURVES_MAX)
+            .map(of_angle)
+            .collect()
     };
     Curves {
         name: body.name.clone(),
@@ -274,7 +279,10 @@ mod tests {
         question.places.cg_over_diameter = None;
         question.places.family = Family::Knudsen;
         let again = curves(&question, &library, &kept).unwrap();
-        assert_eq!(again, curves(&question, &library, &Kept::default()).unwrap());
+        assert_eq!(
+            again,
+            curves(&question, &library, &Kept::default()).unwrap()
+        );
         assert_eq!(again.cg_over_diameter, None);
         assert_eq!(again.over_alpha[1].regime, Regime::FreeMolecular);
     }
@@ -288,7 +296,9 @@ mod tests {
         )
         .unwrap_err();
         assert_eq!(faults[0].key, "outline.preset");
-        assert!(read_table("mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n").unwrap_err()[0].starts_with("line 3"));
+        assert!(
+            read_table("mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n").unwrap_err()[0].starts_with("line 3")
+        );
     }
 
     #[test]

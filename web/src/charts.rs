@@ -52,7 +52,9 @@ impl ChartSpec {
     /// Heading: "Altitude over Time".
     pub fn title(&self) -> String {
         let label = |key| find(key).map_or("", |column| column.label);
-        format!("{} over {}", label(&self.y), label(&self.x).to_lowercase())
+        let over = label(&self.x).to_lowercase();
+        let over = over.replace("knudsen", "Knudsen").replace("mach", "Mach");
+        format!("{} over {over}", label(&self.y))
     }
 
     /// Points in the units shown, one for each row of the time history.

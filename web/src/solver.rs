@@ -6,7 +6,7 @@ use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use msape::benchmark::{Bench, JOBS};
 use msape::library::DataError;
 use msape::problem::attitude_of_design;
-use msape::{Answer, Case, Library, InputError, Request, design, fly};
+use msape::{Answer, Case, InputError, Library, Request, design, fly};
 use std::cell::{OnceCell, RefCell};
 
 /// Rows of a history of attitude: it turns several times a second for minutes.
@@ -14,7 +14,8 @@ const ATTITUDE_ROWS: f64 = 8000.0;
 
 /// Whether a design is flown with its attitude, too.
 pub fn is_rigid(case: &Case) -> bool {
-    case.text("vehicle.dof").is_some_and(|dof| dof.trim() == "6")
+    case.text("vehicle.dof")
+        .is_some_and(|dof| dof.trim() == "6")
 }
 
 /// Solves jobs with the library that ships with the program.
@@ -83,15 +84,16 @@ impl Solver {
 
     /// The flight of a design with its attitude.
     fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
-        let faults = |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
+        let faults =
+            |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
         let mut designed = self.designed.borrow_mut();
         if designed.as_ref().is_none_or(|(of, _)| of != case) {
             let answer = design(case, &self.library, Request::Steps).map_err(faults)?;
             *designed = Some((case.clone(), answer));
         }
-        let vehicle = designed.as_ref().and_then(|(_, answer)| {
-            Some((answer.design.as_ref()?, answer.flight.as_ref()?))
-        });
+        let vehicle = designed
+            .as_ref()
+            .and_then(|(_, answer)| Some((answer.design.as_ref()?, answer.flight.as_ref()?)));
         let Some((vehicle, flight)) = vehicle else {
             let message = "the design has no vehicle that could fly".to_string();
             return Err(vec![Fault {

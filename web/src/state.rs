@@ -94,8 +94,8 @@ pub struct State {
     pub preferences: Preferences,
     /// What a case may name.
     pub library: StoredValue<Option<Library>>,
-    /// Inputs of the flight of an outline, once there are any.
-    pub flight_fields: RwSignal<Option<Case>>,
+    /// Inputs that the next flight of an outline begins with.
+    pub flight_fields: StoredValue<Option<Case>>,
     /// Time from navigation to the first answer, ms.
     pub first_answer_ms: RwSignal<Option<f64>>,
     worker: StoredValue<Option<WorkerLink>, LocalStorage>,
@@ -131,7 +131,7 @@ impl State {
             file_faults: RwSignal::new(Vec::new()),
             preferences,
             library: stored_library,
-            flight_fields: RwSignal::new(None),
+            flight_fields: StoredValue::new(None),
             first_answer_ms: RwSignal::new(None),
             worker: StoredValue::new_local(None),
         };

@@ -199,7 +199,9 @@ impl AeroView {
         });
         let case = Memo::new(move |_| {
             let rows = table.get().and_then(|name| {
-                state.document.with(|document| document.tables.get(&name).cloned())
+                state
+                    .document
+                    .with(|document| document.tables.get(&name).cloned())
             });
             let mut case = fields.get();
             body.with(|body| match &body.as_ref()?.outline {
@@ -292,9 +294,17 @@ mod tests {
             Err("got x, must be numbers from 0 to 100".to_string())
         );
         assert!(numbers(" ", 0.0, 1.0).is_err() && numbers("-1", 0.0, 1.0).is_err());
-        assert!(numbers("1 2 3 4 5 6 7", 0.0, 10.0).unwrap_err().contains("at most 6"));
+        assert!(
+            numbers("1 2 3 4 5 6 7", 0.0, 10.0)
+                .unwrap_err()
+                .contains("at most 6")
+        );
         let mut typed = PlacesText::default();
-        assert!(typed.places().is_some_and(|places| places.cg_over_diameter.is_none()));
+        assert!(
+            typed
+                .places()
+                .is_some_and(|places| places.cg_over_diameter.is_none())
+        );
         typed.cg = "0.2".to_string();
         assert_eq!(typed.places().unwrap().cg_over_diameter, Some(0.2));
         typed.cg = "0.2 0.3".to_string();

@@ -105,7 +105,8 @@ impl AttitudeView {
         let asked = StoredValue::new(0_u32);
         Effect::new(move |_| {
             let solved = state.latest.get();
-            let wanted = solved.filter(|solved| is_rigid(&solved.case) && solved.answer.design.is_some());
+            let wanted =
+                solved.filter(|solved| is_rigid(&solved.case) && solved.answer.design.is_some());
             let Some(solved) = wanted else {
                 return;
             };
@@ -151,7 +152,9 @@ impl AttitudeView {
         });
         // A new flight may be shorter.
         Effect::new(move |_| {
-            let ends = self.course.with(|course| course.as_ref().map(|c| c.ends_s()));
+            let ends = self
+                .course
+                .with(|course| course.as_ref().map(|c| c.ends_s()));
             if let Some((start_s, end_s)) = ends {
                 let now = self.time_s.get_untracked();
                 if !(start_s..=end_s).contains(&now) {
@@ -222,7 +225,9 @@ fn RigidFlight() -> impl IntoView {
     provide_context(view);
     let stale = move || {
         let newest = state.latest.with(|latest| latest.as_ref().map(|s| s.id));
-        let shown = view.flown.with(|flown| flown.as_ref().map(|flown| flown.solved.id));
+        let shown = view
+            .flown
+            .with(|flown| flown.as_ref().map(|flown| flown.solved.id));
         state.phase.get() != Phase::Fresh || newest != shown
     };
     let faults = move || {
@@ -243,8 +248,8 @@ fn RigidFlight() -> impl IntoView {
                 <Numbers />
                 <div class="attitude-pair">
                     <div>
-                        <Scene />
                         <Player />
+                        <Scene />
                     </div>
                     <div>
                         <Segments legend="Time of the attitude shown" choices=vec![(Span::Entry, "Entry"), (Span::Whole, "Whole flight")]

@@ -3,8 +3,11 @@
 use crate::components::chart_panel::save;
 use crate::files::{self, file_name};
 use crate::state::State;
+use leptos::ev::PointerEvent;
+use leptos::html::Details;
 use leptos::prelude::*;
 use msape::export::{Format, Info, Model};
+use wasm_bindgen::JsCast;
 
 /// A button that opens the list of formats.
 #[component]
@@ -23,8 +26,22 @@ pub fn CadMenu(#[prop(into)] model: Signal<Option<Model>>) -> impl IntoView {
             .notice
             .set("There is no vehicle to export yet.".to_string()),
     };
+    let menu = NodeRef::<Details>::new();
+    // A press elsewhere closes the menu.
+    let presses = window_event_listener(leptos::ev::pointerdown, move |event: PointerEvent| {
+        let Some(menu) = menu.get_untracked().filter(|menu| menu.open()) else {
+            return;
+        };
+        let target = event
+            .target()
+            .and_then(|target| target.dyn_into::<web_sys::Node>().ok());
+        if !menu.contains(target.as_ref()) {
+            menu.set_open(false);
+        }
+    });
+    on_cleanup(move || presses.remove());
     view! {
-        <details class="menu" on:keydown=|event| close_on_escape(&event)>
+        <details class="menu" node_ref=menu on:keydown=|event| close_on_escape(&event)>
             <summary>"Export"</summary>
             <ul class="exports">
                 {Format::ALL.into_iter().map(|format| view! {
@@ -39,7 +56,6 @@ pub fn CadMenu(#[prop(into)] model: Signal<Option<Model>>) -> impl IntoView {
 }
 
 fn close_on_escape(event: &leptos::ev::KeyboardEvent) {
-    use wasm_bindgen::JsCast;
     if event.key() != "Escape" {
         return;
     }

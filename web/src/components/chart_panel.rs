@@ -11,8 +11,8 @@ use leptos::prelude::*;
 use msape::Answer;
 use msape::quantity::trajectory::{columns, find};
 use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
-use wasm_bindgen::JsCast;
 use std::sync::Arc;
+use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
 /// Size of exported drawings, CSS px.

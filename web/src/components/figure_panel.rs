@@ -31,23 +31,28 @@ pub fn FigurePanel(
     let points = Memo::new(move |_| {
         figure.with(|figure| {
             let first = figure.series.first();
-            first.map(|series| series.points.clone()).unwrap_or_default()
+            first
+                .map(|series| series.points.clone())
+                .unwrap_or_default()
         })
     });
     let reading = move || {
         let row = cursor.get()?;
         let (x, _) = points.with(|points| points.get(row).copied())?;
         Some(figure.with(|figure| {
-            let values = readings(figure, x).into_iter().map(|reading| {
-                format!("{} {}", reading.name, reading.text)
-            });
+            let values = readings(figure, x)
+                .into_iter()
+                .map(|reading| format!("{} {}", reading.name, reading.text));
             let values: Vec<String> = values.collect();
             let at = format!("{} {} {}", figure.x.label, number(x, 4), figure.x.unit);
             format!("{}: {}", at.trim_end(), values.join("; "))
         }))
     };
     let name = move |extension| {
-        files::file_name(&format!("{} {}", stem.get_untracked(), title.get_untracked()), extension)
+        files::file_name(
+            &format!("{} {}", stem.get_untracked(), title.get_untracked()),
+            extension,
+        )
     };
     let spec = Signal::stored(ChartSpec {
         x: String::new(),

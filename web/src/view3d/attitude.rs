@@ -214,16 +214,8 @@ fn quaternion(m: &Turn) -> Quaternion {
     let largest = (0..4).max_by(|a, b| squares[*a].total_cmp(&squares[*b]));
     let largest = largest.unwrap_or(0);
     let half = 0.5 * squares[largest].max(0.0).sqrt();
-    let [x, y, z] = [
-        m[2][1] - m[1][2],
-        m[0][2] - m[2][0],
-        m[1][0] - m[0][1],
-    ];
-    let [xy, xz, yz] = [
-        m[1][0] + m[0][1],
-        m[0][2] + m[2][0],
-        m[2][1] + m[1][2],
-    ];
+    let [x, y, z] = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]];
+    let [xy, xz, yz] = [m[1][0] + m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2]];
     let fourfold = match largest {
         0 => [4.0 * half * half, x, y, z],
         1 => [x, 4.0 * half * half, xy, xz],

@@ -178,7 +178,9 @@ impl Renderer {
         gl.enable(Gl::DEPTH_TEST);
         gl.depth_func(Gl::LEQUAL);
         gl.stencil_mask(0xff);
-        let view = frame.attitude.seen(frame.camera.view(frame.ball, aspect), frame.ball);
+        let view = frame
+            .attitude
+            .seen(frame.camera.view(frame.ball, aspect), frame.ball);
         // What has grown beyond the view is not cut off in depth.
         let reach_m = self.ball.radius_m + (self.ball.center_m - frame.ball.center_m).abs();
         let projection = frame.camera.projection(frame.ball, aspect, reach_m);

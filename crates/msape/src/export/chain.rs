@@ -1,5 +1,5 @@
-//! A profile made ready for export: what lies on the axis is dropped, what is shorter than a nanometre as well, and pieces of
-//! one line or circle become one. What remains are chains that each make one shell when turned about the axis.
+//! A profile made ready for export: what lies on the axis is dropped, what is shorter than a nanometre as well, pieces of one
+//! line or circle become one, and where the profile runs back over itself it is cut off. What remains are chains that each make one shell when turned about the axis.
 //!
 //! ```text
 //! outwards = (−dr, dx) / ds
@@ -89,33 +89,41 @@ fn chain(segments: Vec<Segment>) -> Option<Chain> {
     };
     let mut merged: Vec<Segment> = Vec::with_capacity(segments.len());
     for segment in segments {
-        match merged.last_mut() {
-            Some(last) => match together(last, &segment) {
-                Some(both) => *last = both,
-                None => merged.push(segment),
-            },
-            None => merged.push(segment),
-        }
+        add(&mut merged, segment);
     }
     if ends == Ends::Loop {
         corner_first(&mut merged);
     }
-    Some(Chain {
+    (!merged.is_empty()).then_some(Chain {
         segments: merged,
         ends,
     })
 }
 
+/// Adds a segment, as one with the last where both are pieces of one line or circle.
+fn add(list: &mut Vec<Segment>, mut segment: Segment) {
+    while let Some(both) = list.last().and_then(|last| together(last, &segment)) {
+        list.pop();
+        if length_m(&both) <= NOTHING_M {
+            return;
+        }
+        segment = both;
+    }
+    // where two have taken each other away the ends may differ by nothing
+    if let Some(last) = list.last() {
+        segment = between(&segment, last.end(), segment.end());
+    }
+    list.push(segment);
+}
+
 /// Begins a loop in a corner, where it has one.
 fn corner_first(segments: &mut Vec<Segment>) {
-    if segments.len() > 1
+    while segments.len() > 1
         && let (Some(first), Some(last)) = (segments.first(), segments.last())
-        && let Some(both) = together(last, first)
+        && together(last, first).is_some()
     {
-        segments.remove(0);
-        if let Some(last) = segments.last_mut() {
-            *last = both;
-        }
+        let first = segments.remove(0);
+        add(segments, first);
     }
 }
 
@@ -186,17 +194,15 @@ fn between(segment: &Segment, start: Point, end: Point) -> Segment {
     }
 }
 
-/// Two neighbours as one, when they are pieces of one line or circle run the same way.
+/// Two neighbours as one, when they are pieces of one line or circle; one that runs back over the other takes it away.
 fn together(a: &Segment, b: &Segment) -> Option<Segment> {
     match (*a, *b) {
         (Segment::Line { start, end }, Segment::Line { end: far, .. }) => {
             let (ux, ur) = (end.x_m - start.x_m, end.r_m - start.r_m);
             let (vx, vr) = (far.x_m - end.x_m, far.r_m - end.r_m);
             let across = (ux * vr - ur * vx).abs();
-            let along = ux * vx + ur * vr;
             let longest = hypot(ux, ur).max(hypot(vx, vr));
-            (along > 0.0 && across <= NOTHING_M * longest)
-                .then_some(Segment::Line { start, end: far })
+            (across <= NOTHING_M * longest).then_some(Segment::Line { start, end: far })
         }
         (
             Segment::Arc {
@@ -218,7 +224,7 @@ fn together(a: &Segment, b: &Segment) -> Option<Segment> {
             let same = near(center, other) && (radius_m - radius).abs() <= NOTHING_M;
             let turn = sweep_rad + more;
             let full = 2.0 * numerics::math::PI;
-            (same && sweep_rad * more > 0.0 && turn.abs() < full).then_some(Segment::Arc {
+            (same && turn.abs() < full).then_some(Segment::Arc {
                 start,
                 end,
                 center,
@@ -297,6 +303,34 @@ mod tests {
                 .abs()
                 < 1e-12
         );
+    }
+
+    #[test]
+    fn a_spike_is_cut_off() {
+        let p = |x_m, r_m| Point { x_m, r_m };
+        let start = Profile {
+            segments: vec![Segment::Line {
+                start: p(0.0, 1.0),
+                end: p(0.0, 2.0),
+            }],
+        };
+        // out to x = 3 and back to x = 1, once within the loop and once where it begins
+        let square = start
+            .line_to(p(3.0, 2.0))
+            .line_to(p(1.0, 2.0 + 1e-12))
+            .line_to(p(1.0, 1.0))
+            .line_to(p(-0.5, 1.0))
+            .closed();
+        let list = chains(&square);
+        let loops: Vec<_> = list.iter().map(|c| (c.ends, c.segments.len())).collect();
+        assert_eq!(loops, [(Ends::Loop, 4)]);
+        for (a, b) in list[0]
+            .segments
+            .iter()
+            .zip(list[0].segments.iter().cycle().skip(1))
+        {
+            assert_eq!(a.end(), b.start());
+        }
     }
 
     #[test]

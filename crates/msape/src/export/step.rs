@@ -1,6 +1,6 @@
 //! STEP, application protocol 214: an assembly of solids with true surfaces, in millimetres.
 //!
-//! Each part is a product with its name, colour, material and density; its solids have planes, cylinders, cones, spheres and
+//! Each body is a product with its name, colour, material and density; its solids have planes, cylinders, cones, spheres and
 //! tori as faces, lines and circles as edges. Volume, area and centroid are written beside each part, so that a reader can
 //! check what it has read.
 //!
@@ -22,7 +22,7 @@ use product::Assembly;
 pub fn step(model: &Model, info: &Info) -> String {
     let mut instances = Instances::default();
     let mut assembly = Assembly::new(&mut instances, &model.name);
-    for part in &model.parts {
+    for part in &model.parts.iter().flat_map(single).collect::<Vec<Part>>() {
         let solids = solids(&mut instances, part);
         if !solids.is_empty() {
             assembly.add(&mut instances, part, &solids);
@@ -39,6 +39,20 @@ pub fn step(model: &Model, info: &Info) -> String {
          ENDSEC;\nDATA;\n{}ENDSEC;\nEND-ISO-10303-21;\n",
         instances.into_text()
     )
+}
+
+/// A product for each body: readers attach a material to the product, and not all of them to one of several solids.
+fn single(part: &Part) -> Vec<Part> {
+    if part.profiles.len() < 2 {
+        return vec![part.clone()];
+    }
+    let one = |(profile, number): (&Profile, usize)| Part {
+        key: format!("{}-{number}", part.key),
+        name: format!("{} {number}", part.name),
+        profiles: vec![profile.clone()],
+        ..part.clone()
+    };
+    part.profiles.iter().zip(1..).map(one).collect()
 }
 
 /// Adds the solids of a part.

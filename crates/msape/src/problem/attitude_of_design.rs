@@ -2,8 +2,8 @@
 
 use super::freedom::one_row;
 use super::{FlightProblem, attitude, design};
-use crate::aero::standard::AeroBody;
 use crate::aero::Drag;
+use crate::aero::standard::AeroBody;
 use crate::case::{Case, InputError, Reader};
 use crate::design::Design;
 use crate::flight::freedom::Freedom;
@@ -76,7 +76,9 @@ pub fn attitude_of_design(
         aerodynamics: Aerodynamics::Database(Box::new(database)),
         damping: Damping { clp, cmq, cnr },
         attitude: at_start(&given, &mission.start, &mission),
-        rates_rad_s: rates.unwrap_or_default().map(|rate| rate * RADIANS_PER_DEGREE),
+        rates_rad_s: rates
+            .unwrap_or_default()
+            .map(|rate| rate * RADIANS_PER_DEGREE),
     }));
     Ok(FlightProblem {
         mission,
@@ -127,6 +129,11 @@ mod tests {
         assert!((initial / RADIANS_PER_DEGREE - 170.0).abs() < 1e-6);
         case.set("attitude.yaw_deg", "10");
         let faults = attitude_of_design(&case, &library, &designed).unwrap_err();
-        assert!(faults.iter().any(|fault| fault.key.starts_with("attitude.")), "{faults:?}");
+        assert!(
+            faults
+                .iter()
+                .any(|fault| fault.key.starts_with("attitude.")),
+            "{faults:?}"
+        );
     }
 }

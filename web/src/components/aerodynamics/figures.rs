@@ -1,7 +1,7 @@
 //! Figures of a database: which curves, over what, with which marks.
 
 use crate::aerodynamics::{Curves, Family, Line};
-use crate::display::number;
+use crate::display::input_number;
 use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
 use msape::aero::polar::Trim;
@@ -45,16 +45,16 @@ const KNUDSEN_MARKS: [(f64, &str); 2] = [(1e-3, "transitional"), (10.0, "free-mo
 
 /// Name of a curve at a Mach number.
 pub fn mach_name(mach: f64) -> String {
-    format!("Mach {}", number(mach, 4))
+    format!("Mach {}", input_number(mach))
 }
 
 /// Name of a curve at a Knudsen number.
 pub fn knudsen_name(knudsen: f64) -> String {
-    format!("Kn {}", number(knudsen, 4))
+    format!("Kn {}", input_number(knudsen))
 }
 
 fn angle_name(alpha_deg: f64) -> String {
-    format!("{} deg", number(alpha_deg, 4))
+    format!("{} deg", input_number(alpha_deg))
 }
 
 /// Names of the curves over the angle of attack.
@@ -138,7 +138,10 @@ pub fn is_stable(trim: &Trim) -> bool {
 
 fn of_lines(lines: &[Line], coefficient: Coefficient) -> Vec<Series> {
     let series = |(index, line): (usize, &Line)| {
-        let values = line.rows.iter().map(|row| coefficient.of(row).unwrap_or(f64::NAN));
+        let values = line
+            .rows
+            .iter()
+            .map(|row| coefficient.of(row).unwrap_or(f64::NAN));
         let points = line.x.iter().copied().zip(values).collect();
         Series::line(angle_name(line.alpha_deg), points, index)
     };
@@ -235,7 +238,10 @@ fn origins(
         origins.push((far, format!("{} beyond 60 deg", far.name())));
     }
     if coefficient == Coefficient::Cmq && near == Origin::Assumed {
-        origins = vec![(Origin::Assumed, "placeholder for Viking, assumed".to_string())];
+        origins = vec![(
+            Origin::Assumed,
+            "placeholder for Viking, assumed".to_string(),
+        )];
     }
     origins
 }
@@ -274,7 +280,13 @@ mod tests {
     fn trim_is_marked_by_its_stability_on_the_moment_alone() {
         let curves = drawn();
         let figure = |c| super::figure(&curves, c, Over::Alpha);
-        let names = |figure: Figure| figure.series.into_iter().map(|s| s.name).collect::<Vec<_>>();
+        let names = |figure: Figure| {
+            figure
+                .series
+                .into_iter()
+                .map(|s| s.name)
+                .collect::<Vec<_>>()
+        };
         assert_eq!(names(figure(Coefficient::Ca)), ["Mach 20", "Mach 0.3"]);
         let names = names(figure(Coefficient::CmCg));
         assert!(names.contains(&"stable trim".to_string()), "{names:?}");
@@ -293,9 +305,16 @@ mod tests {
                 .flat_map(|source| source.origins.into_iter().map(|(_, words)| words))
                 .collect::<Vec<_>>()
         };
-        assert_eq!(said(Over::Alpha), ["placeholder for Viking, assumed", "published"]);
+        assert_eq!(
+            said(Over::Alpha),
+            ["placeholder for Viking, assumed", "published"]
+        );
         assert_eq!(said(Over::Mach)[0], "published");
-        assert!(said(Over::Mach)[1..].iter().all(|words| words.contains("assumed")));
+        assert!(
+            said(Over::Mach)[1..]
+                .iter()
+                .all(|words| words.contains("assumed"))
+        );
     }
 
     #[test]

@@ -32,7 +32,7 @@ pub fn PlacesForm() -> impl IntoView {
                 get=|typed| &typed.knudsen put=|typed, text| typed.knudsen = text />
             <PlaceField id="aero-alpha" label="Angles of attack (deg)" fault=Signal::derive(move || faults.get()[2].clone())
                 get=|typed| &typed.alpha_deg put=|typed, text| typed.alpha_deg = text />
-            <PlaceField id="aero-cg" label="Centre of gravity (diameters aft of the virtual apex)" fault=Signal::derive(move || faults.get()[3].clone())
+            <PlaceField id="aero-cg" label="CG (diameters aft of the apex)" fault=Signal::derive(move || faults.get()[3].clone())
                 get=|typed| &typed.cg put=|typed, text| typed.cg = text
                 hint=Signal::derive(move || match view.cg_text() {
                     Some(cg) => cg,
@@ -78,7 +78,9 @@ pub fn DatabaseForm() -> impl IntoView {
     let state = State::expect();
     let view = AeroView::expect();
     let tables = move || {
-        state.document.with(|document| document.tables.keys().cloned().collect::<Vec<_>>())
+        state
+            .document
+            .with(|document| document.tables.keys().cloned().collect::<Vec<_>>())
     };
     let others = move || {
         view.faults.with(|faults| {

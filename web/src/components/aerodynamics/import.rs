@@ -32,7 +32,9 @@ pub fn TableImport() -> impl IntoView {
             match read {
                 Ok(rows) => {
                     refused.set(None);
-                    let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);
+                    let stem = name
+                        .rsplit_once('.')
+                        .map_or(name.as_str(), |(stem, _)| stem);
                     let stem = stem.to_string();
                     let count = rows.len();
                     state.edit(&format!("Import {stem}"), None, |document| {
@@ -40,11 +42,15 @@ pub fn TableImport() -> impl IntoView {
                             tables.insert(stem.clone(), rows);
                         })
                     });
-                    state.notice.set(format!("{stem} is imported with {count} rows and in use; undo takes it out again."));
+                    state.notice.set(format!(
+                        "{stem} is imported with {count} rows and in use; undo takes it out again."
+                    ));
                     view.table.set(Some(stem));
                 }
                 Err(faults) => {
-                    state.notice.set(format!("{name} was not imported; nothing has changed."));
+                    state
+                        .notice
+                        .set(format!("{name} was not imported; nothing has changed."));
                     refused.set(Some(Refused {
                         lines: lines_at_fault(&text, &faults),
                         name,
@@ -80,7 +86,9 @@ pub fn TableImport() -> impl IntoView {
     let names = move || {
         state.document.with(|document| {
             let tables = document.tables.iter();
-            tables.map(|(name, rows)| (name.clone(), rows.len())).collect::<Vec<_>>()
+            tables
+                .map(|(name, rows)| (name.clone(), rows.len()))
+                .collect::<Vec<_>>()
         })
     };
     view! {

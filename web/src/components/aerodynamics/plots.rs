@@ -9,21 +9,14 @@ use leptos::prelude::*;
 use msape::aero::coefficient::Coefficient;
 use msape_plot::Figure;
 
-/// Static coefficients over the angle of attack.
-const OVER_ALPHA: [Coefficient; 6] = [
+/// Static coefficients.
+const STATIC: [Coefficient; 6] = [
     Coefficient::Ca,
     Coefficient::Cn,
     Coefficient::CmCg,
     Coefficient::CmApex,
     Coefficient::Cd,
     Coefficient::Cl,
-];
-/// Static coefficients over Mach and Knudsen number.
-const OVER_REGIME: [Coefficient; 4] = [
-    Coefficient::Ca,
-    Coefficient::Cn,
-    Coefficient::CmApex,
-    Coefficient::CmCg,
 ];
 
 /// One figure.
@@ -70,7 +63,10 @@ fn has_points(figure: &Figure) -> bool {
 pub fn Plots() -> impl IntoView {
     let view = AeroView::expect();
     let old = move || view.faults.with(|faults| !faults.is_empty());
-    let card = |id: &'static str, title: &'static str, coefficients: &'static [Coefficient], over: Over| {
+    let card = |id: &'static str,
+                title: &'static str,
+                coefficients: &'static [Coefficient],
+                over: Over| {
         view! {
             <section class="card" aria-labelledby=id>
                 <h2 id=id>{title}</h2>
@@ -82,9 +78,9 @@ pub fn Plots() -> impl IntoView {
         }
     };
     view! {
-        {card("over-alpha-title", "Over the angle of attack", &OVER_ALPHA, Over::Alpha)}
-        {card("over-mach-title", "Over the Mach number", &OVER_REGIME, Over::Mach)}
-        {card("over-knudsen-title", "Over the Knudsen number", &OVER_REGIME, Over::Knudsen)}
+        {card("over-alpha-title", "Over the angle of attack", &STATIC, Over::Alpha)}
+        {card("over-mach-title", "Over the Mach number", &STATIC, Over::Mach)}
+        {card("over-knudsen-title", "Over the Knudsen number", &STATIC, Over::Knudsen)}
         <section class="card" aria-labelledby="damping-title">
             <h2 id="damping-title">"Pitch damping"</h2>
             <p class="quiet">{move || view.curves.with(|curves| curves.as_ref().and_then(|curves| curves.placeholder.clone())).map(|note| view! {

@@ -66,7 +66,13 @@ pub fn Sources() -> impl IntoView {
         view.curves
             .with(|curves| curves.as_ref().is_some_and(|curves| curves.is_table))
     };
-    let regimes = move || if is_table() { vec![Regime::Table] } else { REGIMES.to_vec() };
+    let regimes = move || {
+        if is_table() {
+            vec![Regime::Table]
+        } else {
+            REGIMES.to_vec()
+        }
+    };
     view! {
         <table class="facts">
             <caption>"Where static coefficients come from"</caption>

@@ -26,9 +26,7 @@ pub fn put(from: &Case, into: &mut Case) {
 pub fn Usage() -> impl IntoView {
     let state = State::expect();
     let view = AeroView::expect();
-    let of = |get: fn(&Body) -> bool| {
-        move || view.body.with(|body| body.as_ref().is_some_and(get))
-    };
+    let of = |get: fn(&Body) -> bool| move || view.body.with(|body| body.as_ref().is_some_and(get));
     let has_outline = of(|body| body.outline.is_some());
     let in_design = move |_| {
         let Some(case) = view.case.get_untracked() else {
@@ -50,7 +48,8 @@ pub fn Usage() -> impl IntoView {
         });
     };
     let in_flight = move |_| {
-        let (Some(case), Some(body)) = (view.case.get_untracked(), view.body.get_untracked()) else {
+        let (Some(case), Some(body)) = (view.case.get_untracked(), view.body.get_untracked())
+        else {
             return;
         };
         let Some(entry) = body.outline else {
@@ -60,7 +59,9 @@ pub fn Usage() -> impl IntoView {
             let fields = fields.get_or_insert_default();
             put(&case, fields);
             fields.values.remove("vehicle.drag_coefficient");
-            if !fields.values.contains_key("vehicle.aerodynamics") && !fields.values.contains_key(TABLE) {
+            if !fields.values.contains_key("vehicle.aerodynamics")
+                && !fields.values.contains_key(TABLE)
+            {
                 fields.set("vehicle.aerodynamics", "mmeev-60");
             }
         });
@@ -69,7 +70,10 @@ pub fn Usage() -> impl IntoView {
     let download = move |_| {
         if let Some(case) = view.case.get_untracked() {
             let name = file_name(&format!("{} aerodynamics", case.name), "toml");
-            save(state, files::download(&name, "application/toml", &case.to_toml()));
+            save(
+                state,
+                files::download(&name, "application/toml", &case.to_toml()),
+            );
         }
     };
     view! {

@@ -16,7 +16,9 @@ pub fn Player() -> impl IntoView {
     let view = AttitudeView::expect();
     let speed = RwSignal::new(4.0_f64);
     let ends = Memo::new(move |_| {
-        let ends = view.course.with(|course| course.as_ref().map(|c| c.ends_s()));
+        let ends = view
+            .course
+            .with(|course| course.as_ref().map(|c| c.ends_s()));
         ends.unwrap_or_default()
     });
     let play = move || {

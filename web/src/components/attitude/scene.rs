@@ -26,7 +26,11 @@ pub fn Scene() -> impl IntoView {
     let parts = Memo::new(move |_| {
         view.flown.with(|flown| {
             let design = flown.as_ref()?.solved.answer.design.as_ref()?;
-            let solid = design.vehicle.components.iter().filter(|c| c.volume_m3 > 0.0);
+            let solid = design
+                .vehicle
+                .components
+                .iter()
+                .filter(|c| c.volume_m3 > 0.0);
             let part = |component: &msape::vehicle::Component| PaintedPart {
                 paint: Paint::Variable(variable(component.kind)),
                 shown: true,
@@ -44,7 +48,9 @@ pub fn Scene() -> impl IntoView {
         })
     });
     let at = move |key: &str| {
-        let row = view.course.with(|course| Some(course.as_ref()?.row(view.time_s.get())))?;
+        let row = view
+            .course
+            .with(|course| Some(course.as_ref()?.row(view.time_s.get())))?;
         view.answer.with(|answer| {
             let history = answer.as_ref()?.flight.as_ref()?.trajectory.as_ref()?;
             history.column(key)?.get(row).copied()
@@ -100,12 +106,16 @@ fn arrow([x, y, _]: [f64; 3], class: &'static str, label: &'static str) -> Optio
     let to = from + (to - from) * length.min(1.0);
     let (tip_x, tip_y) = (to * x, to * y);
     let (back_x, back_y) = (tip_x - 7.0 * x, tip_y - 7.0 * y);
+    // The label stands to the right of an arrow, or below one that lies.
+    let (aside_x, aside_y) = if y > 0.0 { (y, -x) } else { (-y, x) };
+    let anchor = if aside_x > 0.3 { "start" } else { "middle" };
+    let middle = 0.5 * (from + to);
     Some(view! {
         <g class=class>
             <path d=format!("M{:.1} {:.1}L{back_x:.1} {back_y:.1}", from * x, from * y)></path>
             <path class="head" d=format!("M{tip_x:.1} {tip_y:.1}L{:.1} {:.1}L{:.1} {:.1}Z",
                 back_x - 3.5 * y, back_y + 3.5 * x, back_x + 3.5 * y, back_y - 3.5 * x)></path>
-            <text x=format!("{:.1}", 0.5 * (from + to) * x - 9.0 * y.abs()) y=format!("{:.1}", 0.5 * (from + to) * y - 4.0 * x.abs()) text-anchor="middle">{label}</text>
+            <text x=format!("{:.1}", middle * x + 5.0 * aside_x) y=format!("{:.1}", middle * y + 9.0 * aside_y.max(0.0) + 2.0) text-anchor=anchor>{label}</text>
         </g>
     })
 }

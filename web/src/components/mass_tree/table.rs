@@ -107,8 +107,7 @@ fn tree(vehicle: &Vehicle, units: UnitSystem) -> impl IntoView + use<> {
         <table class="tree">
             <thead>
                 <tr>
-                    <th scope="col">"Component"</th>
-                    <th scope="col" class="words">"Material"</th>
+                    <th scope="col">"Component and material"</th>
                     <th scope="col">{heading("Density", Dimension::Density)}</th>
                     <th scope="col">{heading("Mass", Dimension::Mass)}</th>
                     <th scope="col">"Share, %"</th>
@@ -141,8 +140,10 @@ fn row(
         .collect_view();
     view! {
         <tr class=class>
-            <th scope="row">{line.name.clone()}</th>
-            <td class="words">{line.material.clone()}</td>
+            <th scope="row">
+                {line.name.clone()}
+                {line.material.clone().map(|material| view! { <span class="basis">{material}</span> })}
+            </th>
             <td>
                 {shown(line.density_kg_m3, Dimension::Density, DIGITS.1)}
                 {line.density_basis.map(|of| view! { <span class="basis">{basis(of)}</span> })}

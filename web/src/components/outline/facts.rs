@@ -88,21 +88,30 @@ pub fn Facts(
         let units = units();
         body.with(|body| {
             body.as_ref().map(|body| {
-                let solid = body.outline.solid();
-                let tip = body.nose_tip_x_m();
+                let facts = body.facts();
+                let length = |metres: f64| shown(metres, Dimension::Length, units);
+                let area = |area: f64| shown(area, Dimension::Area, units);
+                let place = |x: Option<f64>, r: Option<f64>| Some(format!("{}, r {}", length(x?), length(r?)));
                 let rows = [
-                    ("Diameter", Some(shown(body.diameter_m, Dimension::Length, units))),
-                    ("Length", Some(shown(body.length_m(), Dimension::Length, units))),
-                    ("Nose radius", body.nose_radius_m.map(|r| shown(r, Dimension::Length, units))),
+                    ("Diameter", Some(length(facts.diameter_m))),
+                    ("Length", Some(length(facts.length_m))),
+                    ("Nose radius", facts.nose_radius_m.map(length)),
+                    ("Shoulder radius", facts.shoulder_radius_m.map(length)),
                     (
                         "Cone half-angle",
-                        body.cone_half_angle_rad
-                            .map(|angle| format!("{} deg", number(angle.to_degrees(), DIGITS))),
+                        facts.cone_half_angle_deg.map(|deg| format!("{} deg", number(deg, DIGITS))),
                     ),
-                    ("Reference area", Some(shown(body.reference_area_m2(), Dimension::Area, units))),
-                    ("Surface", Some(shown(body.outline.wetted_area_m2(), Dimension::Area, units))),
-                    ("Volume", Some(shown(solid.volume_m3, Dimension::Volume, units))),
-                    ("Centroid from nose", Some(shown(solid.centroid_x_m() - tip, Dimension::Length, units))),
+                    ("Virtual apex ahead of the nose", facts.virtual_apex_ahead_of_nose_m.map(length)),
+                    ("Nose meets cone behind the nose", place(facts.nose_tangent_from_nose_m, facts.nose_tangent_r_m)),
+                    (
+                        "Cone meets shoulder behind the nose",
+                        place(facts.shoulder_tangent_from_nose_m, facts.shoulder_tangent_r_m),
+                    ),
+                    ("Reference area", Some(area(facts.reference_area_m2))),
+                    ("Surface up to the largest diameter", Some(area(facts.forebody_area_m2))),
+                    ("Surface", Some(area(facts.wetted_area_m2))),
+                    ("Volume", Some(shown(facts.volume_m3, Dimension::Volume, units))),
+                    ("Centroid from nose", Some(length(facts.centroid_from_nose_m))),
                 ];
                 let rows = rows.into_iter().filter_map(|(name, text)| Some((name, text?)));
                 view! {

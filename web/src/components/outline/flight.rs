@@ -70,9 +70,18 @@ fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
 #[component]
 pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoView {
     let state = State::expect();
-    let given = state.flight_fields.get_untracked();
-    let fields = RwSignal::new(given.unwrap_or_else(|| first_fields(state)));
-    Effect::new(move |_| state.flight_fields.set(Some(fields.get())));
+    let fields = RwSignal::new(first_fields(state));
+    // Until another is typed, the mass is that of the present design.
+    let typed = RwSignal::new(false);
+    Effect::new(move |_| {
+        let mass_kg = state.latest.with(|latest| {
+            let design = latest.as_ref()?.answer.design.as_ref()?;
+            Some(design.vehicle.mass.mass_kg)
+        });
+        if let Some(mass_kg) = mass_kg.filter(|_| !typed.get_untracked()) {
+            fields.update(|fields| fields.set("vehicle.mass_kg", &format!("{mass_kg:.1}")));
+        }
+    });
     let flown = RwSignal::new(None::<(Arc<Answer>, String)>);
     let faults = RwSignal::new(Vec::<Fault>::new());
     let asked = StoredValue::new(0_u32);
@@ -127,9 +136,9 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
         }
     };
     view! {
-        <p class="quiet">"Entry, atmosphere and heating models are those of the present design. The vehicle flies as it is, without ablation or parachute."</p>
+        <p class="quiet">"Entry, atmosphere and heating models are those of the present design, and so is the mass until another is given. The vehicle flies as it is, without ablation or parachute."</p>
         <div class="flight-form">
-            {FIELDS.into_iter().filter_map(input::find).map(|input| view! { <FlightField input fields faults /> }).collect_view()}
+            {FIELDS.into_iter().filter_map(input::find).map(|input| view! { <FlightField input fields faults typed /> }).collect_view()}
         </div>
         <div role="status"><ul class="notes">{others}</ul></div>
         <div class:old=move || faults.with(|faults| !faults.is_empty())>
@@ -141,16 +150,15 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     }
 }
 
-/// The fields as they are at first: the mass of the present design, and the drag of a blunt body at high speed.
+/// The fields as they are at first: the coefficients that the Aerodynamics page hands over, else the drag of a blunt body
+/// at high speed.
 fn first_fields(state: State) -> Case {
-    let mut fields = Case::default();
-    let mass = state.latest.with_untracked(|latest| {
-        let design = latest.as_ref()?.answer.design.as_ref()?;
-        Some(design.vehicle.mass.mass_kg)
-    });
-    fields.set("vehicle.mass_kg", &format!("{:.1}", mass.unwrap_or(50.0)));
-    fields.set("vehicle.drag_coefficient", "1.5");
-    fields
+    let handed_over = state.flight_fields.try_update_value(Option::take).flatten();
+    handed_over.unwrap_or_else(|| {
+        let mut fields = Case::default();
+        fields.set("vehicle.drag_coefficient", "1.5");
+        fields
+    })
 }
 
 /// A field of an input in a small case.
@@ -159,12 +167,16 @@ pub fn FlightField(
     input: &'static Input,
     fields: RwSignal<Case>,
     faults: RwSignal<Vec<Fault>>,
+    typed: RwSignal<bool>,
 ) -> impl IntoView {
     let state = State::expect();
     let id = format!("flight-{}", input.key.replace(['.', '_'], "-"));
     let fault_id = format!("{id}-fault");
     let text = move || fields.with(|fields| fields.text(input.key).unwrap_or_default());
-    let put = move |text: String| fields.update(|fields| fields.set(input.key, &text));
+    let put = move |text: String| {
+        typed.set(true);
+        fields.update(|fields| fields.set(input.key, &text));
+    };
     let said = move || {
         faults.with(|faults| {
             let own = faults.iter().filter(|fault| fault.key == input.key);

@@ -1,34 +1,25 @@
 //! The canvas of a view in three dimensions: what is drawn, from where, and what pointer and keys do to it.
 
+mod stored;
+
 use super::controls::{CUT_MAX_DEG, CUT_STEP_DEG, Controls, TURN_RAD, ZOOM};
 use crate::clock::now_ms;
 use crate::components::chart_panel::save;
 use crate::files;
-use crate::state::{Solved, State};
+use crate::state::State;
 use crate::view3d::attitude::Attitude;
-use crate::view3d::camera::{Ball, Camera};
+use crate::view3d::camera::Camera;
 use crate::view3d::paint::{self, Colour};
 use crate::view3d::pick;
 use crate::view3d::renderer::{Frame, Look, Renderer};
-use crate::view3d::scene::Scene;
 use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::ev::{Event, KeyboardEvent, PointerEvent, WheelEvent};
 use leptos::html::{Canvas, Div};
 use leptos::prelude::*;
-use msape::heating::surface::SurfaceHeating;
-use msape::vehicle::profile::Profile;
-use std::sync::Arc;
+pub use stored::Subject;
+use stored::{Moved, Stored, place};
 use wasm_bindgen::{JsCast, closure::Closure};
 use web_sys::ResizeObserver;
-
-/// What is drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Subject {
-    /// The vehicle of a design.
-    Design(Arc<Solved>),
-    /// One body of revolution.
-    Body(Arc<Profile>),
-}
 
 /// Where a colour comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,26 +41,10 @@ pub struct PaintedPart {
     pub lit: bool,
 }
 
-/// A vehicle that is larger or smaller than what fills the view by more than this is fitted into it anew.
-const REFIT: f32 = 1.6;
 /// Turn for a movement of the pointer by a CSS px, rad.
 const TURN_RAD_PER_PX: f32 = 0.009;
 /// A press that moves less is a click, CSS px.
 const CLICK_PX: f64 = 4.0;
-
-/// What outlives a drawing.
-#[derive(Default)]
-struct Stored {
-    renderer: Option<Renderer>,
-    scene: Scene,
-    /// What fills the view.
-    ball: Ball,
-    draws_soon: bool,
-    /// Pointers that are down: number and place.
-    pointers: Vec<(i32, f64, f64)>,
-    moved_px: f64,
-    loads: u32,
-}
 
 /// A canvas with its controls.
 #[component]
@@ -387,71 +362,6 @@ pub fn Stage(
 
 /// What a lit part is mixed with.
 const LIT: Colour = [1.0, 0.35, 0.75];
-
-fn place(event: &PointerEvent) -> (i32, f64, f64) {
-    let (x, y) = (event.client_x(), event.client_y());
-    (event.pointer_id(), f64::from(x), f64::from(y))
-}
-
-/// What a movement of pointers means.
-enum Moved {
-    Turned { x_px: f64, y_px: f64 },
-    Pinched { factor: f64, y_px: f64 },
-}
-
-impl Stored {
-    fn load(&mut self, subject: Option<&Subject>) {
-        match subject {
-            Some(Subject::Design(solved)) => {
-                let Some(design) = &solved.answer.design else {
-                    return;
-                };
-                let heating = SurfaceHeating::of(&solved.answer);
-                self.scene.fill(&design.vehicle, heating.as_ref());
-            }
-            Some(Subject::Body(outline)) => self.scene.fill_body(outline),
-            None => return,
-        }
-        let grown = self.scene.ball.radius_m / self.ball.radius_m;
-        if !(1.0 / REFIT..=REFIT).contains(&grown) {
-            self.ball = self.scene.ball;
-        }
-        self.loads += 1;
-        if let Some(renderer) = &mut self.renderer {
-            renderer.load(&self.scene);
-        }
-    }
-
-    fn moved(&mut self, (id, x, y): (i32, f64, f64)) -> Option<Moved> {
-        let other = self
-            .pointers
-            .iter()
-            .copied()
-            .find(|(other, _, _)| *other != id);
-        let at = self.pointers.iter_mut().find(|(down, _, _)| *down == id)?;
-        let (before_x, before_y) = (at.1, at.2);
-        (at.1, at.2) = (x, y);
-        let (x_px, y_px) = (x - before_x, y - before_y);
-        self.moved_px += x_px.abs() + y_px.abs();
-        Some(match other {
-            None => Moved::Turned { x_px, y_px },
-            Some((_, other_x, other_y)) => {
-                let apart = |x: f64, y: f64| (x - other_x).hypot(y - other_y).max(1.0);
-                Moved::Pinched {
-                    factor: apart(x, y) / apart(before_x, before_y),
-                    y_px: 0.5 * y_px,
-                }
-            }
-        })
-    }
-
-    /// Forgets a pointer; whether it was down.
-    fn lifted(&mut self, id: i32) -> bool {
-        let before = self.pointers.len();
-        self.pointers.retain(|(other, _, _)| *other != id);
-        self.pointers.len() < before
-    }
-}
 
 /// Keeps `size` at the size of an element.
 fn watch(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>) {
