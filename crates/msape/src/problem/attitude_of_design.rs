@@ -1,14 +1,14 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
-use super::freedom::one_row;
+use super::freedom::{TOLERANCE_DATABASE, one_row};
 use super::{FlightProblem, attitude, design};
 use crate::aero::Drag;
 use crate::aero::standard::AeroBody;
 use crate::case::{Case, InputError, Reader};
 use crate::design::Design;
 use crate::flight::freedom::Freedom;
-use crate::flight::mission::{DEFAULT_TOLERANCE_SIX_DOF, Model};
-use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, Reference};
+use crate::flight::mission::Model;
+use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, OfOutline, Reference};
 use crate::flight::six_dof::attitude::at_start;
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
@@ -60,10 +60,15 @@ pub fn attitude_of_design(
     else {
         return Err(reader.faults);
     };
+    let of_outline = OfOutline {
+        axial_force: database.table().is_none().then(|| input.drag.clone()),
+        database,
+    };
+    // What the case says of the integration is for its point mass.
     let mut mission = input.mission.clone();
     mission.solver.model = Model::ThreeDof;
     mission.solver.method = Method::DormandPrince853;
-    mission.solver.tolerance = mission.solver.tolerance.min(DEFAULT_TOLERANCE_SIX_DOF);
+    mission.solver.tolerance = mission.solver.tolerance.min(TOLERANCE_DATABASE);
     let mut body = input.body(vehicle);
     body.freedom = Freedom::Rigid(Box::new(Rigid {
         inertia,
@@ -73,7 +78,7 @@ pub fn attitude_of_design(
             length_m: vehicle.dimensions.diameter_m,
             span_m: vehicle.dimensions.diameter_m,
         },
-        aerodynamics: Aerodynamics::Database(Box::new(database)),
+        aerodynamics: Aerodynamics::Database(Box::new(of_outline)),
         damping: Damping { clp, cmq, cnr },
         attitude: at_start(&given, &mission.start, &mission),
         rates_rad_s: rates

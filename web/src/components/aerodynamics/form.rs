@@ -77,6 +77,7 @@ fn PlaceField(
 pub fn DatabaseForm() -> impl IntoView {
     let state = State::expect();
     let view = AeroView::expect();
+    let typed = RwSignal::new(false);
     let tables = move || {
         state
             .document
@@ -107,7 +108,7 @@ pub fn DatabaseForm() -> impl IntoView {
                 </select>
             </div>
             {FIELDS.into_iter().filter_map(input::find).map(|input| view! {
-                <FlightField input fields=view.fields faults=view.faults />
+                <FlightField input fields=view.fields faults=view.faults typed />
             }).collect_view()}
         </div>
         <ul class="notes" role="status">{others}</ul>

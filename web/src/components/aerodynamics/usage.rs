@@ -55,16 +55,14 @@ pub fn Usage() -> impl IntoView {
         let Some(entry) = body.outline else {
             return;
         };
-        state.flight_fields.update(|fields| {
-            let fields = fields.get_or_insert_default();
-            put(&case, fields);
-            fields.values.remove("vehicle.drag_coefficient");
-            if !fields.values.contains_key("vehicle.aerodynamics")
-                && !fields.values.contains_key(TABLE)
-            {
-                fields.set("vehicle.aerodynamics", "mmeev-60");
-            }
-        });
+        let mut fields = Case::default();
+        put(&case, &mut fields);
+        // A point mass needs an axial force: that of a name or of a table, else of a blunt body at high speed.
+        if !fields.values.contains_key("vehicle.aerodynamics") && !fields.values.contains_key(TABLE)
+        {
+            fields.set("vehicle.drag_coefficient", "1.5");
+        }
+        state.flight_fields.set_value(Some(fields));
         library::go_to(&entry.id());
     };
     let download = move |_| {
