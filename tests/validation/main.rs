@@ -1,10 +1,12 @@
 //! Against published and independent figures, and against itself at greater effort.
 //!
 //! - [`published`]: every documented case that ships with the program.
+//! - [`aerodynamics`]: coefficients against exact, computed and published ones.
 //! - [`accuracy`]: methods and tolerances of integration against one another.
 //! - [`outcomes`]: how flights begin and end.
 
 mod accuracy;
 mod aerodynamics;
 mod outcomes;
+mod outlines;
 mod published;
