@@ -23,7 +23,8 @@ fn backward_entry_without_rates_turns_round_before_continuum_flow() {
     let diameter_m = 1.1;
     let places = [0.15, 0.2, 0.25].map(|x| x * diameter_m);
     let entries = studied(&case, &places);
-    let first_turn = |entry: &Reorientation| entry.attitude.hemisphere_change_times_s.first().copied();
+    let first_turn =
+        |entry: &Reorientation| entry.attitude.hemisphere_change_times_s.first().copied();
     for entry in &entries {
         println!(
             "x_cg/D {:.3}: {:?}, first turn {:?} s, below 10 deg at Kn {:?}, at peak heating {:.1} deg",
