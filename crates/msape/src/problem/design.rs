@@ -102,6 +102,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             crush_load_limit_earth_g: crush_limit?,
             stroke_efficiency: efficiency?,
             ground: named(&library.grounds, ground_name?)?.clone(),
+            foam: library.impact_foam.clone(),
         },
         foam_grades: library.vehicle.foam.clone(),
         rules: library.vehicle.rules().ok()?,
