@@ -7,6 +7,7 @@
 //! - [`trajectory`]: the columns of a time history.
 
 pub mod input;
+pub mod landing;
 pub mod output;
 pub mod schema;
 pub mod trajectory;
