@@ -4,6 +4,7 @@
 //!
 //! - [`input`]: what a person may ask for, with allowed range, usual range and default.
 //! - [`output`]: what an answer holds, with the report's own column name where it has one.
+//! - [`landing`]: the columns of a landing's history.
 //! - [`trajectory`]: the columns of a time history.
 
 pub mod input;

@@ -53,6 +53,18 @@ pub struct ImpactInput {
     pub ground: Ground,
     /// How the foam crushes.
     pub foam: FoamKind,
+    /// What crushes it.
+    pub crushing_mass: CrushingMass,
+}
+
+/// What crushes the impact foam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum CrushingMass {
+    /// The payload alone, as in equations 4 and 6.
+    #[default]
+    Payload,
+    /// The whole impact sphere of the MSR concept, which moves with the payload.
+    ImpactSphere,
 }
 
 /// Loads and foam of the landing.

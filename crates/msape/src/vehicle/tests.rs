@@ -1,10 +1,11 @@
 //! Whole vehicles: conservation of volume, closing over the trade space, the report's cases.
 
+mod landing;
 mod trade_space;
 
 use super::*;
 use crate::vehicle::impact::foam::FoamKind;
-use crate::vehicle::impact::{Ground, ImpactInput};
+use crate::vehicle::impact::{CrushingMass, Ground, ImpactInput};
 use crate::vehicle::rules::WallPlace;
 use numerics::math::RADIANS_PER_DEGREE;
 
@@ -49,6 +50,7 @@ fn msr() -> VehicleInput {
             stroke_efficiency: 0.55,
             ground: Ground::parse(include_str!("../../data/grounds/uttr-clay.toml")).unwrap(),
             foam: FoamKind::parse(include_str!("../../data/foams/pmi.toml")).unwrap(),
+            crushing_mass: CrushingMass::Payload,
         },
         foam_grades: data.foam.clone(),
         rules: data.rules().unwrap(),

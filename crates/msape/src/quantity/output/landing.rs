@@ -54,9 +54,9 @@ pub(super) static OUTPUTS: &[Output] = &[
         .help("Energy that the impact foam takes on a rigid surface, in J: the kinetic energy of what crushes it.", DYNAMICS),
     Output::new("impact_energy_residual", "Energy Residual of the Landing", Module::Impact, |a| landing(a, |l| l.ground.energy_residual.max(l.rigid_surface.energy_residual)))
         .help("Energy missing in the balance of the landing over that at impact; an error of the integration.", DYNAMICS),
-    Output::new("crushing_mass_kg", "Mass that Crushes the Foam", Module::Impact, |a| landing(a, |l| l.payload_side_kg))
+    Output::new("crushing_mass_kg", "Crushing Mass", Module::Impact, |a| landing(a, |l| l.payload_side_kg))
         .unit(Dimension::Mass, "kg")
-        .help("Payload and, in the MSR concept, the impact sphere that moves with it.", "assumed: not printed in NASA/TM-2014-218507"),
+        .help("Mass that crushes the impact foam: the payload, or the impact sphere with it.", SECTION),
     Output::new("foam_plateau_stress_pa", "Foam Plateau Stress", Module::Impact, |a| landing(a, |l| l.absorber.law.plateau_pa))
         .unit(Dimension::Pressure, "MPa")
         .help("Stress at which the impact foam crushes: that of its grade.", FOAM),

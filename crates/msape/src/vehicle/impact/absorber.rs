@@ -70,11 +70,29 @@ impl Absorber {
             .map(|strain| strain * self.thickness_m)
     }
 
-    /// Stiffness when the load is taken off, N/m; denser foam is stiffer in proportion to its stress.
+    /// Slope of the force, N/m.
+    pub fn slope_n_m(&self, crush_m: f64) -> f64 {
+        let strain = crush_m / self.thickness_m;
+        let growth_m = match self.shape {
+            Shape::Column { .. } => 0.0,
+            Shape::Sphere { payload_radius_m } => {
+                let r = payload_radius_m + self.thickness_m;
+                2.0 * PI * (r - crush_m.clamp(0.0, r))
+            }
+        };
+        growth_m * self.law.stress_pa(strain)
+            + self.area_m2(crush_m) * self.law.slope_pa(strain) / self.thickness_m
+    }
+
+    /// Stiffness when the load is taken off, N/m: denser foam is stiffer in proportion to its stress, up to the solid; never
+    /// less than the slope of the law, so that foam gives back no more than it took.
     pub fn unloading_n_m(&self, crush_m: f64) -> f64 {
-        let stress_pa = self.law.stress_pa(crush_m / self.thickness_m);
-        let denser = (stress_pa / self.law.plateau_pa).max(1.0);
-        self.area_m2(crush_m) * self.law.modulus_pa * denser / self.thickness_m
+        let law = &self.law;
+        let stress_pa = law.stress_pa(crush_m / self.thickness_m);
+        let denser = (stress_pa / law.plateau_pa).max(1.0);
+        let stiffest_pa = law.solid_modulus_pa.max(law.modulus_pa);
+        let modulus_pa = (law.modulus_pa * denser).min(stiffest_pa);
+        (self.area_m2(crush_m) * modulus_pa / self.thickness_m).max(self.slope_n_m(crush_m))
     }
 
     /// Volume swept by the footprint, m³: the energy taken by each Pa of a rigid plastic plateau.
@@ -138,6 +156,22 @@ mod tests {
         assert_eq!(sphere().force_n(0.0), 0.0);
         // E A / t = 1e9 · 0.0238761 / 0.1
         assert!((sphere().unloading_n_m(0.02) - 2.387_61e8).abs() < 1e3);
+    }
+
+    #[test]
+    fn unloading_is_never_softer_than_the_law() {
+        for shape in [sphere().shape, Shape::Column { area_m2: 0.03 }] {
+            let foam = Absorber { shape, ..sphere() };
+            for n in 1..1000 {
+                let crush_m = f64::from(n) * 1e-4;
+                let h = 1e-9;
+                let slope = (foam.force_n(crush_m) - foam.force_n(crush_m - h)) / h;
+                assert!(
+                    foam.unloading_n_m(crush_m) >= slope * (1.0 - 1e-4),
+                    "{crush_m}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Crush stress of a closed-cell foam: elastic, plateau, densification.
 //!
 //! ```text
-//! σ = min( E ε, max( σ_pl, σ_pl/D · ε_D / (ε_D − ε) ) )      ε_D = 1 − 1.4 ρ/ρ_s      E = σ_pl / ε_y
+//! σ = E ε up to ε_y, then max( σ_pl, σ_pl/D · ε_D / (ε_D − ε) )      ε_D = 1 − 1.4 ρ/ρ_s      E = σ_pl / ε_y
 //! ε_p = ε_D (1 − 1/D)                                         end of the plateau
 //! ```
 //!
@@ -93,8 +93,25 @@ impl CrushLaw {
 
     /// Stress, Pa; zero without compression.
     pub fn stress_pa(&self, strain: f64) -> f64 {
-        let elastic_pa = self.modulus_pa * strain.max(0.0);
-        elastic_pa.min(self.plateau_pa.max(self.dense_pa(strain)))
+        if strain <= self.yield_strain() {
+            self.modulus_pa * strain.max(0.0)
+        } else {
+            self.plateau_pa.max(self.dense_pa(strain))
+        }
+    }
+
+    /// Slope of the stress, Pa.
+    pub fn slope_pa(&self, strain: f64) -> f64 {
+        let left = self.closed_strain - strain;
+        if strain <= self.yield_strain() {
+            self.modulus_pa
+        } else if strain < self.plateau_strain() {
+            0.0
+        } else if left > self.last_left() {
+            self.scale_pa() / (left * left)
+        } else {
+            self.solid_modulus_pa
+        }
     }
 
     /// Elastic strain at which the plateau begins.
@@ -164,6 +181,19 @@ mod tests {
             // never steeper than the solid
             assert!(
                 (0.0..=law.solid_modulus_pa * 1.001e-9).contains(&step),
+                "{strain}"
+            );
+        }
+    }
+
+    #[test]
+    fn slope_is_that_of_the_stress() {
+        let law = kind().law(110.0, 3.0e6);
+        for strain in [0.005, 0.2, 0.6, 0.8, 0.9] {
+            let h = 1e-7;
+            let slope_pa = (law.stress_pa(strain + h) - law.stress_pa(strain - h)) / (2.0 * h);
+            assert!(
+                (law.slope_pa(strain) - slope_pa).abs() <= 1e-5 * slope_pa,
                 "{strain}"
             );
         }

@@ -262,6 +262,27 @@ mod tests {
         assert_eq!(ground("rigid").rigid_body_load(&striker(30.0)), None);
     }
 
+    /// Two flight-like vehicles fell on the sandy clay of Utah at about 30 m/s: less than 600 g at the centre of gravity
+    /// (abstract of \[kellas-2017\]; sizes and masses are not in it, those of Table 15 stand in for them).
+    #[test]
+    fn drops_of_2017_stay_below_600_g() {
+        let mud = ground("wendover-mud")
+            .rigid_body_load(&striker(30.0))
+            .unwrap();
+        // 427 to 571 g over the range of S
+        assert!(mud.least_earth_g > 400.0 && mud.largest_earth_g < 600.0);
+        let clay = Ground::parse(CLAY).unwrap();
+        let load = |nose_diameter_m| {
+            let striker = Striker {
+                nose_diameter_m,
+                ..striker(30.0)
+            };
+            clay.rigid_body_load(&striker).unwrap().load_earth_g
+        };
+        // equation 1: 28 · 900 / 45.7 = 551.42 g for each metre; with the nose a quarter of that of the whole vehicle
+        assert!((load(0.225) - 124.07).abs() < 0.01 && (load(0.9) - 496.28).abs() < 0.01);
+    }
+
     #[test]
     fn every_ground_of_the_library_reads() {
         for (path, text) in crate::library::data_folder("grounds") {

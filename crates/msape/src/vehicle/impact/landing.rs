@@ -1,8 +1,8 @@
 //! The landing of a designed vehicle, on the chosen ground and on a rigid surface.
 //!
 //! ```text
-//! m₁ = M_PL + (foam + shell) (1 + margin)   MSR: the impact sphere moves with the payload
-//! m₁ = M_PL                                 non-MSR
+//! m₁ = M_PL                                 the payload alone, as in equations 4 and 6
+//! m₁ = M_PL + (foam + shell) (1 + margin)   MSR, on request: the impact sphere with the payload
 //! m₂ = M − m₁
 //! ```
 //!
@@ -10,16 +10,18 @@
 //! offers: the strength of equation 6 unless a density is given.
 //!
 //! # Valid
-//! As [`super::crush`]. Panels of the impact sphere are not counted beyond equation 6; no part of the heat shield is.
+//! As [`super::crush`]. With the payload alone the rest of the impact sphere is taken to carry itself: neither the mass of its foam
+//! and panels nor the strength of its panels counts. With the whole sphere its mass counts and the panels' strength does not,
+//! which is the severe side. Crush of carrier and heat shield, which would help, is left out.
 //!
 //! # References
-//! - \[samareh-2014\] section 3.1.5. Which masses move with the payload is a choice of ours.
+//! - \[samareh-2014\] section 3.1.5.
 
 use crate::vehicle::impact::absorber::{Absorber, Shape};
 use crate::vehicle::impact::crush::{Pulse, Touchdown, pulse};
-use crate::vehicle::impact::foam_density_kg_m3;
 use crate::vehicle::impact::ground::Striker;
 use crate::vehicle::impact::soil::Soil;
+use crate::vehicle::impact::{CrushingMass, foam_density_kg_m3};
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::remarks::foam_strength_at_pa;
 use crate::vehicle::{ComponentKind, Vehicle};
@@ -82,7 +84,7 @@ impl Landing {
     pub fn new(input: &VehicleInput, vehicle: &Vehicle, velocity: TouchdownVelocity) -> Landing {
         let speed_m_s = velocity.speed_m_s;
         let mass_kg = vehicle.mass.mass_kg;
-        let payload_side_kg = payload_side_kg(vehicle).min(mass_kg);
+        let payload_side_kg = payload_side_kg(input, vehicle).min(mass_kg);
         let absorber = absorber(input, vehicle);
         let striker = Striker::new(&vehicle.layout.outline.forebody, mass_kg, speed_m_s);
         let soil = input.impact.ground.soil(&striker);
@@ -120,14 +122,14 @@ impl Landing {
 }
 
 /// Payload and what moves with it, kg.
-fn payload_side_kg(vehicle: &Vehicle) -> f64 {
-    let with_payload: &[ComponentKind] = match vehicle.concept {
-        Concept::Msr => &[
+fn payload_side_kg(input: &VehicleInput, vehicle: &Vehicle) -> f64 {
+    let with_payload: &[ComponentKind] = match (vehicle.concept, input.impact.crushing_mass) {
+        (Concept::Msr, CrushingMass::ImpactSphere) => &[
             ComponentKind::Payload,
             ComponentKind::ImpactFoam,
             ComponentKind::ImpactShell,
         ],
-        Concept::NonMsr => &[ComponentKind::Payload],
+        _ => &[ComponentKind::Payload],
     };
     with_payload
         .iter()
