@@ -341,8 +341,12 @@ impl Finished<'_> {
 
     fn landing(&self) -> Landing {
         let flown = &self.flown;
+        // the closed form keeps its angle to the ground: only the integrated flight knows where it comes down from
+        let integrated = flown.flight.model == "three-dof";
         let angle_rad = match flown.outcome {
-            Outcome::Landed | Outcome::Stopped => flown.flight.final_flight_path_angle_rad,
+            Outcome::Landed | Outcome::Stopped if integrated => {
+                flown.flight.final_flight_path_angle_rad
+            }
             _ => -FRAC_PI_2,
         };
         let velocity = TouchdownVelocity::new(flown.impact_speed_m_s, angle_rad);

@@ -19,7 +19,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::impact::crush::PulseEnd;
 use crate::vehicle::impact::ground::{Ground, Striker};
 use crate::vehicle::impact::landing::Landing;
-use numerics::math::RADIANS_PER_DEGREE;
+use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 /// Loads up to this part over the limit are rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
@@ -34,7 +34,7 @@ pub fn findings(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Vec<Fi
     let mut list = Vec::new();
     list.extend(rigid_body(vehicle, ground));
     list.extend(range_of_ground(vehicle, landing, ground));
-    list.extend(densified(landing));
+    list.extend(densified(vehicle, landing));
     list.extend(over_limit(
         vehicle,
         "rigid_surface_peak_load_earth_g",
@@ -130,9 +130,24 @@ fn range_of_ground(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Opt
 }
 
 /// Foam that leaves its plateau.
-fn densified(landing: &Landing) -> Option<Finding> {
+fn densified(vehicle: &Vehicle, landing: &Landing) -> Option<Finding> {
     let margin = landing.densification_margin();
     let absorber = &landing.absorber;
+    let plateau_m = absorber.plateau_crush_m();
+    let foam = match landing.foam_needed_m {
+        Some(foam_m) => format!("{:.0} mm of it", foam_m * 1e3),
+        None => "no thickness of it".to_string(),
+    };
+    let radius_m = vehicle.dimensions.payload_diameter_m / 2.0;
+    let share = absorber.area_m2(plateau_m) / (PI * radius_m * radius_m);
+    let footprint = if share < 1.0 {
+        format!(
+            " Equation 6 counts the whole cross-section of the payload, the flattened sphere has up to {:.0} % of it.",
+            share * 100.0
+        )
+    } else {
+        String::new()
+    };
     (margin < 0.0).then(|| Finding {
         severity: Severity::Note,
         model: "crush dynamics".to_string(),
@@ -140,16 +155,10 @@ fn densified(landing: &Landing) -> Option<Finding> {
         value: Some(margin),
         valid: (Some(0.0), None),
         message: format!(
-            "On a rigid surface {:.0} mm of the {:.0} mm of foam are crushed, its plateau ends at {:.0} mm: {} or a crush strength of {:.2} MPa instead of {:.2} MPa would keep to it.",
+            "On a rigid surface {:.0} mm of the {:.0} mm of foam are crushed, its plateau ends at {:.0} mm: {foam} or a crush strength of {:.2} MPa instead of {:.2} MPa would keep to it.{footprint}",
             landing.rigid_surface.stroke_m * 1e3,
             absorber.thickness_m * 1e3,
-            absorber.plateau_crush_m() * 1e3,
-            landing
-                .foam_needed_m
-                .map_or("no thickness of it".to_string(), |foam_m| format!(
-                    "{:.0} mm of it",
-                    foam_m * 1e3
-                )),
+            plateau_m * 1e3,
             landing.strength_needed_pa / 1e6,
             absorber.law.plateau_pa / 1e6,
         ),

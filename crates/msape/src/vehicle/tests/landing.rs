@@ -173,6 +173,27 @@ fn wind_at_touchdown_and_ranges_of_the_grounds_are_findings() {
 }
 
 #[test]
+fn a_wide_payload_in_thin_foam_is_told_that_its_footprint_is_small() {
+    let (input, vehicle, landing) = on("rigid", run_page(Concept::Msr));
+    let findings = remarks::findings(&vehicle, &landing, &input.impact.ground);
+    // π s (2 R − s) over π R_p²
+    let (s, r) = (
+        landing.absorber.plateau_crush_m(),
+        vehicle.dimensions.payload_diameter_m / 2.0,
+    );
+    let share = s * (2.0 * (r + landing.absorber.thickness_m) - s) / (r * r);
+    let expected = format!(
+        "the flattened sphere has up to {:.0} % of it.",
+        share * 100.0
+    );
+    assert!(
+        share < 0.6 && findings[0].message.ends_with(&expected),
+        "{}",
+        findings[0].message
+    );
+}
+
+#[test]
 fn a_density_that_is_given_decides_the_plateau() {
     let mut input = galahad();
     input.densities.impact_foam_kg_m3 = Some(110.0);
