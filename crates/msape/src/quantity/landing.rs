@@ -140,4 +140,29 @@ mod tests {
             );
         }
     }
+    #[test]
+    fn a_design_with_its_history_has_that_of_both_landings_in_its_json() {
+        use crate::quantity::Job;
+        use crate::{Case, Library, Request, answer, design};
+        let library = Library::builtin().unwrap();
+        let text = crate::library::data_file("cases/galahad.toml").unwrap();
+        let case = Case::from_text(text).unwrap();
+        let answer = design(&case, &library, Request::Uniform(100.0)).unwrap();
+        let object = answer::json(&answer, Job::Design);
+        let landing = object["landing"].as_object().unwrap();
+        assert_eq!(landing.len(), 2 * columns().len());
+        for (key, values) in landing {
+            assert_eq!(values.as_array().unwrap().len(), 61, "{key}");
+        }
+        let pulse = &answer.design.as_ref().unwrap().landing.rigid_surface;
+        assert_eq!(landing["rigid_surface_time_s"][60], pulse.duration_s);
+        assert_eq!(
+            landing["ground_payload_speed_m_s"][0],
+            object["results"]["impact_speed_m_s"]
+        );
+        let text = answer::text(&answer, Job::Design);
+        assert!(text.contains("\n  \"landing\": {\n    \"rigid_surface_time_s\": [0.0,"));
+        let without = design(&case, &library, Request::Nothing).unwrap();
+        assert!(answer::json(&without, Job::Design).get("landing").is_none());
+    }
 }
