@@ -11,8 +11,8 @@
 //!
 //! # Valid
 //! Vertical, without gravity (1 g among hundreds), rigid payload and rigid vehicle. On rigid ground the vehicle's side stops
-//! at once and its structure takes its energy. Nothing damps: on soft ground the payload rings on its foam, by up to a fifth of the
-//! load in the cases tried, which is on the high side. Rebound after the payload's stop is not followed.
+//! at once and its structure takes its energy. Nothing damps: on soft ground the payload rings on its foam, by 2 to 30 % of the
+//! load in the shipped cases, which is on the high side. Rebound after the payload's stop is not followed.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5, whose equations 1, 4 and 6 are limits; \[hairer-norsett-wanner-1993\] section II.5.
