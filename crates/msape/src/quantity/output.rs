@@ -2,6 +2,7 @@
 
 mod design;
 mod flight;
+mod landing;
 
 use crate::answer::Answer;
 use crate::units::{Dimension, Unit, canonical};
@@ -142,7 +143,11 @@ pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
         Job::Fly => &[],
         Job::Design => design::OUTPUTS,
     };
-    of_design.iter().chain(flight::OUTPUTS)
+    let of_landing: &[Output] = match job {
+        Job::Fly => &[],
+        Job::Design => landing::OUTPUTS,
+    };
+    of_design.iter().chain(of_landing).chain(flight::OUTPUTS)
 }
 
 /// The output with this key.
