@@ -2,6 +2,7 @@
 
 mod args;
 mod failure;
+mod outline;
 mod output;
 mod quantities;
 mod read;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
         Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),
     };

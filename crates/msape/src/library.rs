@@ -18,6 +18,7 @@ use crate::tps::Side;
 use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
+use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::VehicleData;
@@ -84,6 +85,8 @@ pub struct Library {
     pub impact_foam: FoamKind,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
+    /// Outlines of rigid bodies by name.
+    pub outlines: Named<OutlineData>,
 }
 
 impl Library {
@@ -131,6 +134,7 @@ impl Library {
             grounds: folder("grounds", Ground::parse)?,
             impact_foam: parsed("foams/pmi.toml", FoamKind::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+            outlines: folder("outlines", OutlineData::parse)?,
         })
     }
 
@@ -162,6 +166,7 @@ impl Library {
                 .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
+            Choices::Outlines => titles(&self.outlines, |outline| &outline.title),
         }
     }
 }

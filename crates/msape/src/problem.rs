@@ -5,6 +5,8 @@
 mod design;
 mod flight;
 mod heating;
+mod materials;
+mod outline;
 mod planet;
 
 use crate::answer::Answer;
@@ -15,6 +17,9 @@ use crate::finding::Finding;
 use crate::flight::Request;
 use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
+use crate::vehicle::body::RigidBody;
+
+pub use outline::rigid_body;
 
 /// A flight that was checked.
 #[derive(Clone, Debug)]
@@ -23,6 +28,8 @@ pub struct FlightProblem {
     pub mission: Mission,
     /// The vehicle.
     pub body: Body,
+    /// Its outline, where the case has one.
+    pub outline: Option<RigidBody>,
     /// What the check remarked.
     pub findings: Vec<Finding>,
 }
@@ -44,11 +51,13 @@ impl FlightProblem {
     pub fn check(case: &Case, library: &Library) -> Result<FlightProblem, Vec<InputError>> {
         let mut reader = Reader::new(case);
         let mission = flight::mission(&mut reader, library, flight::Angle::Any);
-        let body = flight::body(&mut reader, library);
+        let outline = outline::outline(&mut reader, library);
+        let body = flight::body(&mut reader, library, &outline);
         match mission.zip(body) {
             Some((mission, body)) if reader.faults.is_empty() => Ok(FlightProblem {
                 mission,
                 body,
+                outline: outline.body(),
                 findings: reader.findings,
             }),
             _ => Err(reader.faults),
@@ -61,6 +70,7 @@ impl FlightProblem {
             mission,
             body,
             findings,
+            ..
         } = self;
         let (flight, outcome, reason) = crate::flight::fly(mission, body, request);
         let mut findings = findings.clone();

@@ -13,12 +13,18 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.
 
+pub mod body;
 pub mod close;
+pub mod crossing;
+pub mod crush;
 pub mod forebody;
+pub mod grow;
 pub mod impact;
 pub mod input;
 pub mod layout;
 pub mod mass;
+pub mod mass_tree;
+pub mod material;
 pub mod msr;
 pub mod non_msr;
 pub mod outline;
@@ -27,13 +33,16 @@ pub mod remarks;
 pub mod rules;
 pub mod segment;
 pub mod structure;
+pub mod winding;
 
 pub use input::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
 pub use mass::{Component, ComponentKind, MassProperties};
+pub use material::{DensityBasis, Material, Materials};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
-use crate::vehicle::close::{Closed, close, close_from};
+use crate::vehicle::close::Closed;
+use crate::vehicle::grow::smallest_that_closes;
 use crate::vehicle::impact::ground::Striker;
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
@@ -55,6 +64,8 @@ pub struct Vehicle {
     pub components: Vec<Component>,
     /// Mass, centre of gravity, inertia.
     pub mass: MassProperties,
+    /// The same after landing, the payload moved forward by the required stroke.
+    pub crushed: MassProperties,
     /// Key dimensions.
     pub dimensions: Dimensions,
     /// Landing.
@@ -194,7 +205,9 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         structure,
         iterations,
     } = closed;
+    let crushed = crush::crushed(input.concept, &layout, &components, stroke_m);
     Ok(Vehicle {
+        crushed,
         concept: input.concept,
         outline: layout.outline.profile(),
         layout,
@@ -206,52 +219,6 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         adjustments,
         findings,
         iterations,
-    })
-}
-
-/// Growth of the diameter from one try to the next.
-const GROWTH: f64 = 1.03;
-
-/// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
-fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed), NotClosed> {
-    let at_input = match close(input, input.diameter_m, foam) {
-        Ok(closed) => return Ok((input.diameter_m, closed)),
-        Err(misfit) => misfit,
-    };
-    let largest = input.rules.diameter_max_m;
-    let mut low = input.diameter_m;
-    let mut at_largest = at_input;
-    while low < largest {
-        let mut high = (low * GROWTH).min(largest);
-        match close(input, high, foam) {
-            Ok(mut best) => {
-                while high - low > input.rules.diameter_resolution_m {
-                    let middle = 0.5 * (low + high);
-                    match close_from(input, middle, foam, best.start()) {
-                        Ok(closed) => (high, best) = (middle, closed),
-                        Err(_) => low = middle,
-                    }
-                }
-                // from the beginning, so that the vehicle does not depend on the search
-                let settled = close(input, high, foam).unwrap_or(best);
-                return Ok((high, settled));
-            }
-            Err(misfit) => (low, at_largest) = (high, misfit),
-        }
-    }
-    let reason = format!(
-        "No vehicle of {:.3} m to {:.3} m closes: at {:.3} m {}; at {:.3} m {}.",
-        input.diameter_m,
-        largest.max(input.diameter_m),
-        input.diameter_m,
-        at_input.reason(),
-        largest.max(input.diameter_m),
-        at_largest.reason()
-    );
-    Err(NotClosed {
-        reason,
-        at_input: Some(at_input),
-        at_largest: Some(at_largest),
     })
 }
 

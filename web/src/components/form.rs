@@ -10,7 +10,9 @@ use msape::quantity::input::{Group, Input, Kind, Level, inputs};
 
 /// Inputs of a vehicle that is flown as it is, and files that only the command line can read.
 fn is_of_design(input: &Input) -> bool {
-    !input.key.starts_with("vehicle.") && input.kind != Kind::Text
+    !input.key.starts_with("vehicle.")
+        && !input.key.starts_with("outline.")
+        && input.kind != Kind::Text
 }
 
 /// The groups in the order of the form.

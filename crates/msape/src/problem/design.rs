@@ -1,6 +1,7 @@
 //! Checks a design.
 
 use super::flight::{Angle, mission};
+use super::materials::materials;
 use crate::case::Reader;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
@@ -19,6 +20,37 @@ const FIRST_LOADS: Loads = Loads {
 };
 const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
+
+/// What would cross what where a dimension is outside its range.
+const CROSSINGS: [(&str, &str); 4] = [
+    (
+        "design.shoulder_radius_ratio",
+        "without a shoulder the layers of forebody and aftbody would cross at a sharp edge; beyond half the radius the shoulder would cross the nose",
+    ),
+    (
+        "design.nose_radius_ratio",
+        "at a sharp tip the layers of the heat shield would cross on the axis; a wider nose sphere would cross the shoulder",
+    ),
+    (
+        "design.payload_diameter_ratio",
+        "a wider payload would cross the outline of the vehicle",
+    ),
+    (
+        "design.cone_half_angle_deg",
+        "a sharper or blunter cone would cross the wing, whose aft side slopes 5 to 30 deg",
+    ),
+];
+
+/// Adds to faults of the geometry what would cross what.
+fn explain_crossings(reader: &mut Reader) {
+    for fault in &mut reader.faults {
+        if let Some((_, why)) = CROSSINGS.iter().find(|(key, _)| *key == fault.key)
+            && fault.message.contains("must be")
+        {
+            fault.message = format!("{}: {why}", fault.message);
+        }
+    }
+}
 
 /// Everything that determines a design.
 pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
@@ -58,6 +90,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         iterations,
         relaxation,
     ] = numbers;
+    explain_crossings(reader);
     let mut densities = Densities::read(reader);
     let [
         diameter_m,
@@ -96,6 +129,12 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             .unwrap_or(aftbody_material.density.density_kg_m3),
         aftbody_carrier: wall(WallPlace::Aftbody, densities.aftbody_carrier),
         primary_carrier: wall(WallPlace::Primary, densities.primary),
+        materials: materials(
+            &densities,
+            library,
+            concept,
+            [&forebody_material, &aftbody_material],
+        )?,
         densities: densities.fillings(library.vehicle.densities().ok()?),
         loads: FIRST_LOADS,
         structure_loads: library.vehicle.structure_loads().ok()?,
@@ -171,17 +210,17 @@ fn payload_size(reader: &mut Reader) -> Option<PayloadSize> {
 }
 
 /// Densities of the case, kg/m³, where it gives them.
-struct Densities {
-    forebody_tps: Option<f64>,
-    forebody_carrier: Option<f64>,
-    aftbody_tps: Option<f64>,
-    aftbody_carrier: Option<f64>,
-    primary: Option<f64>,
-    impact_foam: Option<f64>,
-    impact_shell: Option<f64>,
-    body_foam: Option<f64>,
-    lid_insulation: Option<f64>,
-    wing_insulation: Option<f64>,
+pub(super) struct Densities {
+    pub(super) forebody_tps: Option<f64>,
+    pub(super) forebody_carrier: Option<f64>,
+    pub(super) aftbody_tps: Option<f64>,
+    pub(super) aftbody_carrier: Option<f64>,
+    pub(super) primary: Option<f64>,
+    pub(super) impact_foam: Option<f64>,
+    pub(super) impact_shell: Option<f64>,
+    pub(super) body_foam: Option<f64>,
+    pub(super) lid_insulation: Option<f64>,
+    pub(super) wing_insulation: Option<f64>,
 }
 
 impl Densities {

@@ -1,6 +1,7 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
 use super::heating::{choice, heating};
+use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
@@ -162,9 +163,17 @@ fn solver(reader: &mut Reader) -> Option<Solver> {
 }
 
 /// The vehicle that is flown as it is.
-pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
+pub(super) fn body(reader: &mut Reader, library: &Library, outline: &Outline) -> Option<Body> {
     let mass_kg = reader.required_number("vehicle.mass_kg");
-    let nose_radius_m = reader.required_number("vehicle.nose_radius_m");
+    let nose_radius_m = match (reader.given("vehicle.nose_radius_m"), outline) {
+        (false, Outline::Faulty) => None,
+        (false, Outline::Body(body)) if body.nose_radius_m.is_some() => body.nose_radius_m,
+        _ => reader.required_number("vehicle.nose_radius_m"),
+    };
+    let area_of_outline_m2 = match outline {
+        Outline::Body(body) => Some(body.reference_area_m2()),
+        _ => None,
+    };
     let area_m2 = reader.number("vehicle.reference_area_m2");
     let diameter_m = reader.number("vehicle.diameter_m");
     let given = ["vehicle.reference_area_m2", "vehicle.diameter_m"].map(|key| reader.given(key));
@@ -173,7 +182,7 @@ pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
             "vehicle.diameter_m",
             "given together with vehicle.reference_area_m2; give one of them",
         ),
-        [false, false] => reader.fault(
+        [false, false] if *outline == Outline::Absent => reader.fault(
             "vehicle.reference_area_m2",
             "missing; give it, in m^2, or vehicle.diameter_m, in m",
         ),
@@ -182,7 +191,9 @@ pub(super) fn body(reader: &mut Reader, library: &Library) -> Option<Body> {
     let drag = drag(reader, library);
     Some(Body {
         mass_kg: mass_kg?,
-        reference_area_m2: area_m2.or(diameter_m.map(|d| 0.25 * PI * d * d))?,
+        reference_area_m2: area_m2
+            .or(diameter_m.map(|d| 0.25 * PI * d * d))
+            .or(area_of_outline_m2)?,
         nose_radius_m: nose_radius_m?,
         drag: drag?,
     })

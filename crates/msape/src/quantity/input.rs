@@ -2,6 +2,7 @@
 
 mod design;
 mod mission;
+mod outline;
 mod vehicle;
 
 use crate::units::{Dimension, Unit, canonical};
@@ -121,6 +122,8 @@ pub enum Choices {
     Grounds,
     /// Aerodynamic databases of the library.
     Aerodynamics,
+    /// Outlines of the library.
+    Outlines,
 }
 
 /// A column of an input table.
@@ -305,6 +308,7 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .iter()
         .chain(design::INPUTS)
         .chain(vehicle::INPUTS)
+        .chain(outline::INPUTS)
 }
 
 /// The input with this key or alias.

@@ -3,6 +3,7 @@
 mod design;
 mod flight;
 mod landing;
+mod mass;
 
 use crate::answer::Answer;
 use crate::units::{Dimension, Unit, canonical};
@@ -139,15 +140,11 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: &[Output] = match job {
-        Job::Fly => &[],
-        Job::Design => design::OUTPUTS,
+    let of_design: [&[Output]; 3] = match job {
+        Job::Fly => [&[]; 3],
+        Job::Design => [design::OUTPUTS, mass::OUTPUTS, landing::OUTPUTS],
     };
-    let of_landing: &[Output] = match job {
-        Job::Fly => &[],
-        Job::Design => landing::OUTPUTS,
-    };
-    of_design.iter().chain(of_landing).chain(flight::OUTPUTS)
+    of_design.into_iter().flatten().chain(flight::OUTPUTS)
 }
 
 /// The output with this key.

@@ -19,6 +19,7 @@ use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
 use crate::vehicle::mass::{
     Component, ComponentKind, Densities, MassProperties, components, total,
 };
+use crate::vehicle::material::found_foam;
 use crate::vehicle::structure::{PressureShell, Structure, Wall};
 use crate::vehicle::{msr, non_msr};
 use numerics::math::PI;
@@ -99,6 +100,13 @@ pub fn close_from(
     let forebody = forebody(input, diameter_m);
     let rules = &input.rules;
     let payload_radius_m = input.payload_diameter_m() / 2.0;
+    if payload_radius_m >= forebody.diameter_m / 2.0 {
+        return Err(Misfit::PayloadWiderThanVehicle {
+            payload_radius_m,
+            vehicle_radius_m: forebody.diameter_m / 2.0,
+        });
+    }
+    let foam_material = found_foam(input, foam);
     let mut structure = start.structure;
     let mut cg_x_m = start.cg_over_diameter * diameter_m;
     let mut last_foot_x_m = f64::INFINITY;
@@ -131,6 +139,7 @@ pub fn close_from(
             &Densities {
                 structure: &structure,
                 foam,
+                foam_material: &foam_material,
             },
         );
         let mass = total(&components);

@@ -1,6 +1,7 @@
 //! What a vehicle is made from: the inputs of section 3.1.1 of the report and the data that the rules need.
 
 use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::material::Materials;
 use crate::vehicle::rules::{FoamGrade, Rules};
 use crate::vehicle::structure::{Carrier, StructureLoads};
 use numerics::math::{PI, cbrt};
@@ -104,6 +105,8 @@ pub struct VehicleInput {
     pub primary_carrier: Carrier,
     /// Densities of the fillings.
     pub densities: ComponentDensities,
+    /// What each component is made of, and where its density comes from.
+    pub materials: Materials,
     /// Loads of flight and landing.
     pub loads: Loads,
     /// Factors of the structural rules.

@@ -16,6 +16,7 @@
 use crate::vehicle::impact::Foam;
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::Layout;
+use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::profile::{Profile, SolidProperties};
 use crate::vehicle::segment::{Point, Segment};
 use crate::vehicle::structure::Structure;
@@ -84,6 +85,14 @@ pub struct Component {
     pub volume_m3: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
+    /// Name of its material.
+    pub material: String,
+    /// Where its density comes from.
+    pub density_basis: DensityBasis,
+    /// Area of its closed surface, m².
+    pub surface_area_m2: f64,
+    /// Area of the part of it that the outer air touches, m².
+    pub wetted_area_m2: f64,
     /// Mass without margin, kg.
     pub mass_kg: f64,
     /// Mass with margin, kg.
@@ -208,6 +217,8 @@ pub struct Densities<'a> {
     pub structure: &'a Structure,
     /// Impact foam.
     pub foam: Foam,
+    /// Its material, where the input names none.
+    pub foam_material: &'a Material,
 }
 
 fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -> f64 {
@@ -231,11 +242,27 @@ fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -
     }
 }
 
+/// Area swept by closed profiles, and by those of their segments that are part of the outer mould line, m².
+fn areas_m2(profiles: &[Profile], outside: &Profile) -> [f64; 2] {
+    let (mut all, mut wetted) = (0.0, 0.0);
+    for segment in profiles.iter().flat_map(|profile| &profile.segments) {
+        let area = segment.swept_area_m2();
+        all += area;
+        if outside.segments.contains(segment) {
+            wetted += area;
+        }
+    }
+    [all, wetted]
+}
+
 /// Every component with its mass.
 pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> Vec<Component> {
+    let outside = layout.outline.profile();
     profiles(input.concept, layout)
         .into_iter()
         .map(|(kind, profiles)| {
+            let areas = areas_m2(&profiles, &outside);
+            let material = input.materials.of(kind, found.foam_material);
             let solid = profiles
                 .iter()
                 .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
@@ -252,6 +279,10 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
                 profiles,
                 volume_m3: solid.volume_m3,
                 density_kg_m3: density,
+                material: material.name.clone(),
+                density_basis: material.density_basis,
+                surface_area_m2: areas[0],
+                wetted_area_m2: areas[1],
                 mass_kg,
                 mass_with_margin_kg: factor * mass_kg,
                 cg_x_m,

@@ -1,6 +1,7 @@
 //! Constants of a family of vehicles, read from a file of `data/vehicles`: each with its source, assumed ones marked.
 
 use crate::vehicle::input::ComponentDensities;
+use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::structure::{Carrier, Construction, StructureLoads};
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
@@ -47,6 +48,8 @@ pub struct Datum {
     pub source: String,
     /// Where in the source, or the reason of the choice.
     pub place: String,
+    /// What has this density, where it is one.
+    pub material: Option<String>,
 }
 
 /// Least thickness of a material in each place, m.
@@ -76,6 +79,8 @@ pub struct CarrierMaterial {
     pub place: String,
     /// What is assumed.
     pub note: String,
+    /// Key in the list of references for the densities, or `assumed`.
+    pub density_source: String,
     /// Build and densities.
     pub construction: Construction,
     /// Young's modulus, Pa.
@@ -101,6 +106,12 @@ pub enum WallPlace {
 }
 
 impl CarrierMaterial {
+    /// Its name and where its density comes from.
+    pub fn material(&self) -> Material {
+        let basis = DensityBasis::of_source(&self.density_source);
+        Material::new(self.name.clone(), basis)
+    }
+
     /// The material with the least thickness of a place.
     pub fn carrier(&self, place: WallPlace) -> Carrier {
         let minimum_gauge_m = match place {
@@ -161,6 +172,9 @@ impl VehicleData {
         data.rules()?;
         data.densities()?;
         data.structure_loads()?;
+        for key in data.density.keys() {
+            data.filling(key)?;
+        }
         Ok(data)
     }
 
@@ -201,6 +215,14 @@ impl VehicleData {
             lid_insulation_kg_m3: get("lid_insulation_kg_m3")?,
             wing_insulation_kg_m3: get("wing_insulation_kg_m3")?,
         })
+    }
+
+    /// The material of a density of this file.
+    pub fn filling(&self, key: &str) -> Result<Material, String> {
+        let datum = self.density.get(key).ok_or(format!("{key} is missing"))?;
+        let name = datum.material.as_deref();
+        let name = name.ok_or(format!("{key} has no material"))?;
+        Ok(Material::new(name, DensityBasis::of_source(&datum.source)))
     }
 
     /// Factors of the structural rules.

@@ -13,7 +13,7 @@
 //! # References
 //! - Elementary antiderivatives of powers of sine and cosine.
 
-use numerics::math::{PI, hypot, sin_cos};
+use numerics::math::{FRAC_PI_2, PI, hypot, sin_cos};
 use serde::{Deserialize, Serialize};
 
 /// A point of the half-section.
@@ -148,6 +148,50 @@ impl Segment {
                 sweep_rad: -sweep_rad,
             },
         }
+    }
+
+    /// Whether the arc passes the direction `angle_rad` from its centre; never for a line.
+    pub fn sweeps(&self, angle_rad: f64) -> bool {
+        match *self {
+            Self::Line { .. } => false,
+            Self::Arc {
+                start_angle_rad,
+                sweep_rad,
+                ..
+            } => {
+                let turn = (angle_rad - start_angle_rad) * sweep_rad.signum() / (2.0 * PI);
+                (turn - turn.floor()) * 2.0 * PI <= sweep_rad.abs()
+            }
+        }
+    }
+
+    /// Least and largest x, least and largest r, m.
+    pub fn bounds_m(&self) -> [f64; 4] {
+        let (a, b) = (self.start(), self.end());
+        let mut bounds = [
+            a.x_m.min(b.x_m),
+            a.x_m.max(b.x_m),
+            a.r_m.min(b.r_m),
+            a.r_m.max(b.r_m),
+        ];
+        if let Self::Arc {
+            center, radius_m, ..
+        } = *self
+        {
+            let [left, right, low, high] = &mut bounds;
+            let quarters = [
+                (PI, left, center.x_m - radius_m),
+                (0.0, right, center.x_m + radius_m),
+                (-FRAC_PI_2, low, center.r_m - radius_m),
+                (FRAC_PI_2, high, center.r_m + radius_m),
+            ];
+            for (angle_rad, bound, value) in quarters {
+                if self.sweeps(angle_rad) {
+                    *bound = value;
+                }
+            }
+        }
+        bounds
     }
 
     /// Area swept when turned about the axis, m².

@@ -4,6 +4,7 @@ mod landing;
 mod trade_space;
 
 use super::*;
+use crate::vehicle::close::close;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::impact::{CrushingMass, Ground, ImpactInput};
 use crate::vehicle::rules::WallPlace;
@@ -13,8 +14,29 @@ fn data() -> VehicleData {
     VehicleData::parse(include_str!("../../data/vehicles/mmeev.toml")).unwrap()
 }
 
+/// Materials by the names of the data file, and by plain words.
+fn materials(data: &VehicleData) -> Materials {
+    let of = |name: &str| Material::new(name, DensityBasis::Assumed);
+    let carrier = data.carrier.get("al-honeycomb").unwrap().material();
+    let filling = |key: &str| data.filling(key).unwrap();
+    Materials {
+        forebody_tps: of("PICA"),
+        bond: of("HT-424"),
+        forebody_carrier: carrier.clone(),
+        aftbody_tps: of("SIRCA"),
+        aftbody_carrier: carrier.clone(),
+        primary_structure: carrier,
+        wing_insulation: filling("wing_insulation_kg_m3"),
+        impact_foam: None,
+        impact_shell: filling("impact_shell_kg_m3"),
+        body_foam: filling("body_foam_kg_m3"),
+        lid_insulation: filling("lid_insulation_kg_m3"),
+        payload: of("ball"),
+    }
+}
+
 /// The MSR vehicle of Table 15 with PICA on honeycomb.
-fn msr() -> VehicleInput {
+pub(super) fn msr() -> VehicleInput {
     let data = data();
     let honeycomb = data.carrier.get("al-honeycomb").unwrap();
     VehicleInput {
@@ -39,6 +61,7 @@ fn msr() -> VehicleInput {
         aftbody_carrier: honeycomb.carrier(WallPlace::Aftbody),
         primary_carrier: honeycomb.carrier(WallPlace::Primary),
         densities: data.densities().unwrap(),
+        materials: materials(&data),
         loads: Loads {
             entry_load_earth_g: 134.0,
             peak_stagnation_pressure_pa: 130_000.0,
@@ -69,7 +92,7 @@ fn msr_carbon() -> VehicleInput {
     input
 }
 
-fn galahad() -> VehicleInput {
+pub(super) fn galahad() -> VehicleInput {
     let mut input = msr();
     input.concept = Concept::NonMsr;
     input.diameter_m = 1.1;
@@ -273,4 +296,27 @@ fn what_cannot_be_is_not_closed_and_says_why() {
         change(&mut input);
         assert!(build(&input).unwrap_err().reason.starts_with(key), "{key}");
     }
+}
+
+#[test]
+fn every_part_has_a_material_and_the_outside_is_shared_out() {
+    for input in [msr(), msr_carbon(), galahad()] {
+        let vehicle = build(&input).unwrap();
+        assert!(vehicle.components.iter().all(|c| !c.material.is_empty()));
+        let wetted: f64 = vehicle.components.iter().map(|c| c.wetted_area_m2).sum();
+        let whole = vehicle.dimensions.wetted_area_m2;
+        assert!((wetted / whole - 1.0).abs() < 1e-12, "{wetted} of {whole}");
+        let payload = vehicle.component(ComponentKind::Payload).unwrap();
+        let d = vehicle.dimensions.payload_diameter_m;
+        assert!((payload.surface_area_m2 - PI * d * d).abs() < 1e-12);
+        assert_eq!(payload.wetted_area_m2, 0.0);
+    }
+    let foam = |input: &VehicleInput| {
+        let vehicle = build(input).unwrap();
+        let foam = vehicle.component(ComponentKind::ImpactFoam).unwrap();
+        (foam.material.clone(), foam.density_basis)
+    };
+    assert!(foam(&msr()).0.ends_with("with composite panels"));
+    assert_eq!(foam(&msr()).1, DensityBasis::DerivedFromAssumed);
+    assert_eq!(foam(&galahad()).1, DensityBasis::Published);
 }

@@ -48,8 +48,10 @@ pub(super) const INPUTS: &[Input] = &[
         Range::above(0.0, 1e3),
     )
     .unit("m")
-    .need(Need::Fly)
-    .help("Radius of the nose, on which heating depends.", CONVENTION),
+    .help(
+        "Radius of the nose, on which heating depends; that of the outline where there is one.",
+        CONVENTION,
+    ),
     Input::number(
         "vehicle.drag_coefficient",
         "Drag Coefficient",

@@ -1,0 +1,42 @@
+//! Names the materials of a design's components.
+
+use super::design::Densities;
+use crate::library::Library;
+use crate::tps::concept::Concept;
+use crate::tps::material::TpsMaterial;
+use crate::vehicle::{DensityBasis, Material, Materials};
+
+/// The materials of a concept; where the case gives a density, it says so.
+pub(super) fn materials(
+    given: &Densities,
+    library: &Library,
+    concept: &Concept,
+    [fore, aft]: [&TpsMaterial; 2],
+) -> Option<Materials> {
+    let vehicle = &library.vehicle;
+    let carrier = vehicle.carrier.get(&concept.carrier)?.material();
+    let shield = |material: &TpsMaterial| {
+        let basis = DensityBasis::of_source(&material.density.source);
+        Material::new(material.name.clone(), basis)
+    };
+    let filling = |key: &str, density| Some(vehicle.filling(key).ok()?.with_given(density));
+    let foam = |density| Material::new("Impact foam", DensityBasis::Given).with_given(density);
+    let bond_basis = match concept.bond.provenance.starts_with("assumed") {
+        true => DensityBasis::Assumed,
+        false => DensityBasis::Published,
+    };
+    Some(Materials {
+        forebody_tps: shield(fore).with_given(given.forebody_tps),
+        bond: Material::new(concept.bond.name.clone(), bond_basis),
+        forebody_carrier: carrier.clone().with_given(given.forebody_carrier),
+        aftbody_tps: shield(aft).with_given(given.aftbody_tps),
+        aftbody_carrier: carrier.clone().with_given(given.aftbody_carrier),
+        primary_structure: carrier.with_given(given.primary),
+        wing_insulation: filling("wing_insulation_kg_m3", given.wing_insulation)?,
+        impact_foam: given.impact_foam.map(|density| foam(Some(density))),
+        impact_shell: filling("impact_shell_kg_m3", given.impact_shell)?,
+        body_foam: filling("body_foam_kg_m3", given.body_foam)?,
+        lid_insulation: filling("lid_insulation_kg_m3", given.lid_insulation)?,
+        payload: Material::new("Payload, a homogeneous ball", DensityBasis::Given),
+    })
+}
