@@ -65,7 +65,7 @@ pub fn check(project: &Project) -> Result<()> {
     let program = format!("msape{}", std::env::consts::EXE_SUFFIX);
     run(project
         .command(python(project))
-        .arg("tests/cad/check.py")
+        .args(["-B", "tests/cad/check.py"])
         .arg(project.target.join("debug").join(program))
         .arg(&project.root)
         .arg(&files))?;
