@@ -43,6 +43,8 @@ pub enum Command {
     Export(Export),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
+    /// Facts of the outline of a case: tangent points, areas, volume, centroid
+    Outline(Outline),
     /// Print the JSON Schema of case files, for editors
     Schema(Plain),
     /// List the quantities: keys of a case, results, columns of a trajectory
@@ -93,6 +95,9 @@ pub struct Form {
     /// The time history as KML, for viewers of the globe
     #[arg(long)]
     pub kml: bool,
+    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
+    #[arg(long)]
+    pub mass_tree: bool,
 }
 
 /// Arguments of `export`.
@@ -120,6 +125,23 @@ pub struct Validate {
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
     /// One JSON object instead of tables
+    #[arg(long)]
+    pub json: bool,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `outline`.
+#[derive(Args)]
+pub struct Outline {
+    /// The case, TOML or JSON, with a section [outline]; `-` is standard input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
     /// Write to a file, which is replaced only when all went well

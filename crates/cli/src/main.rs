@@ -3,6 +3,7 @@
 mod args;
 mod export;
 mod failure;
+mod outline;
 mod output;
 mod quantities;
 mod read;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Design(arguments) => run::run(&arguments, Job::Design),
         Command::Export(arguments) => export::export(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),
     };

@@ -9,11 +9,11 @@ use crate::units::{canonical, parse_number};
 
 /// Whether a job asks for an input.
 pub(super) fn belongs(input: &Input, job: Job) -> bool {
-    let of_the_other = match job {
-        Job::Fly => "design.",
-        Job::Design => "vehicle.",
+    let of_the_other: &[&str] = match job {
+        Job::Fly => &["design."],
+        Job::Design => &["vehicle.", "outline."],
     };
-    !input.key.starts_with(of_the_other)
+    !of_the_other.iter().any(|part| input.key.starts_with(part))
 }
 
 /// The cell of an input; `None` when it is absent, is a table, or gives way to another input.
