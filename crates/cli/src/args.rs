@@ -1,6 +1,7 @@
 //! The arguments.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use msape::export::Format;
 use msape::table::kml::Instant;
 use msape::units::{Dimension, canonical, parse_number};
 use std::path::PathBuf;
@@ -13,6 +14,7 @@ Examples:
   msape fly cases/stardust.toml --json --trajectory       results and time history as one JSON object
   msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
   msape fly - < my-case.toml                              the case from standard input
+  msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
@@ -36,6 +38,9 @@ pub enum Command {
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
     #[command(after_help = EXAMPLES)]
     Design(Run),
+    /// Write the vehicle as a CAD, mesh or drawing file
+    #[command(after_help = export_help())]
+    Export(Export),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
     /// Facts of the outline of a case: tangent points, areas, volume, centroid
@@ -93,6 +98,24 @@ pub struct Form {
     /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
     #[arg(long)]
     pub mass_tree: bool,
+}
+
+/// Arguments of `export`.
+#[derive(Args)]
+pub struct Export {
+    /// The case, TOML or JSON, which is designed; one with an [outline] and no [design] is taken as it is; `-` is standard
+    /// input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case, as for design
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Format of the file; without it the ending of its name says it
+    #[arg(long, value_name = "FORMAT", value_parser = format)]
+    pub format: Option<Format>,
+    /// Write to a file, which is replaced only when all went well; `-` is standard output, for formats that are text
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `validate`.
@@ -158,6 +181,20 @@ pub enum List {
 
 /// Shorter steps only fill the memory; longer ones see nothing.
 const STEP_S: std::ops::RangeInclusive<f64> = 0.001..=100_000.0;
+
+/// Names of the formats.
+pub fn formats() -> String {
+    Format::ALL.map(Format::name).join(", ")
+}
+
+fn format(text: &str) -> Result<Format, String> {
+    Format::named(text).ok_or_else(|| format!("must be one of {}", formats()))
+}
+
+fn export_help() -> String {
+    let lines = Format::ALL.map(|f| format!("  {:<6}{}\n", f.name(), f.help()));
+    format!("Formats:\n{}\n{EXAMPLES}", lines.concat())
+}
 
 fn step(text: &str) -> Result<f64, String> {
     let value = parse_number(text, Dimension::Time, canonical(Dimension::Time))

@@ -1,6 +1,7 @@
 //! The command `msape`: files, arguments and terminals around the core.
 
 mod args;
+mod export;
 mod failure;
 mod outline;
 mod output;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
