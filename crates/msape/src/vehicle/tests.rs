@@ -3,6 +3,7 @@
 mod trade_space;
 
 use super::*;
+use crate::vehicle::close::close;
 use crate::vehicle::impact::{Ground, ImpactInput};
 use crate::vehicle::rules::WallPlace;
 use numerics::math::RADIANS_PER_DEGREE;
