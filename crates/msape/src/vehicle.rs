@@ -25,6 +25,7 @@ pub mod layout;
 pub mod mass;
 pub mod mass_tree;
 pub mod material;
+pub mod misfit;
 pub mod msr;
 pub mod non_msr;
 pub mod outline;

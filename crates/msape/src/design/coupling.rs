@@ -27,7 +27,7 @@ use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Side, limits};
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
-use crate::vehicle::{self, Vehicle, VehicleInput};
+use crate::vehicle::{self, Vehicle, VehicleInput, misfit};
 use numerics::math::FRAC_PI_2;
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
@@ -50,7 +50,10 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
         let number = passes.len() as u32 + 1;
         let vehicle = match vehicle::build(&vehicle_input) {
             Ok(vehicle) => vehicle,
-            Err(not_closed) => return unclosed(name, not_closed.reason, passes),
+            Err(not_closed) => {
+                let findings = misfit::findings(&not_closed, &vehicle_input);
+                return unclosed(name, not_closed.reason, findings, passes);
+            }
         };
         let mass_kg = vehicle.mass.mass_kg;
         let change_kg = mass_before_kg.map(|before| mass_kg - before);
@@ -239,7 +242,7 @@ fn crossings(vehicle: &Vehicle, given: &VehicleInput, flown: &Flown, sized: &Siz
     ]
 }
 
-fn unclosed(name: &str, reason: String, passes: Vec<Pass>) -> Answer {
+fn unclosed(name: &str, reason: String, findings: Vec<Finding>, passes: Vec<Pass>) -> Answer {
     Answer {
         name: name.to_string(),
         outcome: Outcome::NotClosed,
@@ -247,7 +250,7 @@ fn unclosed(name: &str, reason: String, passes: Vec<Pass>) -> Answer {
         flight: None,
         design: None,
         adjustments: Vec::new(),
-        findings: Vec::new(),
+        findings,
         passes,
     }
 }
