@@ -5,5 +5,6 @@
 //! - [`outcomes`]: how flights begin and end.
 
 mod accuracy;
+mod aerodynamics;
 mod outcomes;
 mod published;

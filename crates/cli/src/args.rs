@@ -15,6 +15,7 @@ Examples:
   msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
   msape fly - < my-case.toml                              the case from standard input
   msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
+  msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
@@ -41,6 +42,9 @@ pub enum Command {
     /// Write the vehicle as a CAD, mesh or drawing file
     #[command(after_help = export_help())]
     Export(Export),
+    /// Coefficients of an outline, or of a designed vehicle, over the angle of attack
+    #[command(after_help = EXAMPLES)]
+    Aero(crate::aero::Aero),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
     /// Facts of the outline of a case: tangent points, areas, volume, centroid

@@ -1,5 +1,6 @@
 //! The command `msape`: files, arguments and terminals around the core.
 
+mod aero;
 mod args;
 mod export;
 mod failure;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
         Command::Export(arguments) => export::export(&arguments),
+        Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),

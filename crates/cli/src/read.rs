@@ -43,6 +43,7 @@ pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Fai
     }
     resolve_atmosphere(&mut case, air_here, &mut faults);
     resolve_outline(&mut case, outline_here, &mut faults);
+    resolve_aerodynamics(&mut case, folder(path), &mut faults);
     Ok((case, faults))
 }
 
@@ -177,6 +178,38 @@ fn resolve_outline(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
             found
                 .iter()
                 .map(|fault| format!("outline.file: {}: {fault}", path.display())),
+        ),
+    }
+}
+
+/// Puts the rows of the file that `vehicle.aerodynamics.file` names in its place.
+fn resolve_aerodynamics(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
+    let key = "vehicle.aerodynamics.file";
+    let table = "vehicle.aerodynamics.table";
+    let Some(Value::Text(name)) = case.values.get(key).cloned() else {
+        return;
+    };
+    case.values.remove(key);
+    if case.values.contains_key(table) {
+        faults.push(format!(
+            "{key}: there is a {table} as well; give one of them"
+        ));
+        return;
+    }
+    let path = here.join(&name);
+    let found = match text(&path) {
+        Ok(text) => msape::aero::own::csv::read(&text),
+        Err(Failure::Input(messages)) => Err(messages),
+        Err(_) => return,
+    };
+    match found {
+        Ok(rows) => {
+            case.values.insert(table.to_string(), Value::Rows(rows));
+        }
+        Err(found) => faults.extend(
+            found
+                .iter()
+                .map(|fault| format!("{key}: {}: {fault}", path.display())),
         ),
     }
 }

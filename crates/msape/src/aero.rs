@@ -1,4 +1,4 @@
-//! Aerodynamic coefficients: drag against Mach number.
+//! Aerodynamic coefficients: drag against Mach number, and force and moment at any attitude.
 //!
 //! ```text
 //! C_D(M) linear between rows, ends held
@@ -7,11 +7,31 @@
 //! with M the Mach number relative to the air and C_D referred to the area of the largest diameter; both without unit.
 //! At zero angle of attack drag and axial force are the same.
 //!
+//! - [`surface`], [`shadow`], [`integral`]: pressure and shear of [`newtonian`] or [`free_molecular`] flow over an outline.
+//! - [`database`]: both limits on a [`curve`] over the angle of attack, [`bridging`] in Knudsen number, [`euler`] correction and tables
+//!   in Mach number, [`damping`]; [`own`] is a table in its place; [`standard`] the recipe of this program.
+//! - [`polar`]: coefficients, trim and stability of a body; [`stored`]: a database as rows.
+//!
 //! # Valid
-//! Ballistic flight at zero angle of attack. Free-molecular effects are not in the table.
+//! [`DragTable`]: ballistic flight at zero angle of attack; free-molecular effects are not in the table.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3 and equation 7; \[mitcheltree-1997\] Table 4.
+
+pub mod bridging;
+pub mod curve;
+pub mod damping;
+pub mod database;
+pub mod euler;
+pub mod free_molecular;
+pub mod integral;
+pub mod newtonian;
+pub mod own;
+pub mod polar;
+pub mod shadow;
+pub mod standard;
+pub mod stored;
+pub mod surface;
 
 use numerics::scalar::Scalar;
 use serde::Deserialize;
@@ -72,6 +92,12 @@ impl DragTable {
         } else {
             Err(faults)
         }
+    }
+
+    /// A table from rows that ascend in Mach number.
+    pub(crate) fn from_ascending(rows: &[(f64, f64)]) -> DragTable {
+        let (mach, coefficient) = rows.iter().copied().unzip();
+        DragTable { mach, coefficient }
     }
 
     /// Drag coefficient at a Mach number.

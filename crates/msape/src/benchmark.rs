@@ -27,6 +27,10 @@ pub struct Bench {
     pub msr_layout: vehicle::layout::Layout,
     /// A vehicle of another concept.
     pub galahad: DesignProblem,
+    /// A spinning entry in six degrees of freedom with the database of its outline.
+    pub spinning: FlightProblem,
+    /// The same as a case.
+    pub spinning_case: Case,
 }
 
 /// Something that is measured.
@@ -39,7 +43,7 @@ pub struct Job {
 }
 
 /// What is measured; the first is the reference.
-pub static JOBS: [Job; 12] = [
+pub static JOBS: [Job; 14] = [
     Job {
         name: "bare kernel: order 5, exponential air, no results",
         run: |bench| {
@@ -104,6 +108,22 @@ pub static JOBS: [Job; 12] = [
         run: |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
     },
     Job {
+        name: "six degrees of freedom (spinning Stardust)",
+        run: |bench| {
+            let FlightProblem { mission, body, .. } = &bench.spinning;
+            black_box(flight::fly(mission, body, Request::Nothing));
+        },
+    },
+    Job {
+        name: "the same, checked, with its database",
+        run: |bench| {
+            drop(black_box(FlightProblem::check(
+                &bench.spinning_case,
+                &bench.library,
+            )))
+        },
+    },
+    Job {
         name: "checking a case (MSR)",
         run: |bench| {
             drop(black_box(DesignProblem::check(
@@ -136,6 +156,10 @@ impl Bench {
         let galahad = shipped("cases/galahad.toml", |case| {
             DesignProblem::check(&case, &library)
         })?;
+        let (spinning_case, spinning) = shipped("cases/stardust-spinning.toml", |case| {
+            let spinning = FlightProblem::check(&case, &library)?;
+            Ok((case, spinning))
+        })?;
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
         let msr_body = msr.input.body(&built);
@@ -147,6 +171,8 @@ impl Bench {
             msr_body,
             msr_layout: built.layout,
             galahad,
+            spinning,
+            spinning_case,
         })
     }
 }

@@ -10,7 +10,7 @@ mod write;
 
 pub use check::{InputError, Reader};
 
-use crate::quantity::input::{self, Input, Preset};
+use crate::quantity::input::{self, Input, Kind, Preset};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -81,7 +81,8 @@ impl Case {
 
     /// Sets a key from text as typed: `true`, `12 km/s`, `pica-al-5056`. Empty text takes the key away.
     ///
-    /// A text that is a plain number is kept as a number, anything else as text until it is checked.
+    /// A text that is a plain number is kept as a number, rows in brackets such as `[[0, 1], [2, 3]]` as rows where the
+    /// input takes rows, anything else as text until it is checked.
     pub fn set(&mut self, key: &str, text: &str) {
         let key = input::find(key).map_or(key, |input| input.key).to_string();
         let text = text.trim();
@@ -93,7 +94,10 @@ impl Case {
             ("true", _) => Value::Flag(true),
             ("false", _) => Value::Flag(false),
             (_, Ok(number)) => Value::Number(number),
-            _ => Value::Text(text.to_string()),
+            _ => takes_rows(&key)
+                .then(|| read::rows_of_text(text))
+                .flatten()
+                .unwrap_or_else(|| Value::Text(text.to_string())),
         };
         self.values.insert(key, value);
     }
@@ -107,4 +111,8 @@ impl Case {
             Value::Rows(_) | Value::Other(_) => None,
         }
     }
+}
+
+fn takes_rows(key: &str) -> bool {
+    input::find(key).is_some_and(|input| matches!(input.kind, Kind::Rows(_)))
 }

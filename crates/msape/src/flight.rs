@@ -1,6 +1,7 @@
 //! Flight of a vehicle from the entry state to the ground.
 //!
 //! - [`three_dof`]: three degrees of freedom over the rotating oblate planet, the high-fidelity model.
+//! - [`six_dof`]: six degrees of freedom over the same planet, for attitude.
 //! - [`allen_eggers`]: the closed form for steep ballistic entry, the low-fidelity twin.
 //! - [`mission`]: what is flown, through what, from where, until when.
 //! - [`summary`]: peaks, loads and end of a flight.
@@ -10,16 +11,23 @@ use crate::answer::Outcome;
 use crate::finding::{Finding, Severity};
 use crate::heating::PeakConditions;
 use crate::planet::horizon::Velocity;
+use freedom::Freedom;
 use mission::{Body, Mission, Model};
 use serde::{Deserialize, Serialize};
 
+pub use six_dof::events::AttitudeEvents;
 pub use trajectory::{Request, Trajectory};
 
 pub mod allen_eggers;
 pub mod equations;
+pub mod freedom;
+pub mod integration;
+pub mod lift;
 pub mod mission;
+pub mod motion;
 pub mod peaks;
 pub mod sample;
+pub mod six_dof;
 pub mod summary;
 pub mod three_dof;
 pub mod trajectory;
@@ -42,7 +50,7 @@ pub struct Peak {
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
-    /// Model that flew it: `three-dof` or `allen-eggers`.
+    /// Model that flew it: `three-dof`, `six-dof` or `allen-eggers`.
     pub model: String,
     /// Entry state relative to the planet.
     pub entry_relative: Velocity<f64>,
@@ -94,6 +102,8 @@ pub struct Flight {
     pub mach_times_s: [Option<f64>; 4],
     /// Time history, where one was asked for.
     pub trajectory: Option<Trajectory>,
+    /// Attitude along the flight, in six degrees of freedom.
+    pub attitude: Option<AttitudeEvents>,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
 }
@@ -115,8 +125,11 @@ pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome
             None,
         );
     }
+    if let Freedom::Rigid(rigid) = &body.freedom {
+        return six_dof::fly(mission, body, rigid, request);
+    }
     let record = three_dof::integrate(mission, body);
-    let flight = summary::summarize(mission, body, &record, request);
+    let flight = summary::summarize(three_dof::motion(mission, body), &record, request);
     (flight, record.outcome, record.reason)
 }
 

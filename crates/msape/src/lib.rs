@@ -39,6 +39,7 @@
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
 //! - [`finding`]: use outside a model's range, as a value beside the result.
+//! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
 //! - [`validation`]: the shipped cases beside their references.
 //! - [`benchmark`]: the jobs by which speed is measured.
 //!
@@ -50,7 +51,7 @@
 //! - Errors after the check: "does not close", "skipped out" and "not converged" are outcomes.
 //! - Model limits as errors: a number outside a model's range is given, with a finding.
 //! - Drawing, storage and concurrency: they belong to the crates around this one.
-//! - Six degrees of freedom, the panel method, in-depth ablation, transient conduction, trade studies, optimization,
+//! - Six degrees of freedom, in-depth ablation, transient conduction, trade studies, optimization,
 //!   surrogates: not written yet. What stands in for each is named in the result.
 
 pub mod aero;

@@ -3,6 +3,8 @@
 //! A library is always passed, never global.
 
 use crate::aero::AxialForce;
+use crate::aero::damping::DampingData;
+use crate::aero::euler::EulerCorrection;
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::shoulder::Shoulder;
@@ -58,6 +60,15 @@ pub struct HeatingModels {
     pub shoulder: Shoulder,
 }
 
+/// Models of aerodynamics that need data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AeroModels {
+    /// Pitch damping of the report.
+    pub damping: DampingData,
+    /// Axial force by Euler solutions.
+    pub euler: EulerCorrection,
+}
+
 /// Everything a case may name.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -85,6 +96,8 @@ pub struct Library {
     pub impact_foam: FoamKind,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
+    /// Models with which a database is computed from an outline.
+    pub aero_models: AeroModels,
     /// Outlines of rigid bodies by name.
     pub outlines: Named<OutlineData>,
 }
@@ -134,6 +147,10 @@ impl Library {
             grounds: folder("grounds", Ground::parse)?,
             impact_foam: parsed("foams/pmi.toml", FoamKind::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
+            aero_models: AeroModels {
+                damping: parsed("aero-models/damping.toml", DampingData::parse)?,
+                euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
+            },
             outlines: folder("outlines", OutlineData::parse)?,
         })
     }

@@ -2,8 +2,13 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod aerodynamics;
+mod attitude;
+mod center;
+mod database;
 mod design;
 mod flight;
+mod freedom;
 mod heating;
 mod materials;
 mod outline;
@@ -15,10 +20,12 @@ use crate::design::coupling;
 use crate::design::inputs::DesignInput;
 use crate::finding::Finding;
 use crate::flight::Request;
+use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::library::Library;
 use crate::vehicle::body::RigidBody;
 
+pub use aerodynamics::aero;
 pub use outline::rigid_body;
 
 /// A flight that was checked.
@@ -52,14 +59,19 @@ impl FlightProblem {
         let mut reader = Reader::new(case);
         let mission = flight::mission(&mut reader, library, flight::Angle::Any);
         let outline = outline::outline(&mut reader, library);
-        let body = flight::body(&mut reader, library, &outline);
+        let body = flight::body(&mut reader, library, mission.as_ref(), &outline);
         match mission.zip(body) {
-            Some((mission, body)) if reader.faults.is_empty() => Ok(FlightProblem {
-                mission,
-                body,
-                outline: outline.body(),
-                findings: reader.findings,
-            }),
+            Some((mut mission, body)) if reader.faults.is_empty() => {
+                if let Freedom::Rigid(rigid) = &body.freedom {
+                    freedom::solver(&reader, rigid, &mut mission.solver);
+                }
+                Ok(FlightProblem {
+                    mission,
+                    body,
+                    outline: outline.body(),
+                    findings: reader.findings,
+                })
+            }
             _ => Err(reader.faults),
         }
     }

@@ -14,7 +14,6 @@ pub mod number;
 use crate::answer::Answer;
 use crate::case::Case;
 use crate::flight::Trajectory;
-use crate::quantity::trajectory::columns;
 use crate::quantity::{Input, Job, Output, inputs, outputs};
 use crate::units::Unit;
 use number::shortest;
@@ -94,18 +93,17 @@ pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
         }
     };
     Table {
-        headers: columns()
-            .iter()
-            .map(|column| match manner {
+        headers: trajectory
+            .columns()
+            .map(|(column, _)| match manner {
                 Manner::Report => header(column.label, column.unit),
                 Manner::Si => column.key.to_string(),
             })
             .collect(),
         rows: (0..trajectory.rows())
             .map(|row| {
-                columns()
-                    .iter()
-                    .zip(&trajectory.values)
+                trajectory
+                    .columns()
                     .map(|(column, values)| {
                         let unit = Unit::find(column.unit);
                         values

@@ -30,8 +30,10 @@ pub enum Dimension {
     Load,
     /// Angle, degrees.
     Angle,
-    /// Rate of rotation, rad/s.
+    /// Rate of rotation of a planet, rad/s.
     AngularRate,
+    /// Rate of turn of a vehicle, deg/s.
+    BodyRate,
     /// Density, kg/m³.
     Density,
     /// Mass over area, such as a ballistic coefficient, kg/m².
@@ -132,7 +134,8 @@ pub static UNITS: &[Unit] = &[
     unit("deg", Dimension::Angle, 1.0),
     unit("rad", Dimension::Angle, DEGREES_PER_RADIAN),
     unit("rad/s", Dimension::AngularRate, 1.0),
-    unit("deg/s", Dimension::AngularRate, 1.0 / DEGREES_PER_RADIAN),
+    unit("deg/s", Dimension::BodyRate, 1.0),
+    unit("rpm", Dimension::BodyRate, 6.0),
     unit("kg/m^3", Dimension::Density, 1.0),
     unit("g/cm^3", Dimension::Density, 1e3),
     unit(

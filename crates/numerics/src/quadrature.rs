@@ -60,6 +60,20 @@ impl Rule {
         sum * half
     }
 
+    /// Points and weights of one panel, for sums of more than one function.
+    #[inline]
+    pub fn points(self, [a, b]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> {
+        let (m, half) = (0.5 * (a + b), 0.5 * (b - a));
+        let (middle, pairs) = match self {
+            Self::Gauss5 => (Some((m, MIDDLE_5 * half)), PAIRS_5.as_slice()),
+            Self::Gauss8 => (None, PAIRS_8.as_slice()),
+        };
+        let both = pairs
+            .iter()
+            .flat_map(move |[xi, w]| [(m - xi * half, w * half), (m + xi * half, w * half)]);
+        middle.into_iter().chain(both)
+    }
+
     /// Integral of `f` over `interval`, in `panels` equal panels (at least one).
     pub fn composite(self, mut f: impl FnMut(f64) -> f64, [a, b]: [f64; 2], panels: u32) -> f64 {
         let panels = panels.max(1);

@@ -1,5 +1,6 @@
 //! The command as its users meet it: exit codes, messages, files.
 
+mod aero;
 mod answers;
 mod bad_input;
 mod export;

@@ -4,7 +4,6 @@
 
 use super::Answer;
 use crate::quantity::landing;
-use crate::quantity::trajectory::columns;
 use crate::quantity::{Job, outputs};
 use serde_json::{Map, Value, json as value};
 
@@ -24,9 +23,8 @@ pub fn json(answer: &Answer, job: Job) -> Value {
         object.insert("mass_tree".to_string(), value!(tree));
     }
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
-        let history = columns()
-            .iter()
-            .zip(&trajectory.values)
+        let history = trajectory
+            .columns()
             .map(|(column, values)| (column.key.to_string(), value!(values)))
             .collect();
         object.insert("trajectory".to_string(), Value::Object(history));

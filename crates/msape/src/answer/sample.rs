@@ -65,6 +65,7 @@ pub fn flight() -> Answer {
             downrange_m: 809_371.0,
             mach_times_s: [None, None, Some(3.0), Some(3.5)],
             trajectory: Some(Trajectory { values }),
+            attitude: None,
             evaluations: 100,
         }),
         design: None,

@@ -161,7 +161,19 @@ impl Case {
     }
 }
 
+/// Rows of numbers typed as text in brackets; `None` where the text is nothing of the kind.
+pub(super) fn rows_of_text(text: &str) -> Option<Value> {
+    let mut table: toml::Table = toml::from_str(&format!("rows = {text}")).ok()?;
+    match Node::from(table.remove("rows")?) {
+        Node::List(list) if table.is_empty() => Some(rows(list)),
+        _ => None,
+    }
+}
+
 fn rows(list: Vec<Node>) -> Value {
+    // Numbers without brackets of their own are one row.
+    let is_row = !list.is_empty() && list.iter().all(|node| matches!(node, Node::Number(_)));
+    let list = if is_row { vec![Node::List(list)] } else { list };
     let mut rows = Vec::with_capacity(list.len());
     for (i, row) in list.into_iter().enumerate() {
         let Node::List(cells) = row else {

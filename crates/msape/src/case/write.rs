@@ -6,7 +6,9 @@ use std::fmt::Write;
 
 impl Case {
     /// Keys that are given, known ones first in the order of the list, then the others.
-    fn ordered(&self) -> Vec<(&str, &Value)> {
+    ///
+    /// A name that shares its key with a section stands in the section: `vehicle.aerodynamics.name`.
+    fn ordered(&self) -> Vec<(String, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
         let unknown = self
             .values
@@ -14,8 +16,17 @@ impl Case {
             .filter(|(key, _)| inputs().all(|input| input.key != key.as_str()));
         known
             .chain(unknown)
-            .map(|(key, value)| (key.as_str(), value))
+            .map(|(key, value)| (self.place(key), value))
             .collect()
+    }
+
+    fn place(&self, key: &str) -> String {
+        let section = format!("{key}.");
+        let after = self.values.range(section.clone()..).next();
+        match after {
+            Some((next, _)) if next.starts_with(&section) => format!("{section}name"),
+            _ => key.to_string(),
+        }
     }
 
     /// The case as a TOML file.
@@ -25,8 +36,9 @@ impl Case {
             quoted(SCHEMA),
             quoted(&self.name)
         );
+        let ordered = self.ordered();
         let mut sections: Vec<&str> = Vec::new();
-        for (key, _) in self.ordered() {
+        for (key, _) in &ordered {
             let section = key.rsplit_once('.').map_or("", |(section, _)| section);
             if !sections.contains(&section) {
                 sections.push(section);
@@ -35,9 +47,9 @@ impl Case {
         // Writing into a String cannot fail.
         for section in sections {
             let _ = write!(text, "\n[{section}]\n");
-            for (key, value) in self.ordered() {
+            for (key, value) in &ordered {
                 if key.rsplit_once('.').map_or("", |(section, _)| section) == section {
-                    let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
+                    let name = key.rsplit_once('.').map_or(key.as_str(), |(_, name)| name);
                     let _ = writeln!(text, "{name} = {}", spelled(value));
                 }
             }
@@ -58,7 +70,7 @@ impl Case {
                 Value::Rows(rows) => serde_json::json!(rows),
                 Value::Other(_) => serde_json::Value::Null,
             };
-            insert(&mut root, key, value);
+            insert(&mut root, &key, value);
         }
         format!("{:#}\n", serde_json::Value::Object(root))
     }

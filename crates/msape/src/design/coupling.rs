@@ -160,7 +160,8 @@ impl Flown {
             ),
             Model::ThreeDof => {
                 let record = three_dof::integrate(mission, body);
-                let flight = summary::summarize(mission, body, &record, Request::Nothing);
+                let flight =
+                    summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
                 (flight, record.outcome, record.reason)
             }
         };

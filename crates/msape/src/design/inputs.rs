@@ -1,6 +1,7 @@
 //! What a design is made from, checked.
 
 use crate::aero::DragTable;
+use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
 use crate::heating::shoulder::Shoulder;
@@ -47,6 +48,8 @@ impl DesignInput {
             reference_area_m2: vehicle.dimensions.reference_area_m2,
             nose_radius_m: vehicle.dimensions.nose_radius_m,
             drag: Drag::Table(self.drag.clone()),
+            reference_length_m: vehicle.dimensions.diameter_m,
+            freedom: Freedom::Ballistic,
         }
     }
 }

@@ -16,11 +16,12 @@
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
 
-use super::equations::{CONVECTIVE, Equations, RADIATIVE, STATES};
+use super::equations::{CONVECTIVE, RADIATIVE, STATES};
 use super::mission::{Body, Mission};
+use super::motion::Motion;
 use super::sample::{self, EARTH_G_M_S2, GAMMA};
 use super::trajectory::{Request, Trajectory};
-use super::{Flight, Peak};
+use super::{Flight, Peak, three_dof};
 use crate::aero::Drag;
 use crate::heating::pressure::{Stream, stagnation_pressure_pa};
 use crate::heating::{Flow, HeatFlux};
@@ -332,6 +333,7 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
+            attitude: None,
             evaluations: 0,
         }
     }
@@ -366,8 +368,8 @@ impl<'a> Sum<'a> {
                 .local([state[0], state[1], state[2]])
                 .altitude_m;
             let layer = self.mission.atmosphere.layer(altitude_m);
-            let equations = Equations::new(self.mission, self.body, layer);
-            sample::record(&mut history, &equations, *t, state, &self.place);
+            let motion = three_dof::motion(self.mission, self.body).in_layer(layer);
+            sample::record(&mut history, &motion, *t, state, &self.place);
         }
         Some(history)
     }

@@ -2,15 +2,16 @@
 //!
 //! ```text
 //! dr/dt = v
-//! dv/dt = g(r) - ρ C_D A/(2 m) |u| u - 2 ω×v - ω×(ω×r)
+//! dv/dt = g(r) - ρ C_D A/(2 m) |u| u + a_L - 2 ω×v - ω×(ω×r)
 //! dQ/dt = q̇
 //! ```
 //!
 //! with r, v position (m) and velocity (m/s) in planet-fixed axes (z along the pole), u = v − wind the velocity relative
-//! to the air, ρ in kg/m³, A in m², m in kg, ω in rad/s, Q the convective and radiative heat loads in J/m².
+//! to the air, ρ in kg/m³, A in m², m in kg, ω in rad/s, Q the convective and radiative heat loads in J/m², a_L the lift
+//! over mass of [`super::lift`] in m/s², where there is one.
 //!
 //! # Valid
-//! Drag only; the atmosphere rotates with the planet.
+//! The atmosphere rotates with the planet.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.2.
@@ -133,6 +134,15 @@ impl<'a> Equations<'a> {
         around.density_kg_m3 * around.air_speed_m_s * around.drag_coefficient * area_over_mass
     }
 
+    /// Mean free path over the length of the body.
+    pub fn knudsen(&self, around: &Surroundings<f64>) -> f64 {
+        let air = self
+            .mission
+            .atmosphere
+            .air_in(self.layer, around.altitude_m);
+        air.mean_free_path_m / self.body.reference_length_m
+    }
+
     /// Heat fluxes at the stagnation point without margins.
     #[inline]
     pub fn heat_flux<S: Scalar>(&self, around: &Surroundings<S>) -> HeatFlux<S> {
@@ -148,23 +158,34 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// The derivative of the state.
+    /// The derivative of the state of a point mass with drag alone.
     #[inline]
     pub fn derivative<S: Scalar>(&self, y: &[S; STATES]) -> [S; STATES] {
-        let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let around = self.surroundings(y);
         let rate = self.drag_rate(&around);
         let [ux, uy, uz] = around.air_velocity_m_s;
+        self.moved_by(y, &around, [-(rate * ux), -(rate * uy), -(rate * uz)])
+    }
+
+    /// The derivative of the state under an aerodynamic force over mass, planet-fixed axes, m/s².
+    #[inline]
+    pub fn moved_by<S: Scalar>(
+        &self,
+        y: &[S; STATES],
+        around: &Surroundings<S>,
+        [ax, ay, az]: [S; 3],
+    ) -> [S; STATES] {
+        let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let [gx, gy, gz] = self.mission.planet.gravity([x_m, y_m, z_m]);
         let omega = self.mission.planet.rotation_rate_rad_s;
-        let heat_flux = self.heat_flux(&around);
+        let heat_flux = self.heat_flux(around);
         [
             vx,
             vy,
             vz,
-            gx - rate * ux + vy * (2.0 * omega) + x_m * (omega * omega),
-            gy - rate * uy - vx * (2.0 * omega) + y_m * (omega * omega),
-            gz - rate * uz,
+            gx + ax + vy * (2.0 * omega) + x_m * (omega * omega),
+            gy + ay - vx * (2.0 * omega) + y_m * (omega * omega),
+            gz + az,
             heat_flux.convective_w_m2,
             heat_flux.radiative_w_m2,
         ]

@@ -1,5 +1,6 @@
 //! What is flown, through what, from where, until when, how exactly.
 
+use super::freedom::Freedom;
 use crate::aero::Drag;
 use crate::heating::StagnationHeating;
 use crate::planet::Planet;
@@ -10,7 +11,6 @@ use numerics::ode::Method;
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
-
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
@@ -22,6 +22,10 @@ pub struct Body {
     pub nose_radius_m: f64,
     /// Drag coefficient.
     pub drag: Drag,
+    /// Length of the Knudsen number: the largest diameter, m.
+    pub reference_length_m: f64,
+    /// What moves it besides its drag.
+    pub freedom: Freedom,
 }
 
 /// Entry state in planet-fixed axes, and the same in words.

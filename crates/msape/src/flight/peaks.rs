@@ -14,10 +14,9 @@
 //! - \[brent-1973\] for the search.
 
 use super::Peak;
-use super::equations::{Equations, STATES};
-use super::mission::{Body, Mission};
+use super::integration::{Leg, Record};
+use super::motion::{Motion, head};
 use super::sample::{self, Loads};
-use super::three_dof::{Leg, Record};
 use numerics::root;
 
 /// A peak is placed within this part of a step.
@@ -28,26 +27,25 @@ const BUSY: f64 = 0.5;
 const NEARLY: f64 = 0.99;
 
 /// The loads along a record, ready to be searched.
-pub struct Peaks<'a> {
-    mission: &'a Mission,
-    body: &'a Body,
-    record: &'a Record,
+pub struct Peaks<'r, M, const N: usize> {
+    motion: M,
+    record: &'r Record<N>,
     /// Loads between the steps: one more than steps.
     nodes: Vec<Loads>,
     /// Loads in the middle of the busy steps.
     middles: Vec<Option<Loads>>,
 }
 
-type Along<'f> = dyn Fn(&Equations, &[f64; STATES]) -> f64 + 'f;
+type Along<'f, M, const N: usize> = dyn Fn(&M, f64, &[f64; N]) -> f64 + 'f;
 
-impl<'a> Peaks<'a> {
+impl<'a, 'r, M: Motion<'a, N>, const N: usize> Peaks<'r, M, N> {
     /// Computes the loads.
-    pub fn new(mission: &'a Mission, body: &'a Body, record: &'a Record) -> Self {
-        let loads =
-            |layer, y: &[f64; STATES]| sample::loads(&Equations::new(mission, body, layer), y);
+    pub fn new(motion: M, record: &'r Record<N>) -> Self {
+        let loads = |layer, t: f64, y: &[f64; N]| motion.in_layer(layer).loads(t, y);
         let mut nodes = Vec::with_capacity(record.legs.len() + 1);
-        nodes.push(loads(record.start_layer, &record.start));
-        nodes.extend(record.legs.iter().map(|leg| loads(leg.layer, &leg.step.y1)));
+        nodes.push(loads(record.start_layer, 0.0, &record.start));
+        let ends = |leg: &Leg<N>| loads(leg.layer, leg.step.t1, &leg.step.y1);
+        nodes.extend(record.legs.iter().map(ends));
         let largest = |of: fn(&Loads) -> f64| nodes.iter().map(of).fold(0.0, f64::max);
         let measures: [fn(&Loads) -> f64; 3] = [
             |l| l.deceleration_earth_g,
@@ -58,17 +56,16 @@ impl<'a> Peaks<'a> {
         let middles = record.legs.iter().zip(nodes.windows(2)).map(|(leg, ends)| {
             let busy =
                 |(of, limit): (&fn(&Loads) -> f64, &f64)| ends.iter().any(|l| of(l) > *limit);
-            let middle = || leg.step.at(0.5 * (leg.step.t0 + leg.step.t1));
+            let middle = 0.5 * (leg.step.t0 + leg.step.t1);
             measures
                 .iter()
                 .zip(&limits)
                 .any(busy)
-                .then(|| loads(leg.layer, &middle()))
+                .then(|| loads(leg.layer, middle, &leg.step.at(middle)))
         });
         let middles = middles.collect();
         Peaks {
-            mission,
-            body,
+            motion,
             record,
             nodes,
             middles,
@@ -87,7 +84,7 @@ impl<'a> Peaks<'a> {
                 m.map_or(Top::AtEnd(a.max(b)), |m| parabola_top([a, m, b]))
             })
             .collect();
-        let along = |equations: &Equations, y: &[f64; STATES]| value(&sample::loads(equations, y));
+        let along = |motion: &M, t: f64, y: &[f64; N]| value(&motion.loads(t, y));
         let mut best = 0;
         for (leg, estimate) in estimates.iter().enumerate() {
             if estimate.value() > estimates[best].value() {
@@ -126,12 +123,11 @@ impl<'a> Peaks<'a> {
         let legs = &self.record.legs;
         let near = legs.partition_point(|leg| leg.step.t1 < dynamic_pressure.time_s);
         let sides = [near.saturating_sub(1), near, near + 1];
-        let peaks = sides.map(|i| {
-            self.searched(
-                i.min(legs.len().saturating_sub(1)),
-                &sample::stagnation_pressure,
-            )
-        });
+        let pressure = |motion: &M, _: f64, y: &[f64; N]| {
+            sample::stagnation_pressure(motion.point(), &head(y))
+        };
+        let last = legs.len().saturating_sub(1);
+        let peaks = sides.map(|i| self.searched(i.min(last), &pressure));
         peaks.into_iter().fold(
             peaks[0],
             |best, peak| if peak.value > best.value { peak } else { best },
@@ -139,14 +135,14 @@ impl<'a> Peaks<'a> {
     }
 
     /// The largest value within one step, its ends included; that of the start where there is no step.
-    fn searched(&self, leg: usize, along: &Along) -> Peak {
+    fn searched(&self, leg: usize, along: &Along<M, N>) -> Peak {
         let Some(Leg { step, layer }) = self.record.legs.get(leg) else {
             return self.peak(0.0, &self.record.start, self.record.start_layer, along);
         };
-        let equations = Equations::new(self.mission, self.body, *layer);
+        let motion = self.motion.in_layer(*layer);
         let tolerance = TOLERANCE * (step.t1 - step.t0);
         let (t, _) = root::maximum(
-            |t| along(&equations, &step.at(t)),
+            |t| along(&motion, t, &step.at(t)),
             step.t0,
             step.t1,
             tolerance,
@@ -154,11 +150,11 @@ impl<'a> Peaks<'a> {
         self.peak(t, &step.at(t), *layer, along)
     }
 
-    fn peak(&self, t: f64, y: &[f64; STATES], layer: usize, along: &Along) -> Peak {
-        let equations = Equations::new(self.mission, self.body, layer);
-        let around = equations.surroundings(y);
+    fn peak(&self, t: f64, y: &[f64; N], layer: usize, along: &Along<M, N>) -> Peak {
+        let motion = self.motion.in_layer(layer);
+        let around = motion.point().surroundings(&head(y));
         Peak {
-            value: along(&equations, y),
+            value: along(&motion, t, y),
             time_s: t,
             altitude_m: around.altitude_m,
             speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt(),

@@ -2,6 +2,7 @@
 
 use super::equations::{Equations, STATES};
 use super::mission::Mission;
+use super::motion::{Motion, head};
 use super::trajectory::Trajectory;
 use crate::heating::HeatFlux;
 use crate::heating::pressure::{Stream, stagnation_pressure_pa};
@@ -24,20 +25,6 @@ pub struct Loads {
     pub dynamic_pressure_pa: f64,
     /// Heat fluxes without margins.
     pub heat_flux: HeatFlux<f64>,
-}
-
-/// The loads at one state.
-pub fn loads(equations: &Equations, y: &[f64; STATES]) -> Loads {
-    let around = equations.surroundings(y);
-    let rate = equations.drag_rate(&around);
-    Loads {
-        deceleration_earth_g: rate * around.air_speed_m_s / EARTH_G_M_S2,
-        dynamic_pressure_pa: 0.5
-            * around.density_kg_m3
-            * around.air_speed_m_s
-            * around.air_speed_m_s,
-        heat_flux: equations.heat_flux(&around),
-    }
 }
 
 /// Angle of the relative velocity against the geodetic horizon at one state, rad.
@@ -96,14 +83,16 @@ pub fn position(mission: &Mission, y: &[f64; STATES]) -> Geodetic<f64> {
 }
 
 /// Appends the row of one instant to a time history.
-pub fn record(
+pub fn record<'a, const N: usize>(
     trajectory: &mut Trajectory,
-    equations: &Equations,
+    motion: &impl Motion<'a, N>,
     t: f64,
-    y: &[f64; STATES],
+    state: &[f64; N],
     start: &Geodetic<f64>,
 ) {
+    let equations = motion.point();
     let mission = equations.mission;
+    let y = &head(state);
     let around = equations.surroundings(y);
     let air = mission
         .atmosphere
@@ -112,7 +101,7 @@ pub fn record(
         deceleration_earth_g,
         dynamic_pressure_pa,
         heat_flux,
-    } = loads(equations, y);
+    } = motion.loads(t, state);
     let margined = mission.heating.margined(&heat_flux);
     let place = position(mission, y);
     let velocity = [y[3], y[4], y[5]];
@@ -137,7 +126,7 @@ pub fn record(
         around.density_kg_m3,
         air.temperature_k,
         air.pressure_pa,
-        around.drag_coefficient,
+        motion.drag_coefficient(t, state),
         dynamic_pressure_pa,
         stagnation_pressure(equations, y),
         deceleration_earth_g,
@@ -148,8 +137,16 @@ pub fn record(
         y[super::equations::CONVECTIVE],
         y[super::equations::RADIATIVE],
         wall_temperature_k(mission, &margined, around.air_speed_m_s),
+        equations.knudsen(&around),
     ];
-    for (column, value) in trajectory.values.iter_mut().zip(row) {
+    let attitude = motion.attitude(state).map(|attitude| {
+        let [yaw, pitch, roll] = attitude.yaw_pitch_roll_rad;
+        let [p, q, r] = attitude.rates_rad_s;
+        let angles = [attitude.total_alpha_rad, yaw, pitch, roll, p, q, r];
+        angles.map(|angle| angle / RADIANS_PER_DEGREE)
+    });
+    let values = row.into_iter().chain(attitude.into_iter().flatten());
+    for (column, value) in trajectory.values.iter_mut().zip(values) {
         column.push(value);
     }
 }

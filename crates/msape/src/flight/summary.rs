@@ -1,11 +1,11 @@
 //! Peaks, loads and end of an integrated flight, and its time history.
 
 use super::Flight;
-use super::equations::{CONVECTIVE, Equations, RADIATIVE, STATES};
-use super::mission::{Body, Mission};
+use super::equations::{CONVECTIVE, RADIATIVE};
+use super::integration::{Leg, Record};
+use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::sample;
-use super::three_dof::{Leg, Record};
 use super::trajectory::{Request, Trajectory};
 use crate::planet::geodetic::great_circle_m;
 use numerics::root;
@@ -13,21 +13,22 @@ use numerics::root;
 /// Mach numbers whose downward crossing is reported.
 pub const MACH_MARKS: [f64; 4] = [5.0, 2.0, 1.4, 0.8];
 
-/// Summarizes a record.
-pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Request) -> Flight {
-    let flight = Reading {
-        mission,
-        body,
-        record,
-    };
-    let peaks = Peaks::new(mission, body, record);
+/// Summarizes a record of a motion.
+pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
+    motion: M,
+    record: &Record<N>,
+    request: Request,
+) -> Flight {
+    let flight = Reading { motion, record };
+    let (mission, body) = (motion.point().mission, motion.point().body);
+    let peaks = Peaks::new(motion, record);
     let deceleration = peaks.of(|l| l.deceleration_earth_g);
     let dynamic_pressure = peaks.of(|l| l.dynamic_pressure_pa);
     let radiative = peaks.of(|l| l.heat_flux.radiative_w_m2);
     let margined = peaks.of(|l| mission.heating.margined(&l.heat_flux).total_w_m2());
     let (t_end, y_end, layer_end) = flight.end();
-    let start = sample::position(mission, &record.start);
-    let end = sample::position(mission, &y_end);
+    let start = sample::position(mission, &head(&record.start));
+    let end = sample::position(mission, &head(&y_end));
     let at_peak = flight.around(deceleration.time_s);
     Flight {
         model: "three-dof".to_string(),
@@ -49,32 +50,27 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         time_of_flight_s: t_end,
         final_altitude_m: end.altitude_m,
         final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
-        final_flight_path_angle_rad: sample::flight_path_angle_rad(mission, &y_end),
+        final_flight_path_angle_rad: sample::flight_path_angle_rad(mission, &head(&y_end)),
         final_latitude_rad: end.latitude_rad,
         final_longitude_rad: end.longitude_rad,
-        final_density_kg_m3: flight
-            .equations(layer_end)
-            .surroundings(&y_end)
+        final_density_kg_m3: (motion.in_layer(layer_end).point())
+            .surroundings(&head(&y_end))
             .density_kg_m3,
         downrange_m: great_circle_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s),
         trajectory: flight.trajectory(request),
+        attitude: None,
         evaluations: record.evaluations,
     }
 }
 
-struct Reading<'a> {
-    mission: &'a Mission,
-    body: &'a Body,
-    record: &'a Record,
+struct Reading<'r, M, const N: usize> {
+    motion: M,
+    record: &'r Record<N>,
 }
 
-impl<'a> Reading<'a> {
-    fn equations(&self, layer: usize) -> Equations<'a> {
-        Equations::new(self.mission, self.body, layer)
-    }
-
-    fn end(&self) -> (f64, [f64; STATES], usize) {
+impl<'a, M: Motion<'a, N>, const N: usize> Reading<'_, M, N> {
+    fn end(&self) -> (f64, [f64; N], usize) {
         match self.record.legs.last() {
             Some(leg) => (leg.step.t1, leg.step.y1, leg.layer),
             None => (0.0, self.record.start, self.record.start_layer),
@@ -82,7 +78,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The leg in which an instant lies.
-    fn leg(&self, t: f64) -> Option<&Leg> {
+    fn leg(&self, t: f64) -> Option<&Leg<N>> {
         let legs = &self.record.legs;
         legs.get(
             legs.partition_point(|leg| leg.step.t1 < t)
@@ -90,7 +86,7 @@ impl<'a> Reading<'a> {
         )
     }
 
-    fn state(&self, t: f64) -> ([f64; STATES], usize) {
+    fn state(&self, t: f64) -> ([f64; N], usize) {
         match self.leg(t) {
             Some(leg) => (leg.step.at(t), leg.layer),
             None => (self.record.start, self.record.start_layer),
@@ -100,24 +96,19 @@ impl<'a> Reading<'a> {
     /// Drag coefficient at an instant; never zero, so that it may divide.
     fn around(&self, t: f64) -> f64 {
         let (y, layer) = self.state(t);
-        self.equations(layer)
-            .surroundings(&y)
-            .drag_coefficient
+        self.motion
+            .in_layer(layer)
+            .drag_coefficient(t, &y)
             .max(f64::MIN_POSITIVE)
     }
 
     fn wall_temperature_k(&self, t: f64) -> f64 {
         let (y, layer) = self.state(t);
-        let equations = self.equations(layer);
-        let margined = self
-            .mission
-            .heating
-            .margined(&sample::loads(&equations, &y).heat_flux);
-        sample::wall_temperature_k(
-            self.mission,
-            &margined,
-            equations.surroundings(&y).air_speed_m_s,
-        )
+        let motion = self.motion.in_layer(layer);
+        let mission = motion.point().mission;
+        let margined = mission.heating.margined(&motion.loads(t, &y).heat_flux);
+        let around = motion.point().surroundings(&head(&y));
+        sample::wall_temperature_k(mission, &margined, around.air_speed_m_s)
     }
 
     /// Downward crossings of [`MACH_MARKS`] after `t_peak`.
@@ -126,9 +117,9 @@ impl<'a> Reading<'a> {
         let first = self.record.legs.partition_point(|leg| leg.step.t1 < t_peak);
         let mut before: Option<f64> = None;
         for leg in self.record.legs.iter().skip(first) {
-            let equations = self.equations(leg.layer);
+            let motion = self.motion.in_layer(leg.layer);
             let t0 = leg.step.t0.max(t_peak);
-            let mach = |t: f64| sample::mach(&equations, &leg.step.at(t));
+            let mach = |t: f64| sample::mach(motion.point(), &head(&leg.step.at(t)));
             let (start, end) = (before.unwrap_or_else(|| mach(t0)), mach(leg.step.t1));
             for (time, mark) in times.iter_mut().zip(MACH_MARKS) {
                 if time.is_none() && start > mark && end <= mark {
@@ -144,10 +135,11 @@ impl<'a> Reading<'a> {
     }
 
     fn trajectory(&self, request: Request) -> Option<Trajectory> {
-        let start = sample::position(self.mission, &self.record.start);
+        let mission = self.motion.point().mission;
+        let start = sample::position(mission, &head(&self.record.start));
         let mut history = Trajectory::new();
-        let mut add = |t: f64, y: &[f64; STATES], layer: usize| {
-            sample::record(&mut history, &self.equations(layer), t, y, &start);
+        let mut add = |t: f64, y: &[f64; N], layer: usize| {
+            sample::record(&mut history, &self.motion.in_layer(layer), t, y, &start);
         };
         match request {
             Request::Nothing => return None,

@@ -27,7 +27,8 @@ pub enum Request {
     Uniform(f64),
 }
 
-/// A time history: for each column of [`columns`] its values, all of one length.
+/// A time history: for each column of [`columns`] its values, all of one length; none for a column that the flight does
+/// not have, such as attitude in three degrees of freedom.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trajectory {
     /// Values by column.
@@ -47,11 +48,17 @@ impl Trajectory {
         self.values.first().map_or(0, Vec::len)
     }
 
-    /// Values of the column with this key.
+    /// Values of the column with this key, where the flight has it.
     pub fn column(&self, key: &str) -> Option<&[f64]> {
-        let index = columns()
-            .iter()
-            .position(|column: &Column| column.key == key)?;
-        self.values.get(index).map(Vec::as_slice)
+        let mut present = self.columns();
+        present.find_map(|(column, values)| (column.key == key).then_some(values))
+    }
+
+    /// The columns that the flight has, with their values.
+    pub fn columns(&self) -> impl Iterator<Item = (&'static Column, &[f64])> {
+        let rows = self.rows();
+        let all = columns().iter().zip(&self.values);
+        all.filter(move |(_, values)| values.len() == rows)
+            .map(|(column, values)| (column, values.as_slice()))
     }
 }

@@ -1,8 +1,12 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
+use super::aerodynamics::table_drag;
+use super::database::database;
+use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
+use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
@@ -163,7 +167,13 @@ fn solver(reader: &mut Reader) -> Option<Solver> {
 }
 
 /// The vehicle that is flown as it is.
-pub(super) fn body(reader: &mut Reader, library: &Library, outline: &Outline) -> Option<Body> {
+pub(super) fn body(
+    reader: &mut Reader,
+    library: &Library,
+    mission: Option<&Mission>,
+    outline: &Outline,
+) -> Option<Body> {
+    let degrees = degrees(reader);
     let mass_kg = reader.required_number("vehicle.mass_kg");
     let nose_radius_m = match (reader.given("vehicle.nose_radius_m"), outline) {
         (false, Outline::Faulty) => None,
@@ -188,28 +198,96 @@ pub(super) fn body(reader: &mut Reader, library: &Library, outline: &Outline) ->
         ),
         _ => {}
     }
-    let drag = drag(reader, library);
+    let (drag, database) = match (degrees, by_outline(reader, outline)) {
+        (Some(Degrees::Six), true) => match database(reader, library, outline) {
+            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+            Some(of_outline) => {
+                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
+                (Some(drag), Some(of_outline))
+            }
+            None => (None, None),
+        },
+        _ => (drag(reader, library, degrees, outline), None),
+    };
+    let area_m2 = area_m2
+        .or(diameter_m.map(|d| 0.25 * PI * d * d))
+        .or(area_of_outline_m2);
+    let length_m = length_m(reader, diameter_m, area_m2);
+    let known = Known {
+        degrees: degrees?,
+        mission,
+        area_m2,
+        length_m,
+        database,
+        outline,
+    };
+    let freedom = freedom(reader, known);
     Some(Body {
         mass_kg: mass_kg?,
-        reference_area_m2: area_m2
-            .or(diameter_m.map(|d| 0.25 * PI * d * d))
-            .or(area_of_outline_m2)?,
+        reference_area_m2: area_m2?,
         nose_radius_m: nose_radius_m?,
         drag: drag?,
+        reference_length_m: length_m?,
+        freedom: freedom?,
     })
 }
 
-fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
+fn by_outline(reader: &Reader, outline: &Outline) -> bool {
+    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
+    let given = otherwise
+        .iter()
+        .chain(&CONSTANTS)
+        .any(|key| reader.given(key));
+    let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
+    let named = named.iter().any(|key| reader.given(key));
+    !given && (named || *outline != Outline::Absent)
+}
+
+fn drag(
+    reader: &mut Reader,
+    library: &Library,
+    degrees: Option<Degrees>,
+    outline: &Outline,
+) -> Option<Drag> {
+    let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
     let keys = [
         "vehicle.drag_coefficient",
         "vehicle.drag_table",
         "vehicle.aerodynamics",
+        "vehicle.aerodynamics.table",
     ];
     let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
     match given.as_slice() {
+        [] if constants.is_some() => drag_of_constants(reader),
+        [] => match outline {
+            Outline::Body(body) => Some(Drag::Table(
+                AeroBody::of_rigid(body, None).axial_force(library),
+            )),
+            Outline::Faulty => None,
+            // A body on which the air does not act.
+            Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
+            Outline::Absent => {
+                let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics, or [outline]";
+                reader.fault("vehicle.drag_coefficient", message);
+                None
+            }
+        },
+        [first, ..] if constants.is_some() => {
+            let message = format!("given together with {first}; give one of them");
+            reader.fault(constants.unwrap_or_default(), message);
+            None
+        }
         [only] if *only == keys[0] => reader
             .number("vehicle.drag_coefficient")
             .map(Drag::Constant),
+        [only] if *only == keys[3] => {
+            let diameter_m = match outline {
+                Outline::Body(body) => body.diameter_m,
+                _ => reader.number("vehicle.diameter_m").unwrap_or(1.0),
+            };
+            table_drag(reader, library, diameter_m)
+        }
         [only] if *only == keys[1] => {
             let rows: Vec<(f64, f64)> = reader
                 .rows("vehicle.drag_table")?
@@ -234,11 +312,6 @@ fn drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
                 .collect();
             let name = reader.choice("vehicle.aerodynamics", &names)?;
             named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
-        }
-        [] => {
-            let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics";
-            reader.fault("vehicle.drag_coefficient", message);
-            None
         }
         [_, second, ..] => {
             reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");

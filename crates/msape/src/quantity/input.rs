@@ -1,5 +1,7 @@
 //! The inputs: one entry for each key that a case file may hold.
 
+mod aerodynamics;
+mod attitude;
 mod design;
 mod mission;
 mod outline;
@@ -292,6 +294,11 @@ impl Input {
             .unwrap_or_else(|| canonical(self.dimension()))
     }
 
+    /// Whether it is a table of one row, which may be given without the outer brackets: `[0.2, 0.0, 0.0]`.
+    pub fn is_one_row(&self) -> bool {
+        attitude::ONE_ROW.contains(&self.key)
+    }
+
     /// The report's column header, such as `Entry Velocity (m/s)`.
     pub fn header(&self) -> String {
         if self.unit.is_empty() {
@@ -309,6 +316,8 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .chain(design::INPUTS)
         .chain(vehicle::INPUTS)
         .chain(outline::INPUTS)
+        .chain(attitude::INPUTS)
+        .chain(aerodynamics::INPUTS)
 }
 
 /// The input with this key or alias.

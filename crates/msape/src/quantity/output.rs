@@ -1,5 +1,6 @@
 //! The outputs: one entry for each number of an answer.
 
+mod attitude;
 mod design;
 mod flight;
 mod landing;
@@ -144,7 +145,11 @@ pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
         Job::Fly => [&[]; 3],
         Job::Design => [design::OUTPUTS, mass::OUTPUTS, landing::OUTPUTS],
     };
-    of_design.into_iter().flatten().chain(flight::OUTPUTS)
+    of_design
+        .into_iter()
+        .flatten()
+        .chain(flight::OUTPUTS)
+        .chain(attitude::OUTPUTS)
 }
 
 /// The output with this key.

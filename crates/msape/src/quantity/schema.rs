@@ -23,22 +23,28 @@ pub fn schema(library: &Library) -> Value {
     );
     for input in inputs() {
         let described = input_schema(input, library);
+        insert(&mut root, input.key, described.clone().into());
         for alias in input.aliases {
             let mut other_name = described.clone();
             other_name.insert("deprecated".to_string(), json!(true));
             insert(&mut root, alias, other_name.into());
         }
-        insert(&mut root, input.key, described.into());
         if input.need != Need::Optional {
             require(&mut root, input.key);
         }
     }
-    // A table of numbers in the place of the name of a database is a drag table.
-    if let Some(Value::Object(by_name)) = find(&mut root, "vehicle.aerodynamics").map(Value::take)
+    // A table of numbers in the place of the name of a database is a drag table; a section holds constants.
+    if let Some(Value::Object(mut by_name)) =
+        find(&mut root, "vehicle.aerodynamics").map(Value::take)
         && let Some(table) = find(&mut root, "vehicle.drag_table").cloned()
         && let Some(place) = find(&mut root, "vehicle.aerodynamics")
     {
-        *place = json!({ "anyOf": [by_name, table] });
+        let constants = by_name.remove("properties").unwrap_or(json!({}));
+        *place = json!({
+            "anyOf": [by_name, table, { "type": "object" }],
+            "properties": constants,
+            "additionalProperties": false,
+        });
     }
     let mut schema = Map::new();
     schema.insert(
@@ -118,18 +124,21 @@ fn input_schema(input: &Input, library: &Library) -> Map<String, Value> {
         Kind::Rows(columns) => {
             let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
             let fewest = columns.iter().filter(|column| column.required).count();
-            put("type", json!("array"));
-            put("minItems", json!(1));
-            put(
-                "items",
-                json!({
-                    "type": "array",
-                    "items": { "type": "number" },
-                    "minItems": fewest,
-                    "maxItems": columns.len(),
-                    "description": names.join(", "),
-                }),
-            );
+            let row = json!({
+                "type": "array",
+                "items": { "type": "number" },
+                "minItems": fewest,
+                "maxItems": columns.len(),
+                "description": names.join(", "),
+            });
+            if input.is_one_row() {
+                let rows = json!({ "type": "array", "minItems": 1, "maxItems": 1, "items": row });
+                put("anyOf", json!([row, rows]));
+            } else {
+                put("type", json!("array"));
+                put("minItems", json!(1));
+                put("items", row);
+            }
         }
     }
     map
@@ -148,7 +157,10 @@ fn object(description: &str) -> Map<String, Value> {
 }
 
 fn property(object: &mut Map<String, Value>, name: &str, schema: Value) {
-    if let Some(Value::Object(properties)) = object.get_mut("properties") {
+    let properties = object
+        .entry("properties".to_string())
+        .or_insert_with(|| json!({}));
+    if let Value::Object(properties) = properties {
         properties.insert(name.to_string(), schema);
     }
 }

@@ -233,6 +233,62 @@ static COLUMNS: &[Column] = &[
         "K",
         "Temperature at which the stagnation point radiates away the heat flux with margins.",
     ),
+    column(
+        "knudsen",
+        "Knudsen Number",
+        Dimension::One,
+        "",
+        "Mean free path of the air over the reference length.",
+    ),
+    column(
+        "total_alpha_deg",
+        "Total Angle of Attack",
+        Dimension::Angle,
+        "deg",
+        "Angle between the axis of the vehicle and its velocity relative to the air; six degrees of freedom only.",
+    ),
+    column(
+        "yaw_deg",
+        "Yaw",
+        Dimension::Angle,
+        "deg",
+        "Nose from north, clockwise; six degrees of freedom only.",
+    ),
+    column(
+        "pitch_deg",
+        "Pitch",
+        Dimension::Angle,
+        "deg",
+        "Nose above the local horizon; six degrees of freedom only.",
+    ),
+    column(
+        "roll_deg",
+        "Roll",
+        Dimension::Angle,
+        "deg",
+        "Right side down, after yaw and pitch; six degrees of freedom only.",
+    ),
+    column(
+        "p_deg_s",
+        "Roll Rate",
+        Dimension::BodyRate,
+        "deg/s",
+        "Inertial rate about the axis forward; six degrees of freedom only.",
+    ),
+    column(
+        "q_deg_s",
+        "Pitch Rate",
+        Dimension::BodyRate,
+        "deg/s",
+        "Inertial rate about the axis to the right; six degrees of freedom only.",
+    ),
+    column(
+        "r_deg_s",
+        "Yaw Rate",
+        Dimension::BodyRate,
+        "deg/s",
+        "Inertial rate about the axis down; six degrees of freedom only.",
+    ),
 ];
 
 #[cfg(test)]

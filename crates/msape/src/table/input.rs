@@ -11,7 +11,7 @@ use crate::units::{canonical, parse_number};
 pub(super) fn belongs(input: &Input, job: Job) -> bool {
     let of_the_other: &[&str] = match job {
         Job::Fly => &["design."],
-        Job::Design => &["vehicle.", "outline."],
+        Job::Design => &["vehicle.", "outline.", "attitude."],
     };
     !of_the_other.iter().any(|part| input.key.starts_with(part))
 }

@@ -85,5 +85,6 @@ pub(super) const INPUTS: &[Input] = &[
         Group::Vehicle,
         Kind::Choice(Choices::Aerodynamics),
     )
+    .aliases(&["vehicle.aerodynamics.name"])
     .help("Aerodynamic database by name.", CONVENTION),
 ];

@@ -13,8 +13,8 @@
 //! - \[dowell-jarratt-1971\] for the halving (Illinois).
 
 use super::Integration;
-use crate::aero::Drag;
-use crate::flight::equations::{Equations, Radiation, STATES};
+use crate::flight::equations::Radiation;
+use crate::flight::motion::Motion;
 use crate::planet::Gravity;
 use numerics::ode::Step;
 
@@ -52,11 +52,11 @@ pub(super) struct Place {
 /// A kink of radiative heating is met to this speed, m/s.
 const KINK_TOLERANCE_M_S: f64 = 1e-3;
 
-impl Integration<'_> {
+impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
     /// The first gate through which a step passes, and when.
-    pub(super) fn first_gate(&mut self, step: &Step<STATES>, there: Place) -> Option<(f64, Gate)> {
-        let boundaries = self.equations.mission.atmosphere.boundaries_m();
-        let layer = self.equations.layer;
+    pub(super) fn first_gate(&mut self, step: &Step<N>, there: Place) -> Option<(f64, Gate)> {
+        let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
+        let layer = self.motion.point().layer;
         let floor_m = layer
             .checked_sub(1)
             .and_then(|below| boundaries.get(below))
@@ -67,7 +67,7 @@ impl Integration<'_> {
             let ends_m = [self.here.altitude_m, there.altitude_m];
             self.gate_in(step, [step.t0, step.t1], ends_m, [floor_m, ceiling_m])
         } else {
-            let climb = |y: &[f64; STATES]| place(&self.equations, y).climb_m_s;
+            let climb = |y: &[f64; N]| place(&self.motion, y).climb_m_s;
             let t_turn = self.when(step, [step.t0, step.t1], climb, 1e-6);
             let turn_m = self.altitude_m(&step.at(t_turn));
             let before = self.gate_in(
@@ -93,7 +93,7 @@ impl Integration<'_> {
     }
 
     /// Where a step slows down to a row of the drag table.
-    fn mach_kink(&self, step: &Step<STATES>, there: Place) -> Option<(f64, Gate)> {
+    fn mach_kink(&self, step: &Step<N>, there: Place) -> Option<(f64, Gate)> {
         let below = self
             .kinks_mach
             .partition_point(|kink| *kink < self.here.mach * (1.0 - 10.0 * MACH_TOLERANCE));
@@ -101,7 +101,7 @@ impl Integration<'_> {
         if there.mach >= level {
             return None;
         }
-        let gap = |y: &[f64; STATES]| place(&self.equations, y).mach / level - 1.0;
+        let gap = |y: &[f64; N]| place(&self.motion, y).mach / level - 1.0;
         Some((
             self.when(step, [step.t0, step.t1], gap, MACH_TOLERANCE),
             Gate::Kink,
@@ -109,19 +109,19 @@ impl Integration<'_> {
     }
 
     /// Where a step slows down to a kink of a heating relation; with radiation over, takes it up again when the speed rises.
-    fn speed_kink(&mut self, step: &Step<STATES>) -> Option<(f64, Gate)> {
+    fn speed_kink(&mut self, step: &Step<N>) -> Option<(f64, Gate)> {
         let onset_m_s = self.onset_m_s.unwrap_or(0.0);
         let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
-        if self.equations.radiation == Radiation::Over
+        if self.motion.point().radiation == Radiation::Over
             && after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S
         {
-            self.equations.radiation = Radiation::Continued(onset_m_s);
+            self.motion.point_mut().radiation = Radiation::Continued(onset_m_s);
             self.integrator.renew();
         }
         let below = self
             .kinks_m_s
             .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
-        let radiates = self.equations.radiation != Radiation::Over;
+        let radiates = self.motion.point().radiation != Radiation::Over;
         let (level_m_s, gate) = match below
             .checked_sub(1)
             .and_then(|kink| self.kinks_m_s.get(kink))
@@ -133,7 +133,7 @@ impl Integration<'_> {
         if after >= level_m_s {
             return None;
         }
-        let gap = |y: &[f64; STATES]| speed_m_s(y) - level_m_s;
+        let gap = |y: &[f64; N]| speed_m_s(y) - level_m_s;
         let t = if before <= level_m_s {
             step.t0
         } else {
@@ -145,7 +145,7 @@ impl Integration<'_> {
     /// The gate of a part of a step in which the altitude only rises or only falls.
     fn gate_in(
         &self,
-        step: &Step<STATES>,
+        step: &Step<N>,
         span: [f64; 2],
         [start_m, end_m]: [f64; 2],
         [floor_m, ceiling_m]: [Option<f64>; 2],
@@ -174,7 +174,7 @@ impl Integration<'_> {
         (end_m > level_m).then(|| (self.reaches(step, span, level_m), gate))
     }
 
-    fn reaches(&self, step: &Step<STATES>, span: [f64; 2], level_m: f64) -> f64 {
+    fn reaches(&self, step: &Step<N>, span: [f64; 2], level_m: f64) -> f64 {
         self.when(
             step,
             span,
@@ -186,9 +186,9 @@ impl Integration<'_> {
     /// When `g` is zero to within `tolerance` along a step, by false position with halving (Illinois).
     fn when(
         &self,
-        step: &Step<STATES>,
+        step: &Step<N>,
         [mut t0, mut t1]: [f64; 2],
-        g: impl Fn(&[f64; STATES]) -> f64,
+        g: impl Fn(&[f64; N]) -> f64,
         tolerance: f64,
     ) -> f64 {
         let (mut g0, mut g1) = (g(&step.at(t0)), g(&step.at(t1)));
@@ -211,16 +211,17 @@ impl Integration<'_> {
         t1
     }
 
-    fn altitude_m(&self, y: &[f64; STATES]) -> f64 {
-        self.equations
+    fn altitude_m(&self, y: &[f64; N]) -> f64 {
+        self.motion
+            .point()
             .ellipsoid
             .local([y[0], y[1], y[2]])
             .altitude_m
     }
 
     /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
-    pub(super) fn energy_j_kg(&self, y: &[f64; STATES]) -> f64 {
-        let planet = &self.equations.mission.planet;
+    pub(super) fn energy_j_kg(&self, y: &[f64; N]) -> f64 {
+        let planet = &self.motion.point().mission.planet;
         let Gravity::Zonal { mu_m3_s2, .. } = planet.gravity else {
             return -1.0;
         };
@@ -231,12 +232,13 @@ impl Integration<'_> {
     }
 }
 
-pub(super) fn place(equations: &Equations, y: &[f64; STATES]) -> Place {
+pub(super) fn place<'a, const N: usize>(motion: &impl Motion<'a, N>, y: &[f64; N]) -> Place {
+    let equations = motion.point();
     let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
     let [u, v, w] = local.up;
-    let mach = match equations.body.drag {
-        Drag::Constant(_) => 0.0,
-        Drag::Table(_) => {
+    let mach = match motion.drag_table() {
+        None => 0.0,
+        Some(_) => {
             let atmosphere = &equations.mission.atmosphere;
             speed_m_s(y) / atmosphere.speed_of_sound_in(equations.layer, local.altitude_m)
         }
@@ -248,6 +250,6 @@ pub(super) fn place(equations: &Equations, y: &[f64; STATES]) -> Place {
     }
 }
 
-pub(super) fn speed_m_s(y: &[f64; STATES]) -> f64 {
+pub(super) fn speed_m_s<const N: usize>(y: &[f64; N]) -> f64 {
     (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
 }

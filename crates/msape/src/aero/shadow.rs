@@ -1,0 +1,414 @@
+//! Which part of a circle of latitude the air reaches: exact shadows of a body of revolution on itself.
+//!
+//! ```text
+//! the ray against the air from (x₀, r₀, φ) passes through the circle (x, r) when   cos φ = h(x, r)
+//! h = (r₀² − r² + τ²)/(2 r₀ τ)        τ = (x₀ − x) tan α > 0
+//! ```
+//!
+//! with lengths in diameters, φ the azimuth and α the angle of attack in rad. A piece of the meridian upstream of the circle therefore shades
+//! the azimuths whose cosines h takes on it, from its smallest to its largest value. On a line
+//! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is searched beside the extreme samples.
+//! What is left of the windward side is a few intervals of cos φ.
+//!
+//! # Valid
+//! Any meridian, re-entrant ones too. At angles within 1e-9 rad of 0, 90 and 180 deg the shadow is that of the angle beside.
+//!
+//! # References
+//! - Intersection of a line with a circle about the axis.
+
+use super::surface::{Piece, Station};
+use numerics::root;
+
+/// Nearest that the axis and the plane normal to it are approached, rad.
+const NUDGE_RAD: f64 = 1e-9;
+/// Steps between samples on an arc.
+const SAMPLES: u32 = 8;
+/// A sample as far as this beyond 1 may hide an extremum within.
+const STEEP: f64 = 1.0;
+/// Accuracy of the place of an extremum, of an arc.
+const CLOSE: f64 = 1e-6;
+/// Nearer than this to the circle itself, of an arc, the ray leaves along the surface.
+const BESIDE: f64 = 1e-7;
+/// Most intervals that are kept.
+const MOST: usize = 6;
+
+/// The direction of the air.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wind {
+    /// Sine of the total angle of attack.
+    pub sin: f64,
+    /// Cosine of the total angle of attack.
+    pub cos: f64,
+}
+
+impl Wind {
+    /// The air at a total angle of attack of 0…π rad.
+    pub fn new(alpha_rad: f64) -> Wind {
+        let (sin, cos) = numerics::math::sin_cos(alpha_rad);
+        let sin = if sin.abs() < 1e-15 { 0.0 } else { sin };
+        let cos = if cos.abs() < 1e-15 { 0.0 } else { cos };
+        Wind { sin, cos }
+    }
+
+    /// Tangent of the angle, kept off zero and infinity.
+    fn tangent(&self) -> f64 {
+        let cos = if self.cos.abs() < NUDGE_RAD {
+            if self.cos < 0.0 {
+                -NUDGE_RAD
+            } else {
+                NUDGE_RAD
+            }
+        } else {
+            self.cos
+        };
+        self.sin.max(NUDGE_RAD) / cos
+    }
+}
+
+/// Intervals of the cosine of the azimuth, ascending.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lit {
+    intervals: [[f64; 2]; MOST],
+    count: usize,
+}
+
+impl Lit {
+    /// One interval, or none when it is empty.
+    pub fn new(low: f64, high: f64) -> Lit {
+        let mut lit = Lit::default();
+        lit.push([low, high]);
+        lit
+    }
+
+    /// The intervals.
+    pub fn intervals(&self) -> &[[f64; 2]] {
+        self.intervals.get(..self.count).unwrap_or_default()
+    }
+
+    pub(super) fn push(&mut self, [low, high]: [f64; 2]) {
+        if high > low
+            && let Some(place) = self.intervals.get_mut(self.count)
+        {
+            *place = [low, high];
+            self.count += 1;
+        }
+    }
+
+    /// Takes an interval away.
+    fn shade(&mut self, low: f64, high: f64) {
+        let before = *self;
+        self.count = 0;
+        for &[a, b] in before.intervals() {
+            self.push([a, b.min(low)]);
+            self.push([a.max(high), b]);
+        }
+    }
+}
+
+/// Cosines of the azimuths at which a circle of latitude faces the air, before any shadow.
+pub fn windward(station: &Station, wind: Wind) -> Lit {
+    let (p, q) = (-station.normal_x * wind.cos, -station.normal_r * wind.sin);
+    if q == 0.0 {
+        return if p > 0.0 {
+            Lit::new(-1.0, 1.0)
+        } else {
+            Lit::default()
+        };
+    }
+    let limit = (-p / q).clamp(-1.0, 1.0);
+    if q > 0.0 {
+        Lit::new(limit, 1.0)
+    } else {
+        Lit::new(-1.0, limit)
+    }
+}
+
+/// Takes the shadows of the body on the circle of latitude at `t` of the piece `own` away from `lit`.
+pub fn cast(lit: &mut Lit, pieces: &[Piece], own: usize, t: f64, wind: Wind) {
+    let Some(station) = pieces.get(own).map(|piece| piece.at(t)) else {
+        return;
+    };
+    let eye = Eye {
+        x: station.x,
+        r: station.r,
+        tangent: wind.tangent(),
+    };
+    for (n, piece) in pieces.iter().enumerate() {
+        if lit.count == 0 {
+            return;
+        }
+        let range = if n == own {
+            eye.own(piece, &station, t)
+        } else {
+            eye.other(piece)
+        };
+        if let Some([low, high]) = range {
+            lit.shade(low, high);
+        }
+    }
+}
+
+/// The circle whose rays are followed.
+#[derive(Clone, Copy)]
+struct Eye {
+    x: f64,
+    r: f64,
+    tangent: f64,
+}
+
+impl Eye {
+    fn tau(&self, x: f64) -> f64 {
+        (self.x - x) * self.tangent
+    }
+
+    fn h(&self, [x, r]: [f64; 2]) -> f64 {
+        let tau = self.tau(x);
+        ((self.r - r) * (self.r + r) + tau * tau) / (2.0 * self.r * tau)
+    }
+
+    /// h where the piece passes beside the circle itself.
+    fn beside(&self, r: f64) -> f64 {
+        if self.r > r {
+            f64::INFINITY
+        } else {
+            f64::NEG_INFINITY
+        }
+    }
+
+    /// Range of h over the piece on which the circle lies.
+    fn own(&self, piece: &Piece, station: &Station, t: f64) -> Option<[f64; 2]> {
+        // The ray that leaves along the surface.
+        let along = -station.normal_x / station.normal_r / self.tangent;
+        let ends = [0.0, 1.0].map(|end| (end, self.tau(piece.position(end)[0])));
+        let mut range = None;
+        for (end, tau) in ends {
+            if tau <= 0.0 {
+                continue;
+            }
+            include(&mut range, along);
+            match piece {
+                Piece::Line { .. } => {
+                    // a = r₀: no extremum between
+                    include(&mut range, self.h(piece.position(end)));
+                }
+                Piece::Arc { .. } => {
+                    let h = |t_on: f64| {
+                        if (t_on - t).abs() < BESIDE {
+                            along
+                        } else {
+                            self.h(piece.position(t_on))
+                        }
+                    };
+                    include_arc(&mut range, h, [t, end]);
+                }
+            }
+        }
+        range
+    }
+
+    /// Range of h over the upstream part of another piece.
+    fn other(&self, piece: &Piece) -> Option<[f64; 2]> {
+        let ends = [piece.position(0.0), piece.position(1.0)];
+        let taus = ends.map(|[x, _]| self.tau(x));
+        if taus[0] <= 0.0 && taus[1] <= 0.0 {
+            return None;
+        }
+        let mut range = None;
+        for (end, tau) in ends.iter().zip(taus) {
+            if tau > 0.0 {
+                include(&mut range, self.h(*end));
+            }
+        }
+        let straddles = taus[0].min(taus[1]) < 0.0;
+        match *piece {
+            Piece::Line { from, to } => {
+                let slope = (to[1] - from[1]) / (taus[1] - taus[0]);
+                let r_at = |tau: f64| from[1] + slope * (tau - taus[0]);
+                if straddles {
+                    include(&mut range, self.beside(r_at(0.0)));
+                }
+                let a = r_at(0.0);
+                let square = (self.r - a) * (self.r + a) / (1.0 - slope * slope);
+                let (low, high) = (taus[0].min(taus[1]).max(0.0), taus[0].max(taus[1]));
+                if square > low * low && square < high * high {
+                    let tau = square.sqrt();
+                    let r = r_at(tau);
+                    let h = ((self.r - r) * (self.r + r) + tau * tau) / (2.0 * self.r * tau);
+                    include(&mut range, h);
+                }
+            }
+            Piece::Arc { .. } => {
+                let from = if straddles {
+                    self.crossing(piece, taus)
+                } else {
+                    0.0
+                };
+                let (from, to) = match (straddles, taus[0] > 0.0) {
+                    (true, true) => (0.0, from),
+                    (true, false) => (from, 1.0),
+                    _ => (0.0, 1.0),
+                };
+                if straddles {
+                    let [_, r] = piece.position(if taus[0] > 0.0 { to } else { from });
+                    include(&mut range, self.beside(r));
+                }
+                let h = |t: f64| {
+                    let point = piece.position(t);
+                    if self.tau(point[0]) > 0.0 {
+                        self.h(point)
+                    } else {
+                        self.beside(point[1])
+                    }
+                };
+                include_arc(&mut range, h, [from, to]);
+            }
+        }
+        range
+    }
+
+    /// Where an arc that is monotone in x crosses the plane of the circle, by bisection.
+    fn crossing(&self, piece: &Piece, taus: [f64; 2]) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            let tau = self.tau(piece.position(middle)[0]);
+            if (tau > 0.0) == (taus[0] > 0.0) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    }
+}
+
+fn include(range: &mut Option<[f64; 2]>, value: f64) {
+    if value.is_nan() {
+        return;
+    }
+    *range = Some(match *range {
+        Some([low, high]) => [low.min(value), high.max(value)],
+        None => [value, value],
+    });
+}
+
+/// Takes in the range of h over an arc: samples, and where one of them is extreme, the extremum beside it.
+fn include_arc(range: &mut Option<[f64; 2]>, h: impl Fn(f64) -> f64, [from, to]: [f64; 2]) {
+    let at = |n: u32| from + (to - from) * (f64::from(n) / f64::from(SAMPLES));
+    let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
+    for n in 0..=SAMPLES {
+        let value = h(at(n));
+        include(range, value);
+        if value < least.1 {
+            least = (n, value);
+        }
+        if value > most.1 {
+            most = (n, value);
+        }
+    }
+    // Only extrema between -1 and 1 are cosines.
+    let beside = |n: u32| (at(n.saturating_sub(1)), at((n + 1).min(SAMPLES)));
+    if least.1 > -1.0 && least.1 < 1.0 + STEEP {
+        let (a, b) = beside(least.0);
+        include(range, -root::maximum(|t| -h(t), a, b, CLOSE).1);
+    }
+    if most.1 < 1.0 && most.1 > -1.0 - STEEP {
+        let (a, b) = beside(most.0);
+        include(range, root::maximum(h, a, b, CLOSE).1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numerics::math::RADIANS_PER_DEGREE;
+
+    fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
+        Piece::Line { from, to }
+    }
+
+    /// Whether one azimuth is lit.
+    fn reached(lit: &Lit, cos: f64) -> bool {
+        lit.intervals()
+            .iter()
+            .any(|[a, b]| (*a..=*b).contains(&cos))
+    }
+
+    #[test]
+    fn a_disc_shades_the_stem_behind_it() {
+        // a disc of radius 0.5 at x = 0 and a stem of radius 0.1 behind it; the air comes at 45 deg
+        let pieces = [
+            line([0.0, 0.0], [0.0, 0.5]),
+            line([0.0, 0.5], [0.01, 0.5]),
+            line([0.01, 0.5], [0.01, 0.1]),
+            line([0.01, 0.1], [2.01, 0.1]),
+        ];
+        let wind = Wind::new(45.0 * RADIANS_PER_DEGREE);
+        let at = |x: f64| {
+            let t = (x - 0.01) / 2.0;
+            let mut lit = windward(&pieces[3].at(t), wind);
+            cast(&mut lit, &pieces, 3, t, wind);
+            lit
+        };
+        // the windward line φ = π is y = −0.1; its ray reaches the disc's plane x = 0.01 at −0.1 − (x − 0.01) and
+        // leaves the shadow where that is −0.5: x = 0.41
+        assert!(!reached(&at(0.40), -1.0));
+        assert!(reached(&at(0.42), -1.0));
+        // far behind, the whole windward half is lit
+        assert!(reached(&at(1.5), -0.01) && !reached(&at(1.5), 0.01));
+    }
+
+    #[test]
+    fn a_convex_body_casts_no_shadow_on_its_windward_side() {
+        let arc = |start: f64| Piece::Arc {
+            center: [0.5, 0.0],
+            radius: 0.5,
+            start_rad: start,
+            sweep_rad: -0.25 * numerics::math::PI,
+        };
+        let pieces: Vec<Piece> = [4.0, 3.0, 2.0, 1.0]
+            .map(|n| arc(0.25 * n * numerics::math::PI))
+            .to_vec();
+        for degrees in [0.0, 1e-4, 17.0, 45.0, 89.9, 90.0, 90.1, 133.0, 179.0, 180.0] {
+            let wind = Wind::new(degrees * RADIANS_PER_DEGREE);
+            for own in 0..4 {
+                for t in [0.05, 0.4, 0.9] {
+                    let before = windward(&pieces[own].at(t), wind);
+                    let mut after = before;
+                    cast(&mut after, &pieces, own, t, wind);
+                    for (a, b) in before.intervals().iter().zip(after.intervals()) {
+                        assert!(
+                            (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6,
+                            "{degrees} deg, piece {own}, t {t}: {before:?} {after:?}"
+                        );
+                    }
+                    assert_eq!(before.intervals().len(), after.intervals().len());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_cup_shades_its_own_bottom_from_behind() {
+        // a thin cup of radius 0.5 whose rim is 0.2 behind its bottom at x = 0; air from behind at 135 deg
+        let pieces = [
+            line([-0.01, 0.0], [-0.01, 0.5]),
+            line([-0.01, 0.5], [0.2, 0.5]),
+            line([0.2, 0.5], [0.2, 0.49]),
+            line([0.2, 0.49], [0.0, 0.49]),
+            line([0.0, 0.49], [0.0, 0.0]),
+        ];
+        let wind = Wind::new(135.0 * RADIANS_PER_DEGREE);
+        let t = 0.5; // r = 0.245 on the bottom
+        let mut lit = windward(&pieces[4].at(t), wind);
+        assert_eq!(lit, Lit::new(-1.0, 1.0));
+        cast(&mut lit, &pieces, 4, t, wind);
+        // at the rim's plane the ray from y = 0.245 cos φ is at y − 0.2: |(0.245 cos φ − 0.2, 0.245 sin φ)| < 0.49 is
+        // 0.245² + 0.04 − 2·0.2·0.245 cos φ < 0.2401, cos φ > −1.43: all lit
+        assert!(reached(&lit, -0.999));
+        let t = 0.1; // r = 0.441: 0.194481 + 0.04 − 0.1764 cos φ < 0.2401 where cos φ > −0.03185
+        let mut lit = windward(&pieces[4].at(t), wind);
+        cast(&mut lit, &pieces, 4, t, wind);
+        assert!(reached(&lit, -0.0318) && !reached(&lit, -0.0320), "{lit:?}");
+    }
+}

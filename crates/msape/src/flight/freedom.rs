@@ -1,0 +1,15 @@
+//! What moves a vehicle besides its drag: nothing, lift at an angle of bank, or its attitude.
+
+use super::lift::Lift;
+use super::six_dof::rigid::Rigid;
+
+/// How a vehicle is free to move.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Freedom {
+    /// A point mass with drag.
+    Ballistic,
+    /// A point mass with drag and lift, banked by a schedule.
+    Lifting(Box<Lift>),
+    /// A rigid body.
+    Rigid(Box<Rigid>),
+}

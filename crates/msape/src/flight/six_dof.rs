@@ -1,0 +1,81 @@
+//! Six degrees of freedom: a rigid body from the entry state to the end of the flight.
+//!
+//! ```text
+//! y' = f(t, y),   y = (r, v, Q, q, ω)
+//! ```
+//!
+//! with r, v position (m) and velocity (m/s) in planet-fixed axes, Q the heat loads (J/m²), q the attitude and ω the
+//! inertial rates (rad/s): the equations of [`motion`], integrated by [`super::integration`] over the same planet, air and
+//! wind as a point mass.
+//!
+//! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
+//! - [`quaternion`], [`attitude`]: its attitude.
+//! - [`events`]: what happens to the attitude.
+//!
+//! # Valid
+//! Rigid bodies of constant mass.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.2; \[stevens-lewis-2016\] section 1.7.
+
+pub mod aerodynamics;
+pub mod attitude;
+pub mod events;
+pub mod inertia;
+pub mod motion;
+pub mod quaternion;
+pub mod rigid;
+
+use super::equations::Equations;
+use super::integration::{self, Record};
+use super::mission::{Body, Mission};
+use super::{Flight, Request, summary, three_dof};
+use crate::answer::Outcome;
+use events::Marks;
+use motion::{ATTITUDE, RATES, RIGID_STATES, RigidMotion};
+use rigid::Rigid;
+
+/// State at the start.
+pub fn start(mission: &Mission, rigid: &Rigid) -> [f64; RIGID_STATES] {
+    let point = three_dof::start(mission);
+    core::array::from_fn(|i| match i {
+        0..ATTITUDE => point[i],
+        ATTITUDE..RATES => rigid.attitude.0[i - ATTITUDE],
+        _ => rigid.rates_rad_s[i - RATES],
+    })
+}
+
+/// The motion of a rigid body.
+pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> RigidMotion<'a> {
+    RigidMotion {
+        point: Equations::new(mission, body, 0),
+        rigid,
+    }
+}
+
+/// Integrates a flight.
+pub fn integrate(mission: &Mission, body: &Body, rigid: &Rigid) -> Record<RIGID_STATES> {
+    integration::integrate(motion(mission, body, rigid), start(mission, rigid))
+}
+
+/// Flies a rigid body: the flight, how it ended, and why.
+pub fn fly(
+    mission: &Mission,
+    body: &Body,
+    rigid: &Rigid,
+    request: Request,
+) -> (Flight, Outcome, Option<String>) {
+    let record = integrate(mission, body, rigid);
+    let motion = motion(mission, body, rigid);
+    let mut flight = summary::summarize(motion, &record, request);
+    flight.model = "six-dof".to_string();
+    let marks = Marks {
+        peak_heating_time_s: flight.peak_total_heat_flux_w_m2.time_s,
+        peak_deceleration_time_s: flight.peak_deceleration_earth_g.time_s,
+    };
+    flight.attitude = Some(events::events(motion, &record, marks));
+    (flight, record.outcome, record.reason)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,121 @@
+//! Attitude of the start from angles, and angles of an attitude.
+//!
+//! ```text
+//! R = H R₃₂₁(yaw, pitch, roll)                     against the local horizon
+//! R = H R₃₂₁(ψ, γ, bank) W(α, β)                   against the velocity
+//! W = | cα cβ    sβ   sα cβ |
+//!     | −cα sβ   cβ  −sα sβ |
+//!     | −sα      0    cα    |
+//! ```
+//!
+//! with R from axes of the body (x forward along the axis, y right, z down) to planet-fixed axes, H from local north, east
+//! and down, ψ and γ azimuth and angle of the velocity relative to the air; all angles in rad.
+//!
+//! # Valid
+//! Everywhere; where the air is at rest against the body, α and β are counted against the direction that the case gives
+//! the velocity.
+//!
+//! # References
+//! - \[stevens-lewis-2016\] sections 1.4 and 2.3.
+
+use super::quaternion::{Matrix, Quaternion, turned_back, yaw_pitch_roll_rad};
+use crate::flight::mission::{Mission, Start};
+use crate::planet::horizon::Horizon;
+use numerics::math;
+
+/// How a case gives the attitude of the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// Yaw, pitch and roll against local north, east and down, rad.
+    YawPitchRoll([f64; 3]),
+    /// Angle of attack, of sideslip and of bank against the velocity relative to the air, rad.
+    AlphaBetaBank([f64; 3]),
+    /// From axes of the body to local north, east and down, unit length.
+    Quaternion(Quaternion),
+}
+
+/// From axes of the body to planet-fixed axes at the start of a mission.
+pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
+    let local = mission.planet.local(start.position_m);
+    let horizon = Horizon::new(local.up);
+    let to_planet = of_horizon(&horizon);
+    let level = match given {
+        Given::YawPitchRoll(angles) => Quaternion::of_yaw_pitch_roll(*angles),
+        Given::Quaternion(quaternion) => *quaternion,
+        Given::AlphaBetaBank([alpha, beta, bank]) => {
+            let [east_m_s, north_m_s] = mission.wind.east_north_m_s(local.altitude_m);
+            let [north, east, up] = horizon.parts(start.velocity_m_s);
+            let (north, east) = (north - north_m_s, east - east_m_s);
+            let at_rest = north == 0.0 && east == 0.0 && up == 0.0;
+            let (psi, gamma) = if at_rest {
+                let given = start.relative;
+                (given.azimuth_rad, given.flight_path_angle_rad)
+            } else {
+                let along = math::hypot(north, east);
+                (math::atan2(east, north), math::atan2(up, along))
+            };
+            let stream = Quaternion::of_yaw_pitch_roll([psi, gamma, *bank]);
+            stream.after(&of_stream(*alpha, *beta))
+        }
+    };
+    Quaternion::of_matrix(&to_planet).after(&level).unit()
+}
+
+/// From local north, east and down to planet-fixed axes.
+fn of_horizon(horizon: &Horizon<f64>) -> Matrix {
+    let Horizon { north, east, up } = horizon;
+    core::array::from_fn(|i| [north[i], east[i], -up[i]])
+}
+
+/// From axes of the body to those of the stream.
+fn of_stream(alpha: f64, beta: f64) -> Quaternion {
+    let ((sa, ca), (sb, cb)) = (math::sin_cos(alpha), math::sin_cos(beta));
+    Quaternion::of_matrix(&[
+        [ca * cb, sb, sa * cb],
+        [-ca * sb, cb, -sa * sb],
+        [-sa, 0.0, ca],
+    ])
+}
+
+/// Yaw, pitch and roll against local north, east and down of an attitude against planet-fixed axes, rad.
+pub fn angles_rad(attitude: &Matrix, up: [f64; 3]) -> [f64; 3] {
+    let to_planet = of_horizon(&Horizon::new(up));
+    let columns: [[f64; 3]; 3] =
+        core::array::from_fn(|j| turned_back(&to_planet, core::array::from_fn(|i| attitude[i][j])));
+    yaw_pitch_roll_rad(&core::array::from_fn(|i| {
+        core::array::from_fn(|j| columns[j][i])
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::flight::six_dof::quaternion::turned;
+
+    #[test]
+    fn the_velocity_of_the_stream_has_its_alpha_and_beta() {
+        // u = V cα cβ, v = V sβ, w = V sα cβ
+        let (alpha, beta) = (0.3, -0.2);
+        let [u, v, w] = turned_back(&of_stream(alpha, beta).matrix(), [1.0, 0.0, 0.0]);
+        assert!((u - math::cos(alpha) * math::cos(beta)).abs() < 1e-15);
+        assert!((v - math::sin(beta)).abs() < 1e-15);
+        assert!((w - math::sin(alpha) * math::cos(beta)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn angles_come_back_over_any_place() {
+        let up = [0.48, 0.6, 0.64];
+        let to_planet = Quaternion::of_matrix(&of_horizon(&Horizon::new(up)));
+        let angles = [1.0, -0.5, 2.0];
+        let attitude = to_planet
+            .after(&Quaternion::of_yaw_pitch_roll(angles))
+            .matrix();
+        for (given, back) in angles.iter().zip(angles_rad(&attitude, up)) {
+            assert!((given - back).abs() < 1e-14);
+        }
+        // The third axis of the level body points down.
+        let level = to_planet.matrix();
+        let down = turned(&level, [0.0, 0.0, 1.0]);
+        assert!((down[2] + 0.64).abs() < 1e-15);
+    }
+}

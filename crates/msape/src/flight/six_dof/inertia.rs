@@ -1,0 +1,182 @@
+//! Inertia of a rigid body about its centre of gravity, and Euler's equations.
+//!
+//! ```text
+//! I ω̇ = M − ω × (I ω)
+//! ```
+//!
+//! with I in kg·m² (off-diagonal elements are minus the products of inertia), ω in rad/s, M in N·m, all in axes of the
+//! body.
+//!
+//! # Valid
+//! Positive definite tensors whose principal moments fit a body: none exceeds the sum of the others.
+//!
+//! # References
+//! - \[goldstein-2002\] sections 5.3 and 5.5.
+
+use super::quaternion::{Matrix, turned};
+use numerics::math;
+use numerics::math::PI;
+
+/// Part of the largest element by which a tensor may be unsymmetric, or its moments may break the triangle inequality:
+/// what rounding to four figures does.
+const ROUNDING: f64 = 1e-4;
+
+/// A tensor of inertia that a body can have, with its inverse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia {
+    /// The tensor, kg·m².
+    pub tensor_kg_m2: Matrix,
+    /// Its inverse, 1/(kg·m²).
+    inverse: Matrix,
+}
+
+impl Inertia {
+    /// The inertia of a body.
+    ///
+    /// # Errors
+    /// Everything that no body can have, each with values and what they must be.
+    pub fn try_new(rows: Matrix) -> Result<Inertia, Vec<String>> {
+        let mut faults = Vec::new();
+        let largest = rows.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let axes = ["x", "y", "z"];
+        if largest == 0.0 {
+            return Err(vec![
+                "got no inertia at all, 0 kg-m^2; must be positive definite".to_string(),
+            ]);
+        }
+        for (i, axis) in axes.iter().enumerate() {
+            let moment = rows[i][i];
+            if moment <= 0.0 || moment.is_nan() {
+                let message = format!("got {moment} kg-m^2 about {axis}, must be above 0 kg-m^2");
+                faults.push(message);
+            }
+            for j in 0..i {
+                let (a, b) = (rows[i][j], rows[j][i]);
+                if (a - b).abs() > ROUNDING * largest {
+                    let other = axes[j];
+                    faults.push(format!("got {a} kg-m^2 in row {axis}, column {other} and {b} kg-m^2 in row {other}, column {axis}; both must be the same"));
+                }
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let tensor: Matrix =
+            core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (rows[i][j] + rows[j][i])));
+        let [low, middle, high] = principal_moments(&tensor);
+        let moments = format!("principal moments {low:.6}, {middle:.6} and {high:.6} kg-m^2");
+        if low <= 0.0 || low.is_nan() {
+            faults.push(format!("has the {moments}; all must be above 0 kg-m^2"));
+        } else if high > (low + middle) * (1.0 + ROUNDING) {
+            faults.push(format!("has the {moments}; the largest must be at most {:.6} kg-m^2, the sum of the others, or no mass has them", low + middle));
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Inertia {
+            inverse: inverse(&tensor),
+            tensor_kg_m2: tensor,
+        })
+    }
+
+    /// ω̇ under a moment, N·m, in rad/s².
+    #[inline]
+    pub fn acceleration_rad_s2(&self, rates: [f64; 3], [l, m, n]: [f64; 3]) -> [f64; 3] {
+        let [p, q, r] = rates;
+        let [hx, hy, hz] = turned(&self.tensor_kg_m2, rates);
+        turned(
+            &self.inverse,
+            [
+                l - (q * hz - r * hy),
+                m - (r * hx - p * hz),
+                n - (p * hy - q * hx),
+            ],
+        )
+    }
+}
+
+/// Eigenvalues of a symmetric matrix, ascending, by the trigonometric solution of the cubic.
+fn principal_moments(m: &Matrix) -> [f64; 3] {
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *m;
+    let mean = (xx + yy + zz) / 3.0;
+    let off = xy * xy + xz * xz + yz * yz;
+    let (dx, dy, dz) = (xx - mean, yy - mean, zz - mean);
+    let spread = ((dx * dx + dy * dy + dz * dz + 2.0 * off) / 6.0).sqrt();
+    if spread <= f64::EPSILON * mean.abs() {
+        return [mean; 3];
+    }
+    let det = dx * (dy * dz - yz * yz) - xy * (xy * dz - yz * xz) + xz * (xy * yz - dy * xz);
+    let cosine = (det / (2.0 * spread * spread * spread)).clamp(-1.0, 1.0);
+    let angle = math::acos(cosine) / 3.0;
+    let high = mean + 2.0 * spread * math::cos(angle);
+    let low = mean + 2.0 * spread * math::cos(angle + 2.0 * PI / 3.0);
+    [low, 3.0 * mean - low - high, high]
+}
+
+/// Inverse of a positive definite matrix.
+fn inverse(m: &Matrix) -> Matrix {
+    let minor = |i: usize, j: usize| {
+        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+        m[a][c] * m[b][d] - m[a][d] * m[b][c]
+    };
+    let determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
+    core::array::from_fn(|i| core::array::from_fn(|j| minor(j, i) / determinant))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_about_its_axes_spins_steadily() {
+        let inertia =
+            Inertia::try_new([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).unwrap();
+        assert_eq!(
+            inertia.acceleration_rad_s2([3.0, 0.0, 0.0], [0.0; 3]),
+            [0.0; 3]
+        );
+        // ṗ = (I_y − I_z) q r / I_x = −0.5 · 2 · 3, q̇ = (I_z − I_x) r p / I_y, with p = 0; plus a moment of 1 about x
+        let [p, q, r] = inertia.acceleration_rad_s2([0.0, 2.0, 3.0], [1.0, 0.0, 0.0]);
+        assert!((p + 2.0).abs() < 1e-15 && q.abs() < 1e-15 && r.abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_inverse_is_the_inverse_with_products_of_inertia() {
+        let m = [[3.0, -0.2, 0.1], [-0.2, 4.0, 0.3], [0.1, 0.3, 5.0]];
+        let inertia = Inertia::try_new(m).unwrap();
+        for (i, row) in m.iter().enumerate() {
+            for j in 0..3 {
+                let sum: f64 = (0..3).map(|k| row[k] * inertia.inverse[k][j]).sum();
+                assert!((sum - f64::from(u8::from(i == j))).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn principal_moments_of_a_turned_body() {
+        // In the plane x, y: 4 ± 1 with equal diagonal and off-diagonal 1.
+        let [low, middle, high] =
+            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]]);
+        assert!(
+            (low - 3.0).abs() < 1e-14 && (middle - 4.5).abs() < 1e-14 && (high - 5.0).abs() < 1e-14
+        );
+    }
+
+    #[test]
+    fn what_no_body_can_have_is_refused() {
+        let said = |m: Matrix| Inertia::try_new(m).unwrap_err().join("\n");
+        assert!(said([[0.0; 3]; 3]).contains("no inertia at all"));
+        let diagonal = |x: f64, y: f64, z: f64| [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+        assert!(said(diagonal(1.0, 1.0, 2.5)).contains("at most 2.000000 kg-m^2"));
+        assert!(said(diagonal(1.0, -1.0, 1.0)).contains("got -1 kg-m^2 about y"));
+        let mut skewed = diagonal(1.0, 1.0, 1.0);
+        skewed[0][1] = 0.2;
+        assert!(said(skewed).contains("both must be the same"));
+        let mut too_large = diagonal(1.0, 1.0, 1.0);
+        (too_large[0][1], too_large[1][0]) = (1.5, 1.5);
+        assert!(said(too_large).contains("must be above 0"));
+        assert!(Inertia::try_new(diagonal(1.0, 1.0, f64::NAN)).is_err());
+        // A flat disc stands on the limit.
+        assert!(Inertia::try_new(diagonal(2.0, 1.0, 1.0)).is_ok());
+    }
+}

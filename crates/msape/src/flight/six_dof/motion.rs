@@ -1,0 +1,246 @@
+//! Equations of motion of a rigid body, relative to the rotating planet.
+//!
+//! ```text
+//! dv/dt = F/m + g(r) − 2 Ω×v − Ω×(Ω×r)
+//! dq/dt = ½ q ⊗ (ω − Rᵀ Ω)
+//! I dω/dt = M − ω × (I ω)
+//! ```
+//!
+//! with the point mass first (r, v, Q as in [`crate::flight::equations`]), q the attitude from axes of the body to
+//! planet-fixed axes, ω the inertial rates in axes of the body in rad/s, Ω the rotation of the planet in rad/s, F in N and
+//! M in N·m from [`super::aerodynamics`].
+//!
+//! # Valid
+//! Rigid bodies of constant mass. Gravity has no moment. Heating is that of the nose forward, whatever the attitude.
+//!
+//! # References
+//! - \[stevens-lewis-2016\] section 1.7; \[samareh-2014\] section 3.2.
+
+use super::aerodynamics::{Aerodynamics, Load, Stream, total_alpha_rad};
+use super::attitude::angles_rad;
+use super::quaternion::{Matrix, Quaternion, turned, turned_back};
+use super::rigid::Rigid;
+use crate::aero::{Drag, DragTable};
+use crate::flight::equations::{Equations, STATES, Surroundings};
+use crate::flight::integration::point_tolerance;
+use crate::flight::motion::{AttitudeSample, Motion, head};
+use crate::flight::sample::{EARTH_G_M_S2, Loads};
+use crate::planet::wind::Wind;
+use numerics::ode::{Step, Tolerance};
+
+/// Components of the state: a point mass, quaternion, rates.
+pub const RIGID_STATES: usize = RATES + 3;
+/// Index of the quaternion in the state.
+pub const ATTITUDE: usize = STATES;
+/// Index of the rates in the state.
+pub const RATES: usize = ATTITUDE + 4;
+/// Rate below which the error of a step does not shrink any more, rad/s.
+const RATE_SCALE_RAD_S: f64 = 1.0;
+
+/// Below this speed against the air the attitude has no drag coefficient of its own, m/s.
+const SLOWEST_M_S: f64 = 1e-6;
+
+/// A rigid body in flight.
+#[derive(Clone, Copy)]
+pub struct RigidMotion<'a> {
+    /// The part that does not depend on attitude.
+    pub point: Equations<'a>,
+    /// The body.
+    pub rigid: &'a Rigid,
+}
+
+/// Everything at one state.
+struct Instant {
+    point: [f64; STATES],
+    around: Surroundings<f64>,
+    attitude: Quaternion,
+    to_planet: Matrix,
+    stream: Stream,
+}
+
+impl RigidMotion<'_> {
+    #[inline]
+    fn instant(&self, y: &[f64; RIGID_STATES]) -> Instant {
+        let point = head(y);
+        let around = self.point.surroundings(&point);
+        let attitude = Quaternion(core::array::from_fn(|i| y[ATTITUDE + i]));
+        let to_planet = attitude.matrix();
+        let stream = Stream {
+            velocity_m_s: turned_back(&to_planet, around.air_velocity_m_s),
+            speed_m_s: around.air_speed_m_s,
+            density_kg_m3: around.density_kg_m3,
+            drag_coefficient: around.drag_coefficient,
+            rates_rad_s: core::array::from_fn(|i| y[RATES + i]),
+            mach_knudsen: self.mach_knudsen(&around),
+        };
+        Instant {
+            point,
+            around,
+            attitude,
+            to_planet,
+            stream,
+        }
+    }
+
+    /// The same within a step, at the cost of the components that it takes.
+    #[inline]
+    pub fn total_alpha_in_rad(&self, step: &Step<RIGID_STATES>, t: f64) -> f64 {
+        match &self.point.mission.wind {
+            Wind::Calm => {
+                let velocity_m_s = core::array::from_fn(|i| step.component(3 + i, t));
+                let parts = core::array::from_fn(|i| step.component(ATTITUDE + i, t));
+                total_alpha_rad(turned_back(&Quaternion(parts).matrix(), velocity_m_s))
+            }
+            _ => self.total_alpha_rad(&step.at(t)),
+        }
+    }
+
+    /// Angle between the axis and the velocity relative to the air, rad.
+    #[inline]
+    pub fn total_alpha_rad(&self, y: &[f64; RIGID_STATES]) -> f64 {
+        let velocity_m_s = match &self.point.mission.wind {
+            Wind::Calm => [y[3], y[4], y[5]],
+            _ => self.point.surroundings(&head(y)).air_velocity_m_s,
+        };
+        let attitude = Quaternion(core::array::from_fn(|i| y[ATTITUDE + i]));
+        total_alpha_rad(turned_back(&attitude.matrix(), velocity_m_s))
+    }
+
+    #[inline]
+    fn load(&self, stream: &Stream) -> Load {
+        self.rigid.aerodynamics.load(stream, self.rigid)
+    }
+
+    /// Mach and Knudsen number, where the coefficients depend on them.
+    #[inline]
+    fn mach_knudsen(&self, around: &Surroundings<f64>) -> [f64; 2] {
+        match &self.rigid.aerodynamics {
+            Aerodynamics::Drag | Aerodynamics::Constants(_) => [0.0; 2],
+            Aerodynamics::Database(of_outline) => {
+                let air = self
+                    .point
+                    .mission
+                    .atmosphere
+                    .air_in(self.point.layer, around.altitude_m);
+                [
+                    around.air_speed_m_s / air.speed_of_sound_m_s,
+                    air.mean_free_path_m / of_outline.database.diameter_m,
+                ]
+            }
+        }
+    }
+}
+
+impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
+    #[inline]
+    fn point(&self) -> &Equations<'a> {
+        &self.point
+    }
+
+    #[inline]
+    fn point_mut(&mut self) -> &mut Equations<'a> {
+        &mut self.point
+    }
+
+    #[inline]
+    fn drag_table(&self) -> Option<&'a DragTable> {
+        match (&self.rigid.aerodynamics, &self.point.body.drag) {
+            (Aerodynamics::Database(of_outline), _) => Some(&of_outline.axial_force),
+            (Aerodynamics::Drag, Drag::Table(table)) => Some(table),
+            _ => None,
+        }
+    }
+
+    fn tolerance(&self) -> Tolerance<RIGID_STATES> {
+        let tolerance = self.point.mission.solver.tolerance;
+        let of_point = point_tolerance(tolerance);
+        let part = |of_point: &[f64; STATES], attitude: f64, rates: f64| {
+            core::array::from_fn(|i| match of_point.get(i) {
+                Some(part) => *part,
+                None if i < RATES => attitude,
+                None => rates,
+            })
+        };
+        Tolerance {
+            relative: part(&of_point.relative, 0.0, tolerance),
+            absolute: part(&of_point.absolute, tolerance, tolerance * RATE_SCALE_RAD_S),
+        }
+    }
+
+    #[inline]
+    fn derivative(&self, _t: f64, y: &[f64; RIGID_STATES]) -> [f64; RIGID_STATES] {
+        let Instant {
+            point,
+            around,
+            attitude,
+            to_planet,
+            stream,
+        } = self.instant(y);
+        let Load {
+            force_n,
+            moment_n_m,
+        } = self.load(&stream);
+        let over_mass = 1.0 / self.point.body.mass_kg;
+        let force = turned(&to_planet, force_n).map(|force| force * over_mass);
+        let of_point = self.point.moved_by(&point, &around, force);
+        let spin = self.point.mission.planet.rotation_rate_rad_s;
+        let of_planet = turned_back(&to_planet, [0.0, 0.0, spin]);
+        let relative = core::array::from_fn(|i| stream.rates_rad_s[i] - of_planet[i]);
+        let of_attitude = attitude.derivative(relative);
+        let of_rates = self
+            .rigid
+            .inertia
+            .acceleration_rad_s2(stream.rates_rad_s, moment_n_m);
+        core::array::from_fn(|i| match i {
+            0..ATTITUDE => of_point[i],
+            ATTITUDE..RATES => of_attitude[i - ATTITUDE],
+            _ => of_rates[i - RATES],
+        })
+    }
+
+    fn loads(&self, _t: f64, y: &[f64; RIGID_STATES]) -> Loads {
+        let Instant { around, stream, .. } = self.instant(y);
+        let [x, y, z] = self.load(&stream).force_n;
+        let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.body.mass_kg;
+        Loads {
+            deceleration_earth_g: deceleration_m_s2 / EARTH_G_M_S2,
+            dynamic_pressure_pa: 0.5
+                * around.density_kg_m3
+                * around.air_speed_m_s
+                * around.air_speed_m_s,
+            heat_flux: self.point.heat_flux(&around),
+        }
+    }
+
+    fn drag_coefficient(&self, _t: f64, y: &[f64; RIGID_STATES]) -> f64 {
+        // A stream of unit speed and density 2 has the pressure 1; rates do not change the force.
+        let Instant { stream, .. } = self.instant(y);
+        let v = stream.speed_m_s;
+        if v < SLOWEST_M_S {
+            return stream.drag_coefficient;
+        }
+        let along = stream.velocity_m_s.map(|part| part / v);
+        let unit = Stream {
+            speed_m_s: v,
+            density_kg_m3: 2.0 / (v * v),
+            ..stream
+        };
+        let force = self.load(&unit).force_n;
+        let against: f64 = -(force[0] * along[0] + force[1] * along[1] + force[2] * along[2]);
+        against / self.rigid.reference.area_m2
+    }
+
+    fn attitude(&self, y: &[f64; RIGID_STATES]) -> Option<AttitudeSample> {
+        let Instant {
+            around,
+            to_planet,
+            stream,
+            ..
+        } = self.instant(y);
+        Some(AttitudeSample {
+            total_alpha_rad: total_alpha_rad(stream.velocity_m_s),
+            yaw_pitch_roll_rad: angles_rad(&to_planet, around.up),
+            rates_rad_s: stream.rates_rad_s,
+        })
+    }
+}

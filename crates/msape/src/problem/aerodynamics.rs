@@ -1,0 +1,214 @@
+//! Checks what a case says about coefficients over the angle of attack.
+
+use super::freedom::one_row;
+use super::heating::choice;
+use super::outline::rigid_body;
+use crate::aero::Drag;
+use crate::aero::bridging::Bridging;
+use crate::aero::damping::{Damping, Reading};
+use crate::aero::database::Database;
+use crate::aero::own::{Content, Extrapolation, Given, Grid, Row};
+use crate::aero::standard::{AeroBody, report_damping};
+use crate::case::{Case, InputError, Reader};
+use crate::flight::Request;
+use crate::library::{Library, named};
+use crate::planet::atmosphere::Atmosphere;
+
+const TABLE: &str = "vehicle.aerodynamics.table";
+const DAMPING_TABLE: &str = "vehicle.aerodynamics.damping_table";
+
+/// A body and its database, from a case with an outline or from a design.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<InputError>> {
+    let mut reader = Reader::new(case);
+    let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
+    let body = match rigid_body(case, library) {
+        Ok(Some(body)) => Some(AeroBody::of_rigid(&body, cg_m)),
+        Ok(None) => designed(case, library, &mut reader),
+        Err(faults) => {
+            reader.faults.retain(|fault| !faults.contains(fault));
+            reader.faults.extend(faults);
+            None
+        }
+    };
+    let drag = named_drag(&mut reader, library);
+    let database = body
+        .as_ref()
+        .and_then(|body| database(&mut reader, library, body, drag.as_ref()));
+    match body.zip(database) {
+        Some(found) if reader.faults.is_empty() => Ok(found),
+        _ => Err(reader.faults),
+    }
+}
+
+/// The vehicle of a design.
+fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<AeroBody> {
+    if !case.values.keys().any(|key| key.starts_with("design.")) {
+        reader.fault(
+            "outline",
+            "missing; give [outline], as a preset, by dimensions or by points, or the case of a design",
+        );
+        return None;
+    }
+    if !reader.faults.is_empty() {
+        return None;
+    }
+    match crate::design(case, library, Request::Nothing) {
+        Ok(answer) => match &answer.design {
+            Some(design) => Some(AeroBody::of_vehicle(&answer.name, &design.vehicle)),
+            None => {
+                let reason = answer.reason.unwrap_or_default();
+                reader.fault("design", format!("the vehicle does not close: {reason}"));
+                None
+            }
+        },
+        Err(faults) => {
+            reader.faults.extend(faults);
+            None
+        }
+    }
+}
+
+/// The drag that a case names, constant or against Mach number; the outline's own where it names none.
+fn named_drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+    if reader.given("vehicle.aerodynamics") {
+        let names: Vec<&str> = library
+            .aerodynamics
+            .iter()
+            .map(|(name, _)| name.as_str())
+            .collect();
+        let name = reader.choice("vehicle.aerodynamics", &names)?;
+        return named(&library.aerodynamics, name).map(|force| Drag::Table(force.table.clone()));
+    }
+    reader
+        .given("vehicle.drag_coefficient")
+        .then(|| reader.number("vehicle.drag_coefficient"))
+        .flatten()
+        .map(Drag::Constant)
+}
+
+/// The database of a body: a table of the case, else computed with the drag at zero angle of attack that is given.
+pub(super) fn database(
+    reader: &mut Reader,
+    library: &Library,
+    body: &AeroBody,
+    drag: Option<&Drag>,
+) -> Option<Database> {
+    let before = reader.faults.len();
+    let diameter_m = body.surface.diameter_m();
+    let damping = damping(reader, library);
+    let bridging = choice(reader, "vehicle.aerodynamics.bridging");
+    let wall = reader.number("vehicle.aerodynamics.wall_temperature_ratio");
+    let accommodation = reader.number("vehicle.aerodynamics.accommodation");
+    let table = table(reader, library, diameter_m);
+    if reader.faults.len() > before {
+        return None;
+    }
+    if let Some(grid) = table {
+        let own = matches!(
+            grid.content,
+            Content::Static {
+                damping: Given::Yes,
+                ..
+            }
+        );
+        let given = reader.given(DAMPING_TABLE) || reader.given("vehicle.aerodynamics.damping");
+        let damping = if own && !given {
+            Damping::Table(grid.clone())
+        } else {
+            damping?
+        };
+        return Some(Database::of_table(grid, diameter_m, damping));
+    }
+    let mut options = body.options(library, drag);
+    options.damping = damping?;
+    options.bridging = match bridging? {
+        "error-function" => Bridging::ErrorFunction,
+        _ => Bridging::SineSquared,
+    };
+    options.wall_temperature_ratio = wall?;
+    options.accommodation = [accommodation?; 2];
+    Some(Database::of_surface(&body.surface, options))
+}
+
+/// Drag at zero angle of attack of a table of the case; `None` where it has none, or a faulty one.
+pub(super) fn table_drag(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Drag> {
+    let grid = table(reader, library, diameter_m)?;
+    let rows = grid.axial_force_rows();
+    match crate::aero::DragTable::try_new(&rows) {
+        Ok(table) => Some(Drag::Table(table)),
+        Err(faults) => {
+            faults
+                .iter()
+                .for_each(|fault| reader.fault(TABLE, fault.as_str()));
+            None
+        }
+    }
+}
+
+fn extrapolation(reader: &mut Reader) -> Extrapolation {
+    match choice(reader, "vehicle.aerodynamics.extrapolation") {
+        Some("extend") => Extrapolation::Extend,
+        Some("refuse") => Extrapolation::Refuse,
+        _ => Extrapolation::Hold,
+    }
+}
+
+/// The table of static coefficients of the case.
+fn table(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Grid> {
+    if reader.given("vehicle.aerodynamics.file") {
+        let message = "was not read; give its rows as vehicle.aerodynamics.table";
+        reader.fault("vehicle.aerodynamics.file", message);
+    }
+    if !reader.given(TABLE) {
+        return None;
+    }
+    let rule = extrapolation(reader);
+    let rows: Vec<Row> = reader
+        .rows(TABLE)?
+        .iter()
+        .zip(1..)
+        .map(|(cells, line)| Row::of_cells(cells, line))
+        .map(|row| Row {
+            knudsen: row.altitude_m.map_or(row.knudsen, |altitude_m| {
+                let air = Atmosphere::UsStandard1976(library.us_1976.clone()).air(altitude_m);
+                Some(air.mean_free_path_m / diameter_m)
+            }),
+            ..row
+        })
+        .collect();
+    grid(reader, TABLE, &rows, rule)
+}
+
+fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Option<Grid> {
+    match Grid::try_new(rows, rule) {
+        Ok(grid) => Some(grid),
+        Err(faults) => {
+            for fault in faults {
+                reader.fault(key, fault.replace("line ", "row "));
+            }
+            None
+        }
+    }
+}
+
+fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
+    let model = choice(reader, "vehicle.aerodynamics.damping");
+    if reader.given(DAMPING_TABLE) {
+        let rule = extrapolation(reader);
+        let rows: Vec<Row> = reader
+            .rows(DAMPING_TABLE)?
+            .iter()
+            .zip(1..)
+            .map(|(cells, line)| Row::of_damping(cells, line))
+            .collect();
+        return grid(reader, DAMPING_TABLE, &rows, rule).map(Damping::Table);
+    }
+    Some(match model? {
+        "none" => Damping::Absent,
+        "report-printed" => report_damping(library, Reading::Printed),
+        _ => report_damping(library, Reading::Corrected),
+    })
+}

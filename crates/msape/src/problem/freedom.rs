@@ -1,0 +1,315 @@
+//! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
+
+use super::outline::Outline;
+use super::{attitude, center};
+use crate::aero::Drag;
+use crate::case::Reader;
+use crate::finding::{Finding, Severity};
+use crate::flight::freedom::Freedom;
+use crate::flight::lift::{Bank, Lift, Source};
+use crate::flight::mission::{Mission, Model, Solver};
+use crate::flight::six_dof::aerodynamics::{
+    Aerodynamics, Constants, Damping, OfOutline, Reference,
+};
+use crate::flight::six_dof::inertia::Inertia;
+use crate::flight::six_dof::rigid::Rigid;
+use crate::quantity::input::inputs;
+use numerics::interp::{End, Table1};
+use numerics::math::{PI, RADIANS_PER_DEGREE};
+use numerics::ode::Method;
+
+/// Keys of the constants; any of them makes force and moment constants.
+pub(super) const CONSTANTS: [&str; 3] = [
+    "vehicle.aerodynamics.ca",
+    "vehicle.aerodynamics.cn_alpha_per_rad",
+    "vehicle.aerodynamics.cm_alpha_per_rad",
+];
+const DAMPING: [&str; 3] = [
+    "vehicle.aerodynamics.clp",
+    "vehicle.aerodynamics.cmq",
+    "vehicle.aerodynamics.cnr",
+];
+const LIFT: [&str; 3] = [
+    "vehicle.lift_to_drag",
+    "vehicle.lift_coefficient",
+    "vehicle.lift_table",
+];
+const BANK: [&str; 3] = [
+    "vehicle.bank_deg",
+    "vehicle.bank_table_deg",
+    "vehicle.bank_speed_table_deg",
+];
+const RIGID_ONLY: [&str; 3] = [
+    "vehicle.reference_span_m",
+    "vehicle.inertia_kg_m2",
+    "vehicle.cg_m",
+];
+
+/// Degrees of freedom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Degrees {
+    Three,
+    Six,
+}
+
+/// Degrees of freedom of the case.
+pub(super) fn degrees(reader: &mut Reader) -> Option<Degrees> {
+    if !reader.given("vehicle.dof") {
+        return Some(Degrees::Three);
+    }
+    match reader.number("vehicle.dof")? {
+        3.0 => Some(Degrees::Three),
+        6.0 => Some(Degrees::Six),
+        other => {
+            reader.fault("vehicle.dof", format!("got {other}, must be 3 or 6"));
+            None
+        }
+    }
+}
+
+/// What is known of the body besides.
+pub(super) struct Known<'a> {
+    pub(super) degrees: Degrees,
+    pub(super) mission: Option<&'a Mission>,
+    pub(super) area_m2: Option<f64>,
+    pub(super) length_m: Option<f64>,
+    pub(super) database: Option<OfOutline>,
+    pub(super) outline: &'a Outline,
+}
+
+/// How the vehicle is free to move.
+pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
+    match known.degrees {
+        Degrees::Three => {
+            unused(reader, "three degrees of freedom", |key| {
+                RIGID_ONLY.contains(&key) || key.starts_with("attitude.")
+            });
+            let bank = bank(reader);
+            let lift = lift(reader)?;
+            Some(match lift {
+                None => Freedom::Ballistic,
+                Some(source) => Freedom::Lifting(Box::new(Lift {
+                    source,
+                    bank: bank?,
+                })),
+            })
+        }
+        Degrees::Six => {
+            unused(reader, "six degrees of freedom", |key| {
+                LIFT.contains(&key) || BANK.contains(&key)
+            });
+            rigid(reader, known).map(|rigid| Freedom::Rigid(Box::new(rigid)))
+        }
+    }
+}
+
+/// Keys that are given and play no part are remarked, so that a case may be flown both ways.
+fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
+    for input in inputs().filter(|input| which(input.key)) {
+        if reader.given(input.key) {
+            reader.findings.push(Finding {
+                severity: Severity::Note,
+                model: "input".to_string(),
+                key: input.key.to_string(),
+                value: None,
+                valid: (None, None),
+                message: format!("{} is not used in {model}.", input.label),
+                source: "convention of this program".to_string(),
+                field: Some(input.key.to_string()),
+            });
+        }
+    }
+}
+
+fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
+    let inertia = inertia(reader);
+    let cg = center::cg(reader, known.outline, known.database.is_some());
+    let span_m = reader.number("vehicle.reference_span_m");
+    let [ca, cn, cm] = CONSTANTS.map(|key| reader.number(key).unwrap_or(0.0));
+    let [clp, cmq, cnr] = DAMPING.map(|key| reader.number(key).unwrap_or(0.0));
+    let constants = CONSTANTS.iter().any(|key| reader.given(key));
+    let given = attitude::given(reader);
+    let rates = one_row::<3>(reader, "attitude.body_rates_deg_s");
+    if let Some(mission) = known.mission
+        && mission.solver.model == Model::AllenEggers
+    {
+        let message = "got \"allen-eggers\", which has no attitude; must be \"three-dof\" with vehicle.dof = 6";
+        reader.fault("solver.flight_model", message);
+    }
+    let length_m = known.length_m?;
+    let mission = known.mission?;
+    Some(Rigid {
+        inertia: inertia?,
+        cg_m: cg?,
+        reference: Reference {
+            area_m2: known.area_m2?,
+            length_m,
+            span_m: span_m.unwrap_or(length_m),
+        },
+        aerodynamics: match known.database {
+            Some(database) => Aerodynamics::Database(Box::new(database)),
+            None if constants => Aerodynamics::Constants(Constants {
+                ca,
+                cn_alpha_per_rad: cn,
+                cm_alpha_per_rad: cm,
+            }),
+            None => Aerodynamics::Drag,
+        },
+        damping: Damping { clp, cmq, cnr },
+        attitude: crate::flight::six_dof::attitude::at_start(&given?, &mission.start, mission),
+        rates_rad_s: rates?.unwrap_or_default().map(|p| p * RADIANS_PER_DEGREE),
+    })
+}
+
+fn inertia(reader: &mut Reader) -> Option<Inertia> {
+    let key = "vehicle.inertia_kg_m2";
+    if !reader.given(key) {
+        reader.fault(
+            key,
+            "missing; with vehicle.dof = 6 give three rows of three numbers, in kg-m^2",
+        );
+        return None;
+    }
+    let rows = reader.rows(key)?;
+    let matrix: Option<Vec<[f64; 3]>> = rows
+        .iter()
+        .map(|row| <[f64; 3]>::try_from(row.as_slice()).ok())
+        .collect();
+    let Some(Ok(matrix)) = matrix.map(<[[f64; 3]; 3]>::try_from) else {
+        let message = format!(
+            "got {} rows, must be three rows of three numbers, in kg-m^2",
+            rows.len()
+        );
+        reader.fault(key, message);
+        return None;
+    };
+    match Inertia::try_new(matrix) {
+        Ok(inertia) => Some(inertia),
+        Err(faults) => {
+            faults
+                .iter()
+                .for_each(|fault| reader.fault(key, fault.as_str()));
+            None
+        }
+    }
+}
+
+/// The numbers of an input of one row; `Some(None)` when it is absent, `None` when it is at fault.
+pub(super) fn one_row<const N: usize>(reader: &mut Reader, key: &str) -> Option<Option<[f64; N]>> {
+    if !reader.given(key) {
+        return Some(None);
+    }
+    let rows = reader.rows(key)?;
+    let row = match rows.as_slice() {
+        [row] => <[f64; N]>::try_from(row.as_slice()).ok(),
+        _ => None,
+    };
+    if row.is_none() {
+        let message = format!("got {} rows, must be one row of {N} numbers", rows.len());
+        reader.fault(key, message);
+    }
+    row.map(Some)
+}
+
+/// The one of several keys that is given; `Err` when there are more, which is noted.
+fn one_of<'k>(reader: &mut Reader, keys: &[&'k str], what: &str) -> Result<Option<&'k str>, ()> {
+    let given: Vec<&str> = keys
+        .iter()
+        .copied()
+        .filter(|key| reader.given(key))
+        .collect();
+    match given.as_slice() {
+        [] => Ok(None),
+        [only] => Ok(Some(only)),
+        [_, second, ..] => {
+            let message = format!(
+                "{what} is given in more than one way; give one of {}",
+                keys.join(", ")
+            );
+            reader.fault(second, message);
+            Err(())
+        }
+    }
+}
+
+fn lift(reader: &mut Reader) -> Option<Option<Source>> {
+    Some(Some(match one_of(reader, &LIFT, "lift").ok()? {
+        None => return Some(None),
+        Some(key) if key == LIFT[0] => Source::OfDrag(reader.number(key)?),
+        Some(key) if key == LIFT[1] => Source::Coefficient(reader.number(key)?),
+        Some(key) => Source::Table(table(reader, key, 1.0)?),
+    }))
+}
+
+fn bank(reader: &mut Reader) -> Option<Bank> {
+    Some(match one_of(reader, &BANK, "the angle of bank").ok()? {
+        None => Bank::Constant(0.0),
+        Some(key) if key == BANK[0] => Bank::Constant(reader.number(key)? * RADIANS_PER_DEGREE),
+        Some(key) if key == BANK[1] => Bank::OfTime(table(reader, key, RADIANS_PER_DEGREE)?),
+        Some(key) => Bank::OfSpeed(table(reader, key, RADIANS_PER_DEGREE)?),
+    })
+}
+
+/// A table of two columns, the second times a factor; ends held.
+fn table(reader: &mut Reader, key: &str, factor: f64) -> Option<Table1> {
+    let rows = reader.rows(key)?;
+    let column = |i: usize, factor: f64| -> Vec<f64> {
+        rows.iter()
+            .filter_map(|row| row.get(i))
+            .map(|x| x * factor)
+            .collect()
+    };
+    match Table1::try_new(&column(0, 1.0), &column(1, factor), End::Hold) {
+        Ok(table) => Some(table),
+        Err(error) => {
+            reader.fault(key, error.to_string());
+            None
+        }
+    }
+}
+
+/// Length of moments and Knudsen number, m: as given, else the diameter, else that of a circle of the area.
+pub(super) fn length_m(
+    reader: &mut Reader,
+    diameter_m: Option<f64>,
+    area_m2: Option<f64>,
+) -> Option<f64> {
+    let of_area = || area_m2.map(|area| (4.0 * area / PI).sqrt());
+    if reader.given("vehicle.reference_length_m") {
+        return reader.number("vehicle.reference_length_m");
+    }
+    diameter_m.or_else(of_area)
+}
+
+/// Drag as a point mass has it, where constants stand in its place.
+pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
+    let ca = reader.number(CONSTANTS[0]);
+    Some(Drag::Constant(if reader.given(CONSTANTS[0]) {
+        ca?
+    } else {
+        0.0
+    }))
+}
+
+/// Without moments the steps are long: energy and angular momentum keep to 1e-10 over ten minutes of tumbling.
+const TOLERANCE_FREE: f64 = 1e-11;
+/// With constants: energy and angular momentum without air to 1e-9, a swing of 10 Hz to 1e-5 after three minutes.
+const TOLERANCE_CONSTANTS: f64 = 1e-9;
+/// With a database, whose tables have kinks: largest angles of an entry to 1e-5.
+const TOLERANCE_DATABASE: f64 = 1e-8;
+
+/// Method and accuracy of six degrees of freedom, where the case does not say otherwise.
+pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
+    if !reader.given("solver.method") {
+        solver.method = Method::DormandPrince853;
+    }
+    if !reader.given("solver.tolerance") {
+        let damped = rigid.damping != Damping::default();
+        solver.tolerance = match &rigid.aerodynamics {
+            Aerodynamics::Database(_) => TOLERANCE_DATABASE,
+            Aerodynamics::Drag if !damped => TOLERANCE_FREE,
+            Aerodynamics::Constants(c) if !damped && c.cm_alpha_per_rad == 0.0 => TOLERANCE_FREE,
+            _ => TOLERANCE_CONSTANTS,
+        };
+    }
+}
