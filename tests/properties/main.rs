@@ -4,10 +4,12 @@
 //! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
+//! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 
 mod designs;
 mod flights;
 mod garbage;
+mod geometry;
 mod text;
 
 use proptest::test_runner::{Config, RngSeed};

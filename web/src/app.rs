@@ -5,6 +5,7 @@ use crate::components::open::open_file;
 use crate::link;
 use crate::pages::benchmark::Benchmark;
 use crate::pages::design::Design;
+use crate::pages::library::{self, Library};
 use crate::presets::{first, starts};
 use crate::state::document::{Document, Run};
 use crate::state::history::History;
@@ -21,8 +22,12 @@ use wasm_bindgen_futures::spawn_local;
 
 /// What is between header and footer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Page {
+pub enum Page {
+    /// Inputs and results of one design.
     Design,
+    /// Outlines of vehicles.
+    Library,
+    /// Speed in this browser.
     Benchmark,
 }
 
@@ -31,6 +36,7 @@ impl Page {
     fn now() -> Page {
         match window().location().hash().as_deref() {
             Ok("#/benchmark") => Page::Benchmark,
+            Ok(hash) if hash.starts_with(library::ADDRESS) => Page::Library,
             _ => Page::Design,
         }
     }
@@ -38,6 +44,7 @@ impl Page {
     fn title(self) -> &'static str {
         match self {
             Page::Design => "M-SAPE: planetary entry vehicles",
+            Page::Library => "Library - M-SAPE: planetary entry vehicles",
             Page::Benchmark => "Benchmark - M-SAPE: planetary entry vehicles",
         }
     }
@@ -60,9 +67,10 @@ pub fn App() -> impl IntoView {
             event.prevent_default();
             focus_main();
         }>"Skip to the content"</a>
-        <Header />
+        <Header page />
         {move || match page.get() {
             Page::Design => view! { <Design /> }.into_any(),
+            Page::Library => view! { <Library /> }.into_any(),
             Page::Benchmark => view! { <Benchmark /> }.into_any(),
         }}
         <footer class="bottom">

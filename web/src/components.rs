@@ -1,6 +1,7 @@
 //! What pages are made of. They read signals and call [`crate::state::State::edit`].
 
 pub mod alternatives;
+pub mod cad;
 pub mod chart;
 pub mod chart_panel;
 pub mod chart_table;
@@ -16,9 +17,13 @@ pub mod mass_tree;
 pub mod notes;
 pub mod number;
 pub mod open;
+pub mod outline;
 pub mod residuals;
 pub mod results;
 pub mod rows;
 pub mod runs;
 pub mod segments;
 pub mod share;
+pub mod tabs;
+pub mod vehicle;
+pub mod view3d;

@@ -1,5 +1,6 @@
 //! The section of a vehicle as paths of an SVG drawing, in mm, nose down, x of the screen being the radius.
 
+use msape::vehicle::body::RigidBody;
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use msape::vehicle::{Component, ComponentKind, Vehicle};
@@ -54,6 +55,24 @@ pub fn class(kind: ComponentKind) -> &'static str {
         ComponentKind::BodyFoam => "part-body-foam",
         ComponentKind::LidInsulation => "part-lid-insulation",
         ComponentKind::Payload => "part-payload",
+    }
+}
+
+/// Name of a component's colour in the style sheet.
+pub fn variable(kind: ComponentKind) -> &'static str {
+    match kind {
+        ComponentKind::ForebodyTps => "--part-forebody-tps",
+        ComponentKind::Bond => "--part-bond",
+        ComponentKind::ForebodyCarrier => "--part-forebody-carrier",
+        ComponentKind::AftbodyTps => "--part-aftbody-tps",
+        ComponentKind::AftbodyCarrier => "--part-aftbody-carrier",
+        ComponentKind::PrimaryStructure => "--part-primary-structure",
+        ComponentKind::WingInsulation => "--part-wing-insulation",
+        ComponentKind::ImpactFoam => "--part-impact-foam",
+        ComponentKind::ImpactShell => "--part-impact-shell",
+        ComponentKind::BodyFoam => "--part-body-foam",
+        ComponentKind::LidInsulation => "--part-lid-insulation",
+        ComponentKind::Payload => "--part-payload",
     }
 }
 
@@ -118,6 +137,37 @@ fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) ->
         edges: edges.collect(),
         label,
         anchor,
+    }
+}
+
+/// The outline of one body as drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Silhouette {
+    /// Both halves.
+    pub path: String,
+    /// Radius, mm.
+    pub radius_mm: f64,
+    /// Uppermost and lowermost point, mm, downward positive.
+    pub top_mm: f64,
+    /// See `top_mm`.
+    pub bottom_mm: f64,
+    /// Height of the largest diameter, mm, downward positive.
+    pub widest_mm: f64,
+}
+
+/// The drawing of a rigid body.
+pub fn silhouette(body: &RigidBody) -> Silhouette {
+    let radius_m = 0.5 * body.diameter_m;
+    let tip_m = body.nose_tip_x_m();
+    let ends = body.outline.segments.iter().map(|segment| segment.end());
+    // Of the ends, the one that stands furthest out: a shoulder's arc is as wide at most a radius away.
+    let widest = ends.max_by(|a, b| a.r_m.total_cmp(&b.r_m));
+    Silhouette {
+        path: both(&body.outline, Ends::WithoutAxis),
+        radius_mm: radius_m * MM,
+        top_mm: -(tip_m + body.length_m()) * MM,
+        bottom_mm: -tip_m * MM,
+        widest_mm: -widest.map_or(tip_m, |point| point.x_m) * MM,
     }
 }
 

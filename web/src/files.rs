@@ -22,6 +22,20 @@ pub fn download(name: &str, mime: &str, text: &str) -> Result<(), JsValue> {
     )
 }
 
+/// Hands bytes to the user as a file.
+///
+/// # Errors
+/// What the browser refuses.
+pub fn download_bytes(name: &str, mime: &str, bytes: &[u8]) -> Result<(), JsValue> {
+    let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
+    let options = BlobPropertyBag::new();
+    options.set_type(mime);
+    hand_over(
+        name,
+        &Blob::new_with_u8_array_sequence_and_options(&parts, &options)?,
+    )
+}
+
 /// Hands a drawing to the user as a PNG file.
 ///
 /// # Errors

@@ -3,6 +3,7 @@
 //! - `app`: the frame around the pages; `pages`: one file per page; `components`: what they are made of.
 //! - `state`: the undo stack of immutable documents, the newest answer, what is shown.
 //! - [`solver`] and [`protocol`]: what the worker does and how the page asks for it.
+//! - `drawing` and `view3d`: the vehicle as a section and in three dimensions.
 //! - `clock` and `timing`: what the benchmark page measures with.
 //! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files.
 //!
@@ -23,6 +24,7 @@ pub mod solver;
 mod state;
 mod storage;
 mod timing;
+mod view3d;
 mod worker;
 
 /// Takes the skeleton away and shows the app.

@@ -2,3 +2,4 @@
 
 pub mod benchmark;
 pub mod design;
+pub mod library;

@@ -10,6 +10,8 @@ pub enum Ask {
     Solve(Job),
     /// To measure a batch.
     Measure(Batch),
+    /// To fly a vehicle as it is.
+    Fly(Case),
 }
 
 /// What the worker replies.
@@ -19,6 +21,8 @@ pub enum Told {
     Solved(Box<Reply>),
     /// Time that a batch took, ms, or why it could not be measured.
     Measured(Result<f64, String>),
+    /// A flight, or every fault of its case.
+    Flown(Box<Result<Answer, Vec<Fault>>>),
 }
 
 /// Repetitions of a job of [`msape::benchmark::JOBS`].

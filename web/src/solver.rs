@@ -4,7 +4,7 @@ use crate::clock::now_ms;
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use msape::benchmark::{Bench, JOBS};
 use msape::library::DataError;
-use msape::{Library, Request, design};
+use msape::{Case, Library, Request, design, fly};
 use std::cell::OnceCell;
 
 /// Solves jobs with the library that ships with the program.
@@ -33,6 +33,7 @@ impl Solver {
         encode(&match decode(ask)? {
             Ask::Solve(job) => Told::Solved(Box::new(self.solve(job))),
             Ask::Measure(batch) => Told::Measured(self.measure(batch)),
+            Ask::Fly(case) => Told::Flown(Box::new(self.fly(&case))),
         })
     }
 
@@ -46,6 +47,11 @@ impl Solver {
             result,
             duration_ms,
         }
+    }
+
+    fn fly(&self, case: &Case) -> Result<msape::Answer, Vec<Fault>> {
+        fly(case, &self.library, Request::Steps)
+            .map_err(|faults| faults.into_iter().map(Fault::from).collect())
     }
 
     fn measure(&self, Batch { job, repetitions }: Batch) -> Result<f64, String> {

@@ -214,6 +214,15 @@ impl State {
         link.ok_or("there is no worker")?.measure(batch).await
     }
 
+    /// A flight of a vehicle as it is, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn fly(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.fly(case).await
+    }
+
     /// Takes the last change back.
     pub fn undo(self) {
         self.turns.update(|turns| *turns += 1);

@@ -1,7 +1,7 @@
 //! What is kept in the browser, in IndexedDB: the document as it is now, and the named runs.
 
 use crate::display::UnitSystem;
-use crate::state::document::{Document, Run};
+use crate::state::document::{Document, Rows, Run};
 use idb::{Database, DatabaseEvent, Factory, ObjectStoreParams, Query, TransactionMode};
 use msape::Case;
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,9 @@ struct Current {
     case: String,
     units: UnitSystem,
     unit_of: BTreeMap<String, String>,
+    /// Absent in what was kept before outlines could be imported.
+    #[serde(default)]
+    outlines: BTreeMap<String, Rows>,
 }
 
 impl Store {
@@ -74,6 +77,7 @@ impl Store {
                     units: current.units,
                     unit_of: Arc::new(current.unit_of),
                     runs: Arc::new(runs.clone()),
+                    outlines: Arc::new(current.outlines),
                 })
             });
         Ok((document, runs))
@@ -95,6 +99,7 @@ impl Store {
             case: document.case.to_toml(),
             units: document.units,
             unit_of: (*document.unit_of).clone(),
+            outlines: (*document.outlines).clone(),
         };
         transaction
             .object_store(THINGS)?

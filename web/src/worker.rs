@@ -1,10 +1,10 @@
 //! The page's end of the line to the worker. The newest edit wins: one job is under way, at most one waits. Batches of the
-//! benchmark come after it.
+//! benchmark and flights come after it.
 
-use crate::protocol::{Ask, Batch, Job, Reply, Told, decode, encode};
+use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;
-use msape::Case;
+use msape::{Answer, Case};
 use std::{cell::RefCell, collections::VecDeque, rc::Rc};
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use wasm_bindgen_futures::JsFuture;
@@ -18,6 +18,9 @@ pub enum News {
     Failed(String),
 }
 
+/// What is said of an answer to another question.
+const OTHER_ANSWER: &str = "the solver answered something else";
+
 /// A worker and what it has to do.
 #[derive(Clone)]
 pub struct WorkerLink(Rc<RefCell<Line>>);
@@ -27,8 +30,8 @@ struct Line {
     on_news: Rc<dyn Fn(News)>,
     phase: Phase,
     waiting: Option<Job>,
-    /// Batches that wait or are under way, and what resolves the promise of each; the first may be under way.
-    batches: VecDeque<(Batch, Function)>,
+    /// Batches and flights that wait, and what resolves the promise of each; the first may be under way.
+    questions: VecDeque<(Ask, Function)>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -46,7 +49,7 @@ impl WorkerLink {
             on_news: Rc::new(on_news),
             phase: Phase::Starting,
             waiting: None,
-            batches: VecDeque::new(),
+            questions: VecDeque::new(),
         })));
         link.start_worker();
         link
@@ -63,18 +66,41 @@ impl WorkerLink {
     /// # Errors
     /// Why it could not be measured.
     pub async fn measure(&self, batch: Batch) -> Result<f64, String> {
+        match self.ask(Ask::Measure(batch)).await? {
+            Told::Measured(measured) => measured,
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// A flight, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn fly(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        match self.ask(Ask::Fly(case)).await? {
+            Told::Flown(flown) => Ok(*flown),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    async fn ask(&self, ask: Ask) -> Result<Told, String> {
+        let mut ask = Some(ask);
         let promise = Promise::new(&mut |resolve, _| {
-            self.0.borrow_mut().batches.push_back((batch, resolve));
+            if let Some(ask) = ask.take() {
+                self.0.borrow_mut().questions.push_back((ask, resolve));
+            }
         });
         self.send_next();
         let told = JsFuture::from(promise).await.unwrap_or_else(|error| error);
-        told.as_f64()
-            .ok_or_else(|| told.as_string().unwrap_or_default())
+        match told.dyn_into::<js_sys::Uint8Array>() {
+            Ok(bytes) => decode(&bytes.to_vec()).map_err(|error| error.to_string()),
+            Err(reason) => Err(reason.as_string().unwrap_or_default()),
+        }
     }
 
-    /// Ends the first batch with a number or a reason.
+    /// Ends the first question with the bytes of its answer or a reason.
     fn settle(&self, told: &JsValue) {
-        let first = self.0.borrow_mut().batches.pop_front();
+        let first = self.0.borrow_mut().questions.pop_front();
         if let Some((_, resolve)) = first {
             // Resolving a promise throws nothing.
             let _ = resolve.call1(&JsValue::UNDEFINED, told);
@@ -89,22 +115,20 @@ impl WorkerLink {
         let Some(worker) = line.worker.clone() else {
             return;
         };
-        let ask = match line.waiting.take() {
-            Some(job) => Ask::Solve(job),
-            None => match line.batches.front() {
-                Some((batch, _)) => Ask::Measure(*batch),
+        let bytes = match line.waiting.take() {
+            Some(job) => encode(&Ask::Solve(job)),
+            None => match line.questions.front() {
+                Some((ask, _)) => encode(ask),
                 None => return,
             },
         };
         line.phase = Phase::Busy;
         drop(line);
-        let sent = encode(&ask)
-            .map_err(|error| error.to_string())
-            .and_then(|bytes| {
-                worker
-                    .post_message(&js_sys::Uint8Array::from(bytes.as_slice()))
-                    .map_err(|error| format!("{error:?}"))
-            });
+        let sent = bytes.map_err(|error| error.to_string()).and_then(|bytes| {
+            worker
+                .post_message(&js_sys::Uint8Array::from(bytes.as_slice()))
+                .map_err(|error| format!("{error:?}"))
+        });
         if let Err(error) = sent {
             self.news(News::Failed(error));
         }
@@ -135,7 +159,7 @@ impl WorkerLink {
                 if let Some(worker) = link.0.borrow_mut().worker.take() {
                     worker.terminate();
                 }
-                while !link.0.borrow().batches.is_empty() {
+                while !link.0.borrow().questions.is_empty() {
                     link.settle(&"the solver stopped".into());
                 }
                 link.start_worker();
@@ -148,19 +172,17 @@ impl WorkerLink {
 
     fn receive(&self, event: &MessageEvent) {
         self.0.borrow_mut().phase = Phase::Idle;
-        let bytes = event.data().dyn_into::<js_sys::Uint8Array>().ok();
+        let data = event.data();
+        let bytes = data.dyn_ref::<js_sys::Uint8Array>();
         let told = bytes.map(|bytes| decode::<Told>(&bytes.to_vec()));
-        if let Some(Ok(Told::Measured(measured))) = &told {
-            match measured {
-                Ok(duration_ms) => self.settle(&(*duration_ms).into()),
-                Err(message) => self.settle(&message.as_str().into()),
-            }
+        if let Some(Ok(Told::Measured(_) | Told::Flown(_))) = &told {
+            self.settle(&data);
         }
         self.send_next();
         match told {
             Some(Ok(Told::Solved(reply))) => self.news(News::Reply(reply)),
             Some(Err(error)) => self.news(News::Failed(error.to_string())),
-            Some(Ok(Told::Measured(_))) | None => {}
+            Some(Ok(Told::Measured(_) | Told::Flown(_))) | None => {}
         }
     }
 

@@ -1,6 +1,7 @@
 //! The arguments.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use msape::export::Format;
 use msape::table::kml::Instant;
 use msape::units::{Dimension, canonical, parse_number};
 use std::path::PathBuf;
@@ -13,6 +14,7 @@ Examples:
   msape fly cases/stardust.toml --json --trajectory       results and time history as one JSON object
   msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
   msape fly - < my-case.toml                              the case from standard input
+  msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
   msape quantities inputs                                 every key of a case, with unit, range and default
 
@@ -37,11 +39,16 @@ pub enum Command {
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
     #[command(after_help = EXAMPLES)]
     Design(Run),
+    /// Write the vehicle as a CAD, mesh or drawing file
+    #[command(after_help = export_help())]
+    Export(Export),
     /// Coefficients of an outline, or of a designed vehicle, over the angle of attack
     #[command(after_help = EXAMPLES)]
     Aero(crate::aero::Aero),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
+    /// Facts of the outline of a case: tangent points, areas, volume, centroid
+    Outline(Outline),
     /// Print the JSON Schema of case files, for editors
     Schema(Plain),
     /// List the quantities: keys of a case, results, columns of a trajectory
@@ -80,7 +87,7 @@ pub struct Run {
 #[derive(Args, Clone, Copy)]
 #[group(multiple = false)]
 pub struct Form {
-    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory
+    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory, landing
     #[arg(long)]
     pub json: bool,
     /// CSV with the report's column names and units
@@ -92,6 +99,27 @@ pub struct Form {
     /// The time history as KML, for viewers of the globe
     #[arg(long)]
     pub kml: bool,
+    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
+    #[arg(long)]
+    pub mass_tree: bool,
+}
+
+/// Arguments of `export`.
+#[derive(Args)]
+pub struct Export {
+    /// The case, TOML or JSON, which is designed; one with an [outline] and no [design] is taken as it is; `-` is standard
+    /// input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case, as for design
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Format of the file; without it the ending of its name says it
+    #[arg(long, value_name = "FORMAT", value_parser = format)]
+    pub format: Option<Format>,
+    /// Write to a file, which is replaced only when all went well; `-` is standard output, for formats that are text
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `validate`.
@@ -101,6 +129,23 @@ pub struct Validate {
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
     /// One JSON object instead of tables
+    #[arg(long)]
+    pub json: bool,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `outline`.
+#[derive(Args)]
+pub struct Outline {
+    /// The case, TOML or JSON, with a section [outline]; `-` is standard input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
     /// Write to a file, which is replaced only when all went well
@@ -140,6 +185,20 @@ pub enum List {
 
 /// Shorter steps only fill the memory; longer ones see nothing.
 const STEP_S: std::ops::RangeInclusive<f64> = 0.001..=100_000.0;
+
+/// Names of the formats.
+pub fn formats() -> String {
+    Format::ALL.map(Format::name).join(", ")
+}
+
+fn format(text: &str) -> Result<Format, String> {
+    Format::named(text).ok_or_else(|| format!("must be one of {}", formats()))
+}
+
+fn export_help() -> String {
+    let lines = Format::ALL.map(|f| format!("  {:<6}{}\n", f.name(), f.help()));
+    format!("Formats:\n{}\n{EXAMPLES}", lines.concat())
+}
 
 fn step(text: &str) -> Result<f64, String> {
     let value = parse_number(text, Dimension::Time, canonical(Dimension::Time))

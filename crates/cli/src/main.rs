@@ -2,7 +2,9 @@
 
 mod aero;
 mod args;
+mod export;
 mod failure;
+mod outline;
 mod output;
 mod quantities;
 mod read;
@@ -27,8 +29,10 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly),
         Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
+        Command::Outline(arguments) => outline::outline(&arguments),
         Command::Schema(arguments) => quantities::schema(&arguments),
         Command::Quantities(arguments) => quantities::quantities(&arguments),
     };

@@ -5,21 +5,22 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes `text` to the file, or to standard output when there is none.
-pub fn write(text: &str, path: Option<&Path>) -> Result<(), Failure> {
+/// Writes text or bytes to the file, or to standard output when there is none.
+pub fn write(content: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
+    let content = content.as_ref();
     match path {
         None => {
             let mut out = io::stdout().lock();
-            out.write_all(text.as_bytes())
+            out.write_all(content)
                 .and_then(|()| out.flush())
                 .map_err(|error| Failure::writing(&error))
         }
-        Some(path) => replace(path, text)
+        Some(path) => replace(path, content)
             .map_err(|error| Failure::input(format!("cannot write {}: {error}", path.display()))),
     }
 }
 
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
     let there = fs::metadata(path).ok();
     if there
         .as_ref()
@@ -29,7 +30,7 @@ fn replace(path: &Path, text: &str) -> io::Result<()> {
         return OpenOptions::new()
             .write(true)
             .open(path)?
-            .write_all(text.as_bytes());
+            .write_all(content);
     }
     if there.as_ref().is_some_and(fs::Metadata::is_dir) {
         return Err(io::Error::other("it is a folder"));
@@ -41,7 +42,7 @@ fn replace(path: &Path, text: &str) -> io::Result<()> {
         if let Some(there) = there {
             file.set_permissions(there.permissions())?;
         }
-        file.write_all(text.as_bytes())?;
+        file.write_all(content)?;
         file.sync_all()
     });
     let done = written.and_then(|()| fs::rename(&beside, &path));

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use msape::case::Value;
 use msape::planet::atmosphere::csv::{self, Kind};
+use msape::vehicle::body::import::{self, LengthUnit};
 use msape::{Case, InputError};
 use std::fs::File;
 use std::io::{self, Read};
@@ -21,15 +22,17 @@ pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Fai
     };
     let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;
     let mut faults = Vec::new();
-    let mut here = folder(path);
+    let [mut air_here, mut outline_here] = [folder(path); 2];
     for setting in settings {
         match setting.split_once('=') {
             Some(("name", name)) => case.name = name.to_string(),
             Some((key, value)) if !key.trim().is_empty() => {
                 case.set(key.trim(), value);
-                if key.trim() == "atmosphere.file" {
-                    // Named on the command line, a file is looked for from where the command is given.
-                    here = Path::new("");
+                // Named on the command line, a file is looked for from where the command is given.
+                match key.trim() {
+                    "atmosphere.file" => air_here = Path::new(""),
+                    "outline.file" => outline_here = Path::new(""),
+                    _ => {}
                 }
             }
             _ => faults.push(format!("--set {setting}: must be KEY=VALUE")),
@@ -38,7 +41,8 @@ pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Fai
     if case.name.is_empty() {
         case.name = title(path);
     }
-    resolve_atmosphere(&mut case, here, &mut faults);
+    resolve_atmosphere(&mut case, air_here, &mut faults);
+    resolve_outline(&mut case, outline_here, &mut faults);
     resolve_aerodynamics(&mut case, folder(path), &mut faults);
     Ok((case, faults))
 }
@@ -129,6 +133,51 @@ fn resolve_atmosphere(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
             found
                 .iter()
                 .map(|fault| format!("atmosphere.file: {}: {fault}", path.display())),
+        ),
+    }
+}
+
+/// Puts the points of the file that `outline.file` names in its place.
+fn resolve_outline(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
+    let Some(Value::Text(name)) = case.values.get("outline.file").cloned() else {
+        return;
+    };
+    case.values.remove("outline.file");
+    let unit = match case.values.remove("outline.file_unit") {
+        Some(Value::Text(symbol)) => match LengthUnit::of(&symbol) {
+            Some(unit) => Some(unit),
+            None => {
+                faults.push(format!(
+                    "outline.file_unit: got \"{symbol}\", must be one of m, cm, mm, in, ft"
+                ));
+                return;
+            }
+        },
+        _ => None,
+    };
+    if case.values.contains_key("outline.points") {
+        let message = "outline.file: there are outline.points as well; give one of them";
+        faults.push(message.to_string());
+        return;
+    }
+    let path = here.join(&name);
+    let rows = match text(&path) {
+        Ok(text) => import::read(&name, &text, unit),
+        Err(Failure::Input(messages)) => {
+            faults.extend(messages.iter().map(|m| format!("outline.file: {m}")));
+            return;
+        }
+        Err(_) => return,
+    };
+    match rows {
+        Ok(rows) => {
+            case.values
+                .insert("outline.points".to_string(), Value::Rows(rows));
+        }
+        Err(found) => faults.extend(
+            found
+                .iter()
+                .map(|fault| format!("outline.file: {}: {fault}", path.display())),
         ),
     }
 }

@@ -58,6 +58,15 @@ fn text(arguments: &Run, job: Job, case: &Case, answer: &Answer) -> Result<Strin
                 answer.outcome.name()
             ))
         }),
+        Form {
+            mass_tree: true, ..
+        } => match &answer.design {
+            Some(design) => Ok(table::mass_tree(&design.vehicle).to_csv()),
+            None => Err(Failure::input(format!(
+                "--mass-tree: there is no designed vehicle; the case is {}",
+                answer.outcome.name()
+            ))),
+        },
         _ => Ok(show::answer(answer, job, arguments.output.is_some())),
     }
 }

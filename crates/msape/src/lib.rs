@@ -58,6 +58,7 @@ pub mod answer;
 pub mod benchmark;
 pub mod case;
 pub mod design;
+pub mod export;
 pub mod finding;
 pub mod flight;
 pub mod heating;

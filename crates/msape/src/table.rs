@@ -2,11 +2,13 @@
 //!
 //! - [`results`]: one row for each design, inputs then outputs.
 //! - [`history`]: one row for each time of a trajectory.
+//! - [`mass_tree`]: one row for each component of a vehicle.
 //! - [`kml`]: a trajectory for viewers of the globe.
 
 mod csv;
 mod input;
 pub mod kml;
+mod mass_tree;
 pub mod number;
 
 use crate::answer::Answer;
@@ -15,6 +17,8 @@ use crate::flight::Trajectory;
 use crate::quantity::{Input, Job, Output, inputs, outputs};
 use crate::units::Unit;
 use number::shortest;
+
+pub use mass_tree::mass_tree;
 
 /// Names and units of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

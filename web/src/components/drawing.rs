@@ -1,9 +1,9 @@
 //! The vehicle's section, to scale: components, dimensions, centre of gravity.
 
 use crate::components::mass_tree::{Detail, Legend};
+use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
 use crate::drawing::{Section, class, scale_bar_mm, section};
-use crate::state::State;
 use leptos::prelude::*;
 use msape::quantity::output;
 use msape::units::{Dimension, Unit, canonical};
@@ -29,71 +29,76 @@ const LAYERS: [(Layer, &str); 6] = [
     (Layer::CentreOfGravity, "CG"),
 ];
 
-fn layer_of(kind: ComponentKind) -> Layer {
-    match kind {
-        ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::AftbodyTps => {
-            Layer::HeatShield
+impl Layer {
+    /// The components of a layer.
+    fn kinds(self) -> &'static [ComponentKind] {
+        match self {
+            Layer::HeatShield => &[
+                ComponentKind::ForebodyTps,
+                ComponentKind::Bond,
+                ComponentKind::AftbodyTps,
+            ],
+            Layer::Structure => &[
+                ComponentKind::ForebodyCarrier,
+                ComponentKind::AftbodyCarrier,
+                ComponentKind::PrimaryStructure,
+                ComponentKind::ImpactShell,
+            ],
+            Layer::Foam => &[
+                ComponentKind::WingInsulation,
+                ComponentKind::ImpactFoam,
+                ComponentKind::BodyFoam,
+                ComponentKind::LidInsulation,
+            ],
+            Layer::Payload => &[ComponentKind::Payload],
+            Layer::Dimensions | Layer::CentreOfGravity => &[],
         }
-        ComponentKind::ForebodyCarrier
-        | ComponentKind::AftbodyCarrier
-        | ComponentKind::PrimaryStructure
-        | ComponentKind::ImpactShell => Layer::Structure,
-        ComponentKind::WingInsulation
-        | ComponentKind::ImpactFoam
-        | ComponentKind::BodyFoam
-        | ComponentKind::LidInsulation => Layer::Foam,
-        ComponentKind::Payload => Layer::Payload,
     }
 }
 
 /// The drawing with its legend and the detail of the chosen component.
 #[component]
 pub fn Drawing() -> impl IntoView {
-    let state = State::expect();
-    let vehicle =
-        state.of_answer(|answer| answer.design.as_ref().map(|design| design.vehicle.clone()));
-    let has_vehicle = Memo::new(move |_| vehicle.with(|vehicle| matches!(vehicle, Some(Some(_)))));
-    // A design that does not close leaves the last vehicle in view.
-    let vehicle = Memo::new(move |before: Option<&Option<Vehicle>>| {
-        vehicle
-            .get()
-            .flatten()
-            .or_else(|| before.cloned().flatten())
-    });
+    let view = VehicleView::expect();
     let hidden = RwSignal::new(Vec::<Layer>::new());
-    let lit = RwSignal::new(None::<ComponentKind>);
-    let chosen = RwSignal::new(None::<ComponentKind>);
-    let units = Memo::new(move |_| state.document.with(|document| document.units));
-    let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
+    let shows = move |layer: Layer| match layer.kinds() {
+        [] => hidden.with(|hidden| !hidden.contains(&layer)),
+        kinds => kinds.iter().any(|kind| view.shows(*kind)),
+    };
+    let toggle = move |layer: Layer| {
+        let is_shown = untrack(|| shows(layer));
+        match layer.kinds() {
+            [] => hidden.update(|hidden| match is_shown {
+                true => hidden.push(layer),
+                false => hidden.retain(|other| *other != layer),
+            }),
+            kinds => view.hidden.update(|hidden| {
+                hidden.retain(|kind| !kinds.contains(kind));
+                if is_shown {
+                    hidden.extend_from_slice(kinds);
+                }
+            }),
+        }
+    };
     let drawing = move || {
-        vehicle.with(|vehicle| {
+        view.vehicle.with(|vehicle| {
             let vehicle = vehicle.as_ref()?;
             let section = section(vehicle);
-            Some(sheet(vehicle, &section, units.get(), hidden, lit, chosen).into_any())
+            Some(sheet(vehicle, &section, view, hidden).into_any())
         })
     };
     view! {
-        <Show when=move || vehicle.with(Option::is_some) fallback=|| view! {
-            <p class="quiet">"There is no vehicle to draw yet."</p>
-        }>
-            <p class="reason" hidden=move || has_vehicle.get()>"This is the last vehicle that closed; there is none for the present inputs."</p>
-            <div class="vehicle" class:old=move || !has_vehicle.get()>
-                <div class="tools" role="group" aria-label="Layers of the drawing">
-                    {LAYERS.into_iter().map(|(layer, name)| view! {
-                        <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
-                            on:click=move |_| hidden.update(|hidden| {
-                                match hidden.iter().position(|other| *other == layer) {
-                                    Some(place) => drop(hidden.remove(place)),
-                                    None => hidden.push(layer),
-                                }
-                            })>{name}</button>
-                    }).collect_view()}
-                </div>
-                {drawing}
-                <Legend vehicle lit chosen />
-                <Detail vehicle chosen units />
+        <div class="vehicle">
+            <div class="tools" role="group" aria-label="Layers of the drawing">
+                {LAYERS.into_iter().map(|(layer, name)| view! {
+                    <button type="button" class="small" aria-pressed=move || shows(layer).to_string()
+                        on:click=move |_| toggle(layer)>{name}</button>
+                }).collect_view()}
             </div>
-        </Show>
+            {drawing}
+            <Legend />
+            <Detail />
+        </div>
     }
 }
 
@@ -101,16 +106,17 @@ pub fn Drawing() -> impl IntoView {
 fn sheet(
     vehicle: &Vehicle,
     section: &Section,
-    units: UnitSystem,
+    view: VehicleView,
     hidden: RwSignal<Vec<Layer>>,
-    lit: RwSignal<Option<ComponentKind>>,
-    chosen: RwSignal<Option<ComponentKind>>,
-) -> impl IntoView {
+) -> impl IntoView + use<> {
+    let (lit, chosen, units) = (view.lit, view.chosen, view.units.get());
     let d = vehicle.dimensions;
     let r = section.radius_mm;
     let (left, right) = (-1.26 * r, 1.62 * r);
-    let (top, bottom) = (section.top_mm - 0.14 * r, section.bottom_mm + 0.54 * r);
     let font = 0.084 * r;
+    let lid_label_mm = lid_label_mm(section, font);
+    let top = (section.top_mm - 0.14 * r).min(lid_label_mm - 1.3 * font);
+    let bottom = section.bottom_mm + 0.54 * r;
     let shows = move |layer: Layer| hidden.with(|hidden| !hidden.contains(&layer));
     let description = describe(&d, units);
     let parts = section.parts.iter().enumerate().map(|(i, part)| {
@@ -121,11 +127,11 @@ fn sheet(
         let is_lit = move || lit.get() == Some(kind) || chosen.get() == Some(kind);
         let dim = move || lit.get().is_some_and(|other| other != kind);
         view! {
-            <g class:gone=move || !shows(layer_of(kind)) style:display=move || if shows(layer_of(kind)) { "" } else { "none" }>
+            <g style:display=move || if view.shows(kind) { "" } else { "none" }>
                 <path d=fill class=format!("part {}", class(kind)) class:dim=dim
                     on:pointerenter=move |_| lit.set(Some(kind))
                     on:pointerleave=move |_| lit.set(None)
-                    on:click=move |_| chosen.update(|chosen| *chosen = if *chosen == Some(kind) { None } else { Some(kind) })>
+                    on:click=move |_| view.choose(kind)>
                 </path>
                 <path d=edges class="edge" class:lit=is_lit></path>
                 {anchor.map(|(ax, ay)| view! { <path class="leader" d=format!("M{ax:.2} {ay:.2}L{x:.2} {y:.2}")></path> })}
@@ -142,6 +148,9 @@ fn sheet(
             <path class="outline" d=section.outline.clone()></path>
             <g style:display=move || if shows(Layer::Dimensions) { "" } else { "none" } font-size=font>
                 {dimension_lines(&d, section, units, left, font)}
+                {angles(vehicle, section, left, font)}
+                {lid(&d, section, units, left, font)}
+                <text x=right - 0.3 * font y=bottom - 0.6 * font text-anchor="end">{cg_label(&d, units)}</text>
                 {scale_bar(section, units, left, bottom, font)}
             </g>
             <g style:display=move || if shows(Layer::CentreOfGravity) { "" } else { "none" } font-size=font>
@@ -180,8 +189,20 @@ fn length_unit(units: UnitSystem) -> &'static Unit {
 }
 
 fn describe(d: &Dimensions, units: UnitSystem) -> String {
+    let dimensions = dimensions(d, units);
+    let mut letters = dimensions.chars();
+    let first = letters.next().map(|first| first.to_lowercase().to_string());
     format!(
-        "Section of the vehicle: diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
+        "Section of the vehicle: {}{}",
+        first.unwrap_or_default(),
+        letters.as_str()
+    )
+}
+
+/// The main dimensions in a sentence.
+pub fn dimensions(d: &Dimensions, units: UnitSystem) -> String {
+    format!(
+        "Diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
         length(d.diameter_m, units),
         length(d.vehicle_height_m, units),
         length(d.nose_radius_m, units),
@@ -222,6 +243,74 @@ fn dimension_lines(
             <text x=left + 0.02 * r y=shoulder_y - 0.26 * r - 1.2 * font text-anchor="start">"shoulder"</text>
             <text x=left + 0.02 * r y=shoulder_y - 0.26 * r text-anchor="start">{format!("R {}", length(d.shoulder_radius_m, units))}</text>
         </g>
+    }
+}
+
+/// Height of the lid's dimension: above the lid, or above the shoulder's dimension where that stands higher.
+fn lid_label_mm(section: &Section, font: f64) -> f64 {
+    let shoulder = section.shoulder_mm - 0.26 * section.radius_mm - 2.6 * font;
+    section.top_mm.min(shoulder)
+}
+
+fn cg_label(d: &Dimensions, units: UnitSystem) -> String {
+    format!(
+        "CG {} from nose, {} ⌀ from apex",
+        length(d.cg_from_nose_m, units),
+        number(d.cg_over_diameter, 3)
+    )
+}
+
+/// The cone's half-angle on the left, the wing's slope on the right.
+fn angles(vehicle: &Vehicle, section: &Section, left: f64, font: f64) -> impl IntoView + use<> {
+    let r = section.radius_mm;
+    let outline = &vehicle.layout.outline;
+    let on_screen = |x_m: f64, r_m: f64| (r_m * 1e3, -x_m * 1e3);
+    let (fore, aft) = (
+        outline.forebody.shoulder_tangent(0.0),
+        outline.forebody.nose_tangent(0.0),
+    );
+    let cone = on_screen(
+        0.4 * aft.x_m + 0.6 * fore.x_m,
+        -(0.4 * aft.r_m + 0.6 * fore.r_m),
+    );
+    let cone_text = (cone.0 - 0.1 * r, cone.1 + 0.17 * r);
+    let tip = outline.on_tip_line(outline.forebody.shoulder_radius_m);
+    let edge_r_m = outline.annulus_outer_r_m(0.0);
+    let wing = on_screen(
+        0.5 * (tip.x_m + outline.attached_structure_x_m),
+        0.5 * (tip.r_m + edge_r_m),
+    );
+    let wing_text = (1.12 * r, wing.1.min(section.shoulder_mm) - 0.24 * r);
+    let deg = |angle_rad: f64| {
+        let tenths = (10.0 * angle_rad.to_degrees()).round() / 10.0;
+        format!("{tenths} deg")
+    };
+    view! {
+        <path class="leader" d=format!("M{:.2} {:.2}L{:.2} {:.2}", cone.0, cone.1, cone_text.0, cone_text.1 - 0.5 * font)></path>
+        <text x=(cone_text.0 + 0.1 * r).max(left + 4.5 * font) y=cone_text.1 + 0.4 * font text-anchor="end">
+            {format!("cone {}", deg(outline.forebody.cone_half_angle_rad))}
+        </text>
+        <path class="leader" d=format!("M{:.2} {:.2}L{:.2} {:.2}", wing.0, wing.1, wing_text.0 - 2.0 * font, wing_text.1 + 0.3 * font)></path>
+        <text x=wing_text.0 y=wing_text.1 text-anchor="end">{format!("wing {}", deg(outline.wing_slope_rad))}</text>
+    }
+}
+
+/// The lid's radius on its left.
+fn lid(
+    d: &Dimensions,
+    section: &Section,
+    units: UnitSystem,
+    left: f64,
+    font: f64,
+) -> impl IntoView + use<> {
+    let lid_r = d.lid_radius_m * 1e3;
+    // On the lid, 35 deg off the axis.
+    let (x, y) = (-0.574 * lid_r, section.top_mm + (1.0 - 0.819) * lid_r);
+    let label = lid_label_mm(section, font);
+    let text_x = left + 0.02 * section.radius_mm;
+    view! {
+        <path class="leader" d=format!("M{x:.2} {y:.2}L{:.2} {:.2}", text_x + 7.0 * font, label - 0.3 * font)></path>
+        <text x=text_x y=label text-anchor="start">{format!("lid R {}", length(d.lid_radius_m, units))}</text>
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::state::State;
 use crate::state::check::Check;
 use leptos::prelude::*;
+use msape::Outcome;
 use msape::quantity::input::{Input, Kind, Preset};
 use msape::units::canonical;
 
@@ -17,14 +18,18 @@ pub enum Standing {
     Adjusted,
     /// Outside its usual range.
     Unusual,
+    /// One of those between which something does not fit.
+    Unfit,
     /// At fault.
     Fault,
 }
 
 impl Standing {
-    fn new(check: &Check, adjusted: bool) -> Standing {
+    fn new(check: &Check, adjusted: bool, unfit: bool) -> Standing {
         if !check.faults.is_empty() {
             Standing::Fault
+        } else if unfit {
+            Standing::Unfit
         } else if adjusted {
             Standing::Adjusted
         } else if !check.remarks.is_empty() {
@@ -42,6 +47,7 @@ impl Standing {
             Standing::Changed => "changed",
             Standing::Adjusted => "adjusted",
             Standing::Unusual => "unusual",
+            Standing::Unfit => "does not fit",
             Standing::Fault => "at fault",
         }
     }
@@ -52,7 +58,7 @@ impl Standing {
             Standing::Changed => "standing standing-changed",
             Standing::Adjusted => "standing standing-adjusted",
             Standing::Unusual => "standing standing-unusual",
-            Standing::Fault => "standing standing-fault",
+            Standing::Unfit | Standing::Fault => "standing standing-fault",
         }
     }
 }
@@ -85,9 +91,18 @@ pub fn Field(
         let of_key = answer.adjustments.iter().find(|a| a.key == input.key);
         of_key.map(|a| (a.to, a.reason.clone()))
     });
+    let unfit = state.of_answer(move |answer| {
+        let told = answer.findings.iter().filter(|finding| {
+            answer.outcome == Outcome::NotClosed && finding.field.as_deref() == Some(input.key)
+        });
+        let messages: Vec<String> = told.map(|finding| finding.message.clone()).collect();
+        messages.join(" ")
+    });
+    let unfit = Memo::new(move |_| unfit.get().unwrap_or_default());
     let standing = Memo::new(move |_| {
         let adjusted = adjustment.with(|a| a.as_ref().is_some_and(Option::is_some));
-        check.with(|check| Standing::new(check, adjusted))
+        let unfit = unfit.with(|unfit| !unfit.is_empty());
+        check.with(|check| Standing::new(check, adjusted, unfit))
     });
     let remark = move || {
         let used = adjustment.get().flatten().map(|(to, reason)| {
@@ -107,7 +122,7 @@ pub fn Field(
         Memo::new(move |_| check.with(|check| check.changed) && input.preset != Preset::Absent);
 
     view! {
-        <div class="field" class:field-fault=move || standing.get() == Standing::Fault data-key=input.key>
+        <div class="field" class:field-fault=move || matches!(standing.get(), Standing::Fault | Standing::Unfit) data-key=input.key>
             <div class="field-head">
                 <label for=id.clone()>{caption}</label>
                 <span class=move || standing.get().class() id=format!("{id}-state")>
@@ -139,6 +154,7 @@ pub fn Field(
             <p class="field-remark">{remark}</p>
             <p class="field-error" id=format!("{id}-fault")>
                 {move || check.with(|check| check.faults.join(" "))}
+                {unfit}
             </p>
             <div class="field-help" id=help_id hidden=move || !help_open.get()>
                 <p>{input.help}</p>

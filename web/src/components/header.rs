@@ -1,9 +1,11 @@
 //! The frame's head: name, undo, units, depth, theme, share.
 
+use crate::app::Page;
 use crate::components::runs::Saved;
 use crate::components::segments::Segments;
 use crate::components::share::Share;
 use crate::display::UnitSystem;
+use crate::pages::library;
 use crate::state::State;
 use crate::state::document::Document;
 use crate::state::preferences::ThemeChoice;
@@ -11,7 +13,7 @@ use leptos::prelude::*;
 
 /// The header.
 #[component]
-pub fn Header() -> impl IntoView {
+pub fn Header(page: Memo<Page>) -> impl IntoView {
     let state = State::expect();
     let name = move || state.case.with(|case| case.name.clone());
     view! {
@@ -20,6 +22,11 @@ pub fn Header() -> impl IntoView {
                 <h1>"M-SAPE"</h1>
                 <span class="subtitle">"planetary entry vehicles"</span>
             </div>
+            <nav class="pages" aria-label="Pages">
+                {[("#/design", "Design", Page::Design), (library::ADDRESS, "Library", Page::Library)].into_iter().map(|(address, name, this)| view! {
+                    <a href=address aria-current=move || (page.get() == this).then_some("page")>{name}</a>
+                }).collect_view()}
+            </nav>
             <div class="document">
                 <label class="hidden-visually" for="case-name">"Name of the case"</label>
                 <input id="case-name" class="name" type="text" autocomplete="off" spellcheck="false" prop:value=name

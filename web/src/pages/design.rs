@@ -3,7 +3,6 @@
 use crate::charts::{ChartSpec, REPORT_PLOTS, Span};
 use crate::components::chart_panel::ChartPanel;
 use crate::components::coupling::Coupling;
-use crate::components::drawing::Drawing;
 use crate::components::export::Export;
 use crate::components::form::Form;
 use crate::components::headline::{Headline, Strip};
@@ -12,6 +11,7 @@ use crate::components::open::{Open, StartFrom};
 use crate::components::results::Results;
 use crate::components::runs::Runs;
 use crate::components::segments::Segments;
+use crate::components::vehicle::VehicleCard;
 use crate::state::{Phase, State};
 use leptos::prelude::*;
 
@@ -37,12 +37,7 @@ pub fn Design() -> impl IntoView {
                 <Form />
             </section>
             <div class="column-main">
-                <section class="card panel-vehicle" aria-labelledby="vehicle-title">
-                    <h2 id="vehicle-title">"Vehicle"</h2>
-                    <div class:stale-figure=stale>
-                        <Drawing />
-                    </div>
-                </section>
+                <VehicleCard />
                 <section class="card" aria-labelledby="flight-title">
                     <header>
                         <h2 id="flight-title">"Flight"</h2>

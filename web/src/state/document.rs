@@ -17,7 +17,12 @@ pub struct Document {
     pub unit_of: Arc<BTreeMap<String, String>>,
     /// Named runs, by identifier.
     pub runs: Arc<BTreeMap<String, Run>>,
+    /// Outlines that were imported, by name.
+    pub outlines: Arc<BTreeMap<String, Rows>>,
 }
+
+/// Rows of `outline.points`.
+pub type Rows = Vec<Vec<f64>>;
 
 /// A run kept by name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,6 +45,7 @@ impl Document {
             units: UnitSystem::Report,
             unit_of: Arc::default(),
             runs: Arc::default(),
+            outlines: Arc::default(),
         }
     }
 
@@ -61,6 +67,17 @@ impl Document {
         change(&mut runs);
         Document {
             runs: Arc::new(runs),
+            ..self.clone()
+        }
+    }
+
+    /// The same with the imported outlines changed.
+    #[must_use]
+    pub fn with_outlines(&self, change: impl FnOnce(&mut BTreeMap<String, Rows>)) -> Document {
+        let mut outlines = (*self.outlines).clone();
+        change(&mut outlines);
+        Document {
+            outlines: Arc::new(outlines),
             ..self.clone()
         }
     }

@@ -37,6 +37,8 @@ pub struct Preferences {
     pub theme: RwSignal<ThemeChoice>,
     /// Whether the theme now is dark.
     pub dark: Memo<bool>,
+    /// Tab of the vehicle's card.
+    pub vehicle_tab: RwSignal<&'static str>,
 }
 
 const EXPERT: &str = "msape-expert";
@@ -69,6 +71,7 @@ impl Preferences {
             expert,
             theme,
             dark,
+            vehicle_tab: RwSignal::new("section"),
         }
     }
 }

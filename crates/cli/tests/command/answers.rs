@@ -223,3 +223,54 @@ fn validation_judges_and_tells_by_its_exit_code() {
         "{table}"
     );
 }
+
+#[test]
+fn an_outline_file_is_found_beside_the_case_and_flies_like_its_points() {
+    let here = folder("outline");
+    let case = "schema = \"msape/1\"\n[entry]\naltitude_m = 125000.0\nlatitude_deg = 0.0\nlongitude_deg = 0.0\n\
+                speed_m_s = 11000.0\nflight_path_angle_deg = -10.0\nazimuth_deg = 90.0\n\
+                [vehicle]\nmass_kg = 50.0\ndrag_coefficient = 1.5\nnose_radius_m = 0.2\n";
+    let with = |outline: &str| format!("{case}[outline]\n{outline}\n");
+    let file = here.join("case.toml");
+    fs::write(&file, with("file = \"cone.csv\"")).unwrap();
+    fs::write(
+        here.join("cone.csv"),
+        "x (mm);r (mm)\n0;0\n400;500\n400;0\n",
+    )
+    .unwrap();
+    let of_file = msape(&["fly", path(&file), "--json", "--set", "name=x"]);
+    assert_eq!((of_file.code, of_file.err.as_str()), (Some(0), ""));
+    let inline = with("points = [[0.0, 0.0], [0.4, 0.5], [0.4, 0.0]]");
+    let of_points = msape_with(
+        &["fly", "-", "--json", "--set", "name=x"],
+        inline.as_bytes(),
+    );
+    assert_eq!(of_file.out, of_points.out);
+    // 2 × 0.5 m across
+    let plain = format!("{case}diameter_m = 1.0\n");
+    let of_diameter = msape_with(&["fly", "-", "--json", "--set", "name=x"], plain.as_bytes());
+    assert_eq!(of_file.out, of_diameter.out);
+    for (bad, message) in [
+        (
+            "x (mm);r (mm)\n0;0\n400;500\n300;-10\n400;0\n",
+            "point 3 (x = 0.3 m, r = -0.01 m) is on the other side",
+        ),
+        (
+            "0;0\n400;500\n400;0\n",
+            "cone.csv: the file does not say its unit",
+        ),
+    ] {
+        fs::write(here.join("cone.csv"), bad).unwrap();
+        let refused = msape(&["fly", path(&file), "--json"]);
+        assert_eq!(refused.code, Some(2));
+        assert!(refused.err.contains(message), "{}", refused.err);
+    }
+    let unit = msape(&[
+        "fly",
+        path(&file),
+        "--json",
+        "--set",
+        "outline.file_unit=mm",
+    ]);
+    assert_eq!(unit.code, Some(0), "{}", unit.err);
+}

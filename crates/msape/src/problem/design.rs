@@ -6,7 +6,7 @@ use crate::case::Reader;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::tps::material::TpsMaterial;
-use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::impact::{CrushingMass, ImpactInput};
 use crate::vehicle::rules::WallPlace;
 use crate::vehicle::structure::{Carrier, Construction};
 use crate::vehicle::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
@@ -20,6 +20,37 @@ const FIRST_LOADS: Loads = Loads {
 };
 const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
+
+/// What would cross what where a dimension is outside its range.
+const CROSSINGS: [(&str, &str); 4] = [
+    (
+        "design.shoulder_radius_ratio",
+        "without a shoulder the layers of forebody and aftbody would cross at a sharp edge; beyond half the radius the shoulder would cross the nose",
+    ),
+    (
+        "design.nose_radius_ratio",
+        "at a sharp tip the layers of the heat shield would cross on the axis; a wider nose sphere would cross the shoulder",
+    ),
+    (
+        "design.payload_diameter_ratio",
+        "a wider payload would cross the outline of the vehicle",
+    ),
+    (
+        "design.cone_half_angle_deg",
+        "a sharper or blunter cone would cross the wing, whose aft side slopes 5 to 30 deg",
+    ),
+];
+
+/// Adds to faults of the geometry what would cross what.
+fn explain_crossings(reader: &mut Reader) {
+    for fault in &mut reader.faults {
+        if let Some((_, why)) = CROSSINGS.iter().find(|(key, _)| *key == fault.key)
+            && fault.message.contains("must be")
+        {
+            fault.message = format!("{}: {why}", fault.message);
+        }
+    }
+}
 
 /// Everything that determines a design.
 pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
@@ -36,6 +67,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
     let aft_name = aftbody_material(reader, library);
     let ground_name = choice(reader, "design.ground", &library.grounds);
+    let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
     let aero_name = choice(reader, "design.aerodynamics", &library.aerodynamics);
     let numbers = [
         "cone_half_angle_deg",
@@ -58,6 +90,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         iterations,
         relaxation,
     ] = numbers;
+    explain_crossings(reader);
     let mut densities = Densities::read(reader);
     let [
         diameter_m,
@@ -109,6 +142,11 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             crush_load_limit_earth_g: crush_limit?,
             stroke_efficiency: efficiency?,
             ground: named(&library.grounds, ground_name?)?.clone(),
+            foam: library.impact_foam.clone(),
+            crushing_mass: match crushing_mass? {
+                "impact-sphere" => CrushingMass::ImpactSphere,
+                _ => CrushingMass::Payload,
+            },
         },
         foam_grades: library.vehicle.foam.clone(),
         rules: library.vehicle.rules().ok()?,

@@ -143,7 +143,10 @@ fn of_dimensions(reader: &mut Reader) -> Option<RigidBody> {
         "outline.shoulder_radius_m",
     ]
     .map(|key| reader.required_number(key));
-    let aft = choice(reader, "outline.aft");
+    let aft = match reader.given("outline.aft") {
+        true => choice(reader, "outline.aft"),
+        false => Some("flat"),
+    };
     let shape = Shape {
         diameter_m: diameter_m?,
         nose_radius_m: nose_radius_m?,

@@ -3,6 +3,8 @@
 mod attitude;
 mod design;
 mod flight;
+mod landing;
+mod mass;
 
 use crate::answer::Answer;
 use crate::units::{Dimension, Unit, canonical};
@@ -139,12 +141,13 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: &[Output] = match job {
-        Job::Fly => &[],
-        Job::Design => design::OUTPUTS,
+    let of_design: [&[Output]; 3] = match job {
+        Job::Fly => [&[]; 3],
+        Job::Design => [design::OUTPUTS, mass::OUTPUTS, landing::OUTPUTS],
     };
     of_design
-        .iter()
+        .into_iter()
+        .flatten()
         .chain(flight::OUTPUTS)
         .chain(attitude::OUTPUTS)
 }

@@ -11,11 +11,9 @@ use crate::units::{canonical, parse_number};
 pub(super) fn belongs(input: &Input, job: Job) -> bool {
     let of_the_other: &[&str] = match job {
         Job::Fly => &["design."],
-        Job::Design => &["vehicle.", "attitude."],
+        Job::Design => &["vehicle.", "outline.", "attitude."],
     };
-    of_the_other
-        .iter()
-        .all(|section| !input.key.starts_with(section))
+    !of_the_other.iter().any(|part| input.key.starts_with(part))
 }
 
 /// The cell of an input; `None` when it is absent, is a table, or gives way to another input.

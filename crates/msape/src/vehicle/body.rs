@@ -14,6 +14,7 @@
 //! - \[samareh-2014\] section 3.1.4 (bodies of revolution about the virtual apex's axis).
 
 pub mod check;
+pub mod facts;
 pub mod import;
 pub mod points;
 pub mod preset;

@@ -100,6 +100,12 @@ pub fn close_from(
     let forebody = forebody(input, diameter_m);
     let rules = &input.rules;
     let payload_radius_m = input.payload_diameter_m() / 2.0;
+    if payload_radius_m >= forebody.diameter_m / 2.0 {
+        return Err(Misfit::PayloadWiderThanVehicle {
+            payload_radius_m,
+            vehicle_radius_m: forebody.diameter_m / 2.0,
+        });
+    }
     let foam_material = found_foam(input, foam);
     let mut structure = start.structure;
     let mut cg_x_m = start.cg_over_diameter * diameter_m;

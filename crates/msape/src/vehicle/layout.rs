@@ -91,8 +91,20 @@ pub struct Layout {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Misfit {
+    /// The payload is wider than the vehicle.
+    PayloadWiderThanVehicle {
+        /// Radius of the payload, m.
+        payload_radius_m: f64,
+        /// Radius of the vehicle, m.
+        vehicle_radius_m: f64,
+    },
     /// The nose sphere would end outside the shoulder.
-    NoseWiderThanShoulder,
+    NoseWiderThanShoulder {
+        /// Distance from the axis where the nose would touch the cone, m.
+        nose_r_m: f64,
+        /// Distance from the axis where the shoulder begins, m.
+        shoulder_r_m: f64,
+    },
     /// The lid and its annulus reach the shoulder.
     LidWiderThanShoulder {
         /// Outer radius of the annulus, m.
@@ -131,9 +143,18 @@ impl Misfit {
     pub fn reason(&self) -> String {
         let mm = |m: f64| m * 1000.0;
         match *self {
-            Self::NoseWiderThanShoulder => "the nose sphere reaches beyond the shoulder".to_owned(),
+            Self::PayloadWiderThanVehicle { payload_radius_m, vehicle_radius_m } => format!(
+                "the payload crosses the outline: it is {:.0} mm in radius, the vehicle {:.0} mm",
+                mm(payload_radius_m),
+                mm(vehicle_radius_m)
+            ),
+            Self::NoseWiderThanShoulder { nose_r_m, shoulder_r_m } => format!(
+                "the nose sphere crosses the shoulder: it would touch the cone {:.0} mm from the axis, where the shoulder begins at {:.0} mm",
+                mm(nose_r_m),
+                mm(shoulder_r_m)
+            ),
             Self::LidWiderThanShoulder { annulus_r_m, shoulder_r_m } => format!(
-                "payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's centre stands at {:.0} mm",
+                "the lid's annulus crosses the shoulder: payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's centre stands at {:.0} mm",
                 mm(annulus_r_m),
                 mm(shoulder_r_m)
             ),
@@ -146,15 +167,18 @@ impl Misfit {
                 "the wing's aft side stays steeper than allowed for every shoulder radius and foam thickness tried".to_owned()
             }
             Self::NoRoomForLayers { layers_m } => format!(
-                "the layers of forebody and aftbody, {:.0} mm together, do not fit between the outer surfaces",
+                "the layers of forebody and aftbody cross: {:.0} mm together, they do not fit between the outer surfaces",
                 mm(layers_m)
             ),
             Self::PayloadWiderThanLid { payload_radius_m } => format!(
-                "the payload, {:.0} mm in radius, is wider than the primary structure under the lid",
+                "the payload crosses the primary structure under the lid: it is {:.0} mm in radius",
                 mm(payload_radius_m)
             ),
             Self::NotConverged { move_m } => {
-                format!("masses and geometry did not settle: the centre of gravity still moves {:.3} mm", mm(move_m))
+                format!(
+                    "masses and geometry did not settle: the lid about the centre of gravity and the foam that raises the payload to it move it on by {:.3} mm a turn",
+                    mm(move_m)
+                )
             }
         }
     }
@@ -232,8 +256,15 @@ impl Frame<'_> {
     /// Finishes a layout: the slope of the wing, and whether the layers fit everywhere.
     pub fn outline(&self, lid: Lid, shoulder_radius_m: f64) -> Result<Outline, Misfit> {
         let forebody = self.with_shoulder(shoulder_radius_m);
-        if forebody.nose_tangent(0.0).r_m >= forebody.shoulder_tangent(0.0).r_m {
-            return Err(Misfit::NoseWiderThanShoulder);
+        let (nose, shoulder) = (
+            forebody.nose_tangent(0.0).r_m,
+            forebody.shoulder_tangent(0.0).r_m,
+        );
+        if nose >= shoulder {
+            return Err(Misfit::NoseWiderThanShoulder {
+                nose_r_m: nose,
+                shoulder_r_m: shoulder,
+            });
         }
         let edge = lid.edge(self.rules.annulus_width_m);
         let too_wide = Misfit::LidWiderThanShoulder {

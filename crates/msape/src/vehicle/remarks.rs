@@ -3,7 +3,7 @@
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::vehicle::close::Closed;
 use crate::vehicle::impact::Impact;
-use crate::vehicle::input::VehicleInput;
+use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::Layout;
 use crate::vehicle::rules::FoamGrade;
 
@@ -83,6 +83,7 @@ pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<F
             field: Some("design.crush_load_limit_earth_g".to_owned()),
         });
     }
+    list.extend(narrow_gap(input, &closed.layout));
     let payload_x_m = closed.layout.payload_x_m;
     if closed.mass.cg_x_m > payload_x_m {
         list.push(Finding {
@@ -97,6 +98,28 @@ pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<F
         });
     }
     list
+}
+
+/// A lid that stands nearer to the impact sphere than the rules have it where there is room.
+fn narrow_gap(input: &VehicleInput, layout: &Layout) -> Option<Finding> {
+    let rules = &input.rules;
+    let wanted_m = rules.body_foam_gap_m + rules.lid_insulation_gap_m;
+    let gap_m = layout.body_foam_thickness_m + layout.lid_insulation_thickness_m;
+    let narrowed = input.concept == Concept::Msr && gap_m < wanted_m - ROUNDING_M;
+    narrowed.then(|| Finding {
+        severity: Severity::Note,
+        model: "vehicle geometry".to_owned(),
+        key: "lid_gap_m".to_owned(),
+        value: Some(gap_m),
+        valid: (Some(wanted_m), None),
+        message: format!(
+            "Body foam and lid insulation over the impact sphere are {:.1} mm together and not the {:.1} mm of Table 9: a wider lid would make the wing's aft side steeper than allowed.",
+            gap_m * 1000.0,
+            wanted_m * 1000.0
+        ),
+        source: "NASA/TM-2014-218507, section 3.1.2 and Table 9".to_owned(),
+        field: None,
+    })
 }
 
 /// Compressive strength of a foam of this density between the grades, Pa; `None` outside them.

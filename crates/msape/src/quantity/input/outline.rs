@@ -1,6 +1,6 @@
 //! Inputs of an outline that is flown, or exported, as it is.
 
-use super::{Choices, Column, Group, Input, Kind, Preset, Range};
+use super::{Choices, Column, Group, Input, Kind, Range};
 use crate::units::Dimension;
 
 const CONVENTION: &str = "convention of this program";
@@ -27,8 +27,7 @@ pub(super) const INPUTS: &[Input] = &[
         Group::Vehicle,
         Kind::Choice(Choices::Fixed(&[("flat", "Flat disc"), ("mmeev", "Face of 15 deg and spherical lid")])),
     )
-    .preset(Preset::Name("flat"))
-    .help("What is behind the half-torus shoulder of a sphere-cone.", CONVENTION),
+    .help("What is behind the half-torus shoulder of a sphere-cone; flat when absent.", CONVENTION),
     Input::new(
         "outline.points",
         "Outline Points",

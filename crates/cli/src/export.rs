@@ -1,0 +1,71 @@
+//! `export`.
+
+use crate::args::{Export, formats};
+use crate::failure::Failure;
+use crate::{Done, output, read};
+use msape::export::{Format, Info, Model};
+use msape::{Case, InputError, Library, Request, problem};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Designs a case, or takes its outline, and writes it in a format of CAD, mesh or drawing.
+pub fn export(arguments: &Export) -> Done {
+    let path = arguments.output.as_deref().filter(|p| *p != Path::new("-"));
+    let format = format(arguments, path)?;
+    if path.is_none() && !format.is_text() {
+        return Err(Failure::input(format!(
+            "--output: {} is not text; give the name of a file",
+            format.name()
+        )));
+    }
+    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let library = Library::builtin()?;
+    let model = match model(&case, &library) {
+        Ok(model) if faults.is_empty() => model?,
+        Ok(_) => return Err(Failure::Input(faults)),
+        Err(found) => {
+            faults.extend(found.iter().map(ToString::to_string));
+            return Err(Failure::Input(faults));
+        }
+    };
+    output::write(format.write(&model, &Info::default()), path)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The format asked for, or that of the file's name.
+fn format(arguments: &Export, path: Option<&Path>) -> Result<Format, Failure> {
+    if let Some(format) = arguments.format {
+        return Ok(match (format, path.and_then(ending)) {
+            // a name that ends in .glb asks for the binary kind
+            (Format::Gltf, Some(Format::Glb)) => Format::Glb,
+            (format, _) => format,
+        });
+    }
+    path.and_then(ending).ok_or_else(|| {
+        Failure::input(format!(
+            "--format: give one of {}, or a file name that ends so",
+            formats()
+        ))
+    })
+}
+
+fn ending(path: &Path) -> Option<Format> {
+    Format::named(path.extension()?.to_str()?)
+}
+
+/// What is exported: the faults of the case, or why there is no vehicle, or the model.
+fn model(case: &Case, library: &Library) -> Result<Result<Model, Failure>, Vec<InputError>> {
+    let designed = case.values.keys().any(|key| key.starts_with("design."));
+    if !designed && let Some(body) = problem::rigid_body(case, library)? {
+        return Ok(Ok(Model::of_body(&case.name, &body)));
+    }
+    let answer = msape::design(case, library, Request::Nothing)?;
+    Ok(match &answer.design {
+        Some(design) => Ok(Model::of_vehicle(&answer.name, &design.vehicle)),
+        None => Err(Failure::input(format!(
+            "there is no vehicle to export: the design is {}. {}",
+            answer.outcome.name(),
+            answer.reason.unwrap_or_default()
+        ))),
+    })
+}

@@ -1,0 +1,54 @@
+//! `outline`: facts of the outline of a case.
+
+use crate::args::Outline;
+use crate::failure::Failure;
+use crate::show::columns::{Align, Columns};
+use crate::{Done, output, read};
+use msape::table::number::rounded;
+use msape::{Library, problem};
+use std::process::ExitCode;
+
+/// Digits that are shown; JSON has all of them.
+const DIGITS: usize = 8;
+
+/// Prints the facts of the outline of a case.
+pub fn outline(arguments: &Outline) -> Done {
+    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let library = Library::builtin()?;
+    let found = match problem::rigid_body(&case, &library) {
+        Ok(found) => found,
+        Err(errors) => {
+            faults.extend(errors.iter().map(ToString::to_string));
+            None
+        }
+    };
+    let Some(body) = found.filter(|_| faults.is_empty()) else {
+        if faults.is_empty() {
+            faults.push(
+                "outline: missing; give [outline] a preset, dimensions, points or a file"
+                    .to_string(),
+            );
+        }
+        return Err(Failure::Input(faults));
+    };
+    let object =
+        serde_json::json!({ "name": body.name, "outline": body.facts(), "notes": body.notes });
+    let text = if arguments.json {
+        format!("{object:#}\n")
+    } else {
+        let mut table = Columns::new(&[Align::Left, Align::Right]);
+        if let Some(facts) = object["outline"].as_object() {
+            for (key, value) in facts.iter() {
+                let shown = value
+                    .as_f64()
+                    .map_or("-".to_string(), |x| rounded(x, DIGITS));
+                table.push(vec![key.clone(), shown]);
+            }
+        }
+        let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
+        let notes: String = body.notes.iter().map(|note| format!("{note}\n")).collect();
+        format!("{}\n{lines}{notes}", body.name)
+    };
+    output::write(&text, arguments.output.as_deref())?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,148 @@
+//! Largest heat flux along the outer surface of a design, as its heat shields are sized: for a map of the surface.
+//!
+//! ```text
+//! nose and cone   q̇ = q̇₀ f(r)     f of Lees along a sphere-cone, e = 0
+//! shoulder        q̇ = q̇ₛ          its largest value on all of the arc
+//! aftbody         q̇ = q̇ₐ
+//! ```
+//!
+//! with the heat flux of the stagnation point q̇₀, of the shoulder q̇ₛ and of the aftbody q̇ₐ with their margins in W/m², r the
+//! distance from the axis in m. The three models meet in steps, which are theirs and not the flow's.
+//!
+//! # Valid
+//! Zero angle of attack. As [`crate::heating::distribution`]: on cones steeper than about 55 degrees a lower bound. Radiative
+//! heating is spread as convective heating is.
+//!
+//! # References
+//! - \[lees-1956\]; \[samareh-2014\] sections 3.4.3 and 3.5.2.
+
+use crate::answer::Answer;
+use crate::heating::distribution::SphereCone;
+use crate::vehicle::forebody::Forebody;
+use crate::vehicle::segment::{Point, Segment};
+use numerics::math::hypot;
+
+/// How far off the shoulder's circle a point of it may lie, as a fraction of its radius.
+const ON_SHOULDER: f64 = 1e-6;
+
+/// Heat flux along the outer surface of a design.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceHeating {
+    /// The forebody that is heated.
+    pub forebody: Forebody,
+    /// Largest heat flux at the stagnation point, W/m².
+    pub stagnation_w_m2: f64,
+    /// Largest heat flux on the shoulder, W/m².
+    pub shoulder_w_m2: f64,
+    /// Largest heat flux on the aftbody, W/m².
+    pub aftbody_w_m2: f64,
+}
+
+/// A part of the outer surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Region {
+    /// Nose and cone.
+    Forebody,
+    /// Shoulder arc.
+    Shoulder,
+    /// Wing, annulus, lid.
+    Aftbody,
+}
+
+impl SurfaceHeating {
+    /// The heating of a design; `None` where nothing was flown or nothing closed.
+    pub fn of(answer: &Answer) -> Option<Self> {
+        let (design, flight) = (answer.design.as_ref()?, answer.flight.as_ref()?);
+        Some(Self {
+            forebody: design.vehicle.layout.outline.forebody,
+            stagnation_w_m2: flight.peak_total_margined_heat_flux_w_m2.value,
+            shoulder_w_m2: design.shoulder_heat_flux_w_m2,
+            aftbody_w_m2: design.aftbody_heat_flux_w_m2,
+        })
+    }
+
+    /// The largest of all, W/m².
+    pub fn largest_w_m2(&self) -> f64 {
+        self.stagnation_w_m2
+            .max(self.shoulder_w_m2)
+            .max(self.aftbody_w_m2)
+    }
+
+    /// The part of the surface on which a segment of the outer mould line lies.
+    pub fn region(&self, segment: &Segment) -> Region {
+        let center = self.forebody.shoulder_center();
+        let radius = self.forebody.shoulder_radius_m;
+        let (start, end) = (segment.start(), segment.end());
+        let on_shoulder = |p: Point| {
+            let off = hypot(p.x_m - center.x_m, p.r_m - center.r_m) - radius;
+            off.abs() <= ON_SHOULDER * radius
+        };
+        let is_arc = matches!(segment, Segment::Arc { .. });
+        if is_arc && on_shoulder(start) && on_shoulder(end) {
+            Region::Shoulder
+        } else if 0.5 * (start.x_m + end.x_m) < center.x_m {
+            Region::Forebody
+        } else {
+            Region::Aftbody
+        }
+    }
+
+    /// Heat flux at the distance `r_m` from the axis on a part of the surface, W/m².
+    pub fn heat_flux_w_m2(&self, region: Region, r_m: f64) -> f64 {
+        let body = SphereCone {
+            half_angle_rad: self.forebody.cone_half_angle_rad,
+            nose_radius_m: self.forebody.nose_radius_m,
+        };
+        match region {
+            Region::Forebody => self.stagnation_w_m2 * body.heat_flux_ratio(r_m, 0.0),
+            Region::Shoulder => self.shoulder_w_m2,
+            Region::Aftbody => self.aftbody_w_m2,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Case, Library, Request, design};
+
+    fn heated() -> (SurfaceHeating, Answer) {
+        let library = Library::builtin().unwrap();
+        let answer = design(&Case::run_page(), &library, Request::Nothing).unwrap();
+        (SurfaceHeating::of(&answer).unwrap(), answer)
+    }
+
+    #[test]
+    fn every_region_of_an_outline_is_met_from_the_nose_to_the_lid() {
+        let (heating, answer) = heated();
+        let outline = answer.design.unwrap().vehicle.outline;
+        let outside = outline.segments.iter().filter(|s| s.swept_area_m2() > 0.0);
+        let regions: Vec<Region> = outside.map(|s| heating.region(s)).collect();
+        let count = |region| regions.iter().filter(|r| **r == region).count();
+        // nose, cone; shoulder; wing, annulus, lid
+        assert_eq!(
+            [Region::Forebody, Region::Shoulder, Region::Aftbody].map(count),
+            [2, 1, 3],
+            "{regions:?}"
+        );
+        assert_eq!(regions.first(), Some(&Region::Forebody));
+        assert_eq!(regions.last(), Some(&Region::Aftbody));
+    }
+
+    #[test]
+    fn the_stagnation_point_has_its_own_heat_flux_and_the_cone_less() {
+        let (heating, answer) = heated();
+        let tip = heating.heat_flux_w_m2(Region::Forebody, 0.0);
+        assert_eq!(
+            tip,
+            answer
+                .flight
+                .unwrap()
+                .peak_total_margined_heat_flux_w_m2
+                .value
+        );
+        let r_m = 0.4 * heating.forebody.diameter_m;
+        assert!(heating.heat_flux_w_m2(Region::Forebody, r_m) < tip);
+        assert!(heating.largest_w_m2() >= tip);
+    }
+}

@@ -1,0 +1,83 @@
+//! Why a vehicle does not close, told at the inputs that mend it.
+
+use crate::finding::{Finding, Severity};
+use crate::vehicle::NotClosed;
+use crate::vehicle::input::{PayloadSize, VehicleInput};
+use crate::vehicle::layout::Misfit;
+
+/// Key of the input that gives the payload's size.
+fn payload_key(size: PayloadSize) -> &'static str {
+    match size {
+        PayloadSize::DensityKgM3(_) => "design.payload_density_kg_m3",
+        PayloadSize::DiameterM(_) => "design.payload_diameter_m",
+        PayloadSize::DiameterRatio(_) => "design.payload_diameter_ratio",
+    }
+}
+
+/// Keys of the inputs between which a misfit lies.
+fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
+    let payload = payload_key(input.payload_size);
+    match misfit {
+        Misfit::NoseWiderThanShoulder { .. } => {
+            vec!["design.nose_radius_ratio", "design.shoulder_radius_ratio"]
+        }
+        Misfit::PayloadWiderThanVehicle { .. }
+        | Misfit::LidWiderThanShoulder { .. }
+        | Misfit::WingTooShallow { .. }
+        | Misfit::PayloadWiderThanLid { .. } => vec!["design.diameter_m", payload],
+        Misfit::WingTooSteep => vec!["design.cone_half_angle_deg", payload],
+        Misfit::NoRoomForLayers { .. } => {
+            vec!["design.diameter_m", "design.shoulder_radius_ratio"]
+        }
+        Misfit::NotConverged { .. } => vec!["design.diameter_m"],
+    }
+}
+
+/// A finding for each input between which the misfit at the diameter asked for lies.
+pub fn findings(not_closed: &NotClosed, input: &VehicleInput) -> Vec<Finding> {
+    let Some(misfit) = &not_closed.at_input else {
+        return Vec::new();
+    };
+    let of_field = |field: &str| Finding {
+        severity: Severity::Exceeded,
+        model: "closing rules".to_owned(),
+        key: field.to_owned(),
+        value: None,
+        valid: (None, None),
+        message: format!("At {:.3} m {}.", input.diameter_m, misfit.reason()),
+        source: "NASA/TM-2014-218507, section 3.1.2".to_owned(),
+        field: Some(field.to_owned()),
+    };
+    fields(misfit, input).into_iter().map(of_field).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::quantity::input;
+    use crate::{Case, Library, Outcome, Request, design};
+
+    #[test]
+    fn a_payload_too_wide_is_told_at_its_own_field_and_at_the_diameter() {
+        let library = Library::builtin().unwrap();
+        let mut case = Case::run_page();
+        case.set("design.payload_diameter_ratio", "0.95");
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        assert_eq!(answer.outcome, Outcome::NotClosed, "{:?}", answer.reason);
+        let fields: Vec<&str> = answer
+            .findings
+            .iter()
+            .filter_map(|finding| finding.field.as_deref())
+            .collect();
+        assert_eq!(fields.len(), 2, "{fields:?}");
+        assert!(
+            fields.contains(&"design.payload_diameter_ratio"),
+            "{fields:?}"
+        );
+        assert!(fields.iter().all(|key| input::find(key).is_some()));
+        let said = &answer.findings[0].message;
+        assert!(
+            said.contains(" m the payload") || said.contains(" m payload"),
+            "{said}"
+        );
+    }
+}

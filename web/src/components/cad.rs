@@ -1,0 +1,73 @@
+//! The export menu: the files that the command line writes, from the same functions.
+
+use crate::components::chart_panel::save;
+use crate::files::{self, file_name};
+use crate::state::State;
+use leptos::ev::PointerEvent;
+use leptos::html::Details;
+use leptos::prelude::*;
+use msape::export::{Format, Info, Model};
+use wasm_bindgen::JsCast;
+
+/// A button that opens the list of formats.
+#[component]
+pub fn CadMenu(#[prop(into)] model: Signal<Option<Model>>) -> impl IntoView {
+    let state = State::expect();
+    let write = move |format: Format| match model.get_untracked() {
+        Some(model) => {
+            let bytes = format.write(&model, &Info::default());
+            let name = file_name(&model.name, format.name());
+            save(
+                state,
+                files::download_bytes(&name, format.media_type(), &bytes),
+            );
+        }
+        None => state
+            .notice
+            .set("There is no vehicle to export yet.".to_string()),
+    };
+    let menu = NodeRef::<Details>::new();
+    // A press elsewhere closes the menu.
+    let presses = window_event_listener(leptos::ev::pointerdown, move |event: PointerEvent| {
+        let Some(menu) = menu.get_untracked().filter(|menu| menu.open()) else {
+            return;
+        };
+        let target = event
+            .target()
+            .and_then(|target| target.dyn_into::<web_sys::Node>().ok());
+        if !menu.contains(target.as_ref()) {
+            menu.set_open(false);
+        }
+    });
+    on_cleanup(move || presses.remove());
+    view! {
+        <details class="menu" node_ref=menu on:keydown=|event| close_on_escape(&event)>
+            <summary>"Export"</summary>
+            <ul class="exports">
+                {Format::ALL.into_iter().map(|format| view! {
+                    <li>
+                        <button type="button" class="small" on:click=move |_| write(format)>{format.name().to_uppercase()}</button>
+                        <span class="unit">{format.help()}</span>
+                    </li>
+                }).collect_view()}
+            </ul>
+        </details>
+    }
+}
+
+fn close_on_escape(event: &leptos::ev::KeyboardEvent) {
+    if event.key() != "Escape" {
+        return;
+    }
+    let menu = event
+        .current_target()
+        .and_then(|menu| menu.dyn_into::<web_sys::Element>().ok());
+    if let Some(menu) = menu {
+        // An open menu closes, and the focus goes to what opened it.
+        let _ = menu.remove_attribute("open");
+        let summary = menu.first_element_child();
+        if let Some(summary) = summary.and_then(|s| s.dyn_into::<web_sys::HtmlElement>().ok()) {
+            let _ = summary.focus();
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Outlines of the library: those that ship with the program and those that were imported.
+
+pub mod drawing;
+pub mod facts;
+pub mod flight;
+pub mod import;
+
+use crate::state::State;
+use crate::state::document::Rows;
+use leptos::prelude::*;
+use msape::Case;
+use msape::case::Value;
+use msape::vehicle::body::{OutlineData, RigidBody, from_rows};
+
+/// An outline of the library.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entry {
+    /// One that ships with the program: its name in cases, and its data.
+    Preset(String, OutlineData),
+    /// One that was imported: its name and its rows.
+    Own(String, Rows),
+}
+
+impl Entry {
+    /// Identifier in links.
+    pub fn id(&self) -> String {
+        match self {
+            Entry::Preset(name, _) => name.clone(),
+            Entry::Own(name, _) => format!("own:{name}"),
+        }
+    }
+
+    /// Name on the screen.
+    pub fn title(&self) -> String {
+        match self {
+            Entry::Preset(_, data) => data.title.clone(),
+            Entry::Own(name, _) => name.clone(),
+        }
+    }
+
+    /// Its body; what is kept and what ships has been checked.
+    pub fn body(&self) -> Option<RigidBody> {
+        match self {
+            Entry::Preset(_, data) => data.body().ok(),
+            Entry::Own(name, rows) => from_rows(name, rows).ok(),
+        }
+    }
+
+    /// Puts it into a case.
+    pub fn put(&self, case: &mut Case) {
+        let (key, value) = match self {
+            Entry::Preset(name, _) => ("outline.preset", Value::Text(name.clone())),
+            Entry::Own(_, rows) => ("outline.points", Value::Rows(rows.clone())),
+        };
+        case.values.insert(key.to_string(), value);
+    }
+}
+
+/// All outlines: the shipped ones, then the imported ones by name.
+pub fn entries(state: State) -> Vec<Entry> {
+    let mut entries = state.library.with_value(|library| {
+        let outlines = library.iter().flat_map(|library| &library.outlines);
+        outlines
+            .map(|(name, data)| Entry::Preset(name.clone(), data.clone()))
+            .collect::<Vec<_>>()
+    });
+    let own = state.document.with(|document| document.outlines.clone());
+    entries.extend(
+        own.iter()
+            .map(|(name, rows)| Entry::Own(name.clone(), rows.clone())),
+    );
+    entries
+}

@@ -1,0 +1,235 @@
+//! From where a vehicle is looked at.
+//!
+//! The axis of the vehicle stands upright, nose down. Azimuth turns about it, elevation tilts it.
+
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
+
+/// Half the angle of view, rad.
+const HALF_VIEW_RAD: f32 = 0.26;
+/// How far the zoom goes.
+const ZOOM: (f32, f32) = (0.5, 8.0);
+
+/// A matrix of four columns.
+pub type Matrix = [f32; 16];
+
+/// A place to look from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Turn about the axis of the vehicle, rad.
+    pub azimuth_rad: f32,
+    /// Height over the plane of the largest diameter, rad: positive sees the aft side.
+    pub elevation_rad: f32,
+    /// Magnification; at 1 the vehicle fills the view.
+    pub zoom: f32,
+}
+
+/// A line of sight, in the vehicle's frame: across, along its axis, towards the viewer of the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// Where the eye is, m.
+    pub eye_m: [f64; 3],
+    /// Where it looks to.
+    pub direction: [f64; 3],
+}
+
+/// What is looked at: a ball about the vehicle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ball {
+    /// Its centre on the axis, m.
+    pub center_m: f32,
+    /// Its radius, m.
+    pub radius_m: f32,
+}
+
+impl Camera {
+    /// The view that is shown first: from the side, a little from above, into the cut.
+    pub const START: Camera = Camera {
+        azimuth_rad: 0.35,
+        elevation_rad: 0.35,
+        zoom: 1.0,
+    };
+    /// From the side, straight into the cut.
+    pub const SIDE: Camera = Camera {
+        azimuth_rad: 0.0,
+        elevation_rad: 0.0,
+        zoom: 1.0,
+    };
+    /// The nose from ahead.
+    pub const FRONT: Camera = Camera {
+        azimuth_rad: 0.0,
+        elevation_rad: -FRAC_PI_2,
+        zoom: 1.0,
+    };
+    /// The lid from behind.
+    pub const BACK: Camera = Camera {
+        azimuth_rad: 0.0,
+        elevation_rad: FRAC_PI_2,
+        zoom: 1.0,
+    };
+
+    /// Turned by angles, rad.
+    #[must_use]
+    pub fn turned(self, azimuth_rad: f32, elevation_rad: f32) -> Camera {
+        let azimuth_rad = self.azimuth_rad + azimuth_rad;
+        Camera {
+            azimuth_rad: azimuth_rad - TAU * ((azimuth_rad + PI) / TAU).floor(),
+            elevation_rad: (self.elevation_rad + elevation_rad).clamp(-FRAC_PI_2, FRAC_PI_2),
+            ..self
+        }
+    }
+
+    /// Magnified by a factor.
+    #[must_use]
+    pub fn zoomed(self, factor: f32) -> Camera {
+        Camera {
+            zoom: (self.zoom * factor).clamp(ZOOM.0, ZOOM.1),
+            ..self
+        }
+    }
+
+    /// Place of a point of the vehicle before the eye, columns first.
+    pub fn view(&self, ball: Ball, aspect: f32) -> Matrix {
+        let (sa, ca) = self.azimuth_rad.sin_cos();
+        let (se, ce) = self.elevation_rad.sin_cos();
+        let distance = self.distance_m(ball, aspect);
+        let c = ball.center_m;
+        // Moved to the centre, turned about y by −azimuth, about x by elevation, moved away.
+        [
+            ca,
+            -se * sa,
+            ce * sa,
+            0.0,
+            0.0,
+            ce,
+            se,
+            0.0,
+            -sa,
+            -se * ca,
+            ce * ca,
+            0.0,
+            0.0,
+            -ce * c,
+            -se * c - distance,
+            1.0,
+        ]
+    }
+
+    /// From before the eye to the screen; everything within `reach_m` of the centre has a depth.
+    pub fn projection(&self, ball: Ball, aspect: f32, reach_m: f32) -> Matrix {
+        let distance = self.distance_m(ball, aspect);
+        let near = (distance - 1.1 * reach_m).max(0.02 * distance);
+        let far = distance + 1.1 * reach_m;
+        let f = 1.0 / HALF_VIEW_RAD.tan();
+        let mut m = [0.0; 16];
+        m[0] = f / aspect;
+        m[5] = f;
+        m[10] = (far + near) / (near - far);
+        m[11] = -1.0;
+        m[14] = 2.0 * far * near / (near - far);
+        m
+    }
+
+    /// The line of sight through a place of the view, each coordinate from −1 to 1, upwards positive.
+    pub fn sight(&self, ball: Ball, aspect: f32, place: [f32; 2]) -> Sight {
+        let view = self.view(ball, aspect);
+        let tan = HALF_VIEW_RAD.tan();
+        let seen = [place[0] * aspect * tan, place[1] * tan, -1.0];
+        // The inverse of a turn is its transpose.
+        let turned_back = |p: [f32; 3]| {
+            let part = |i: usize| (0..3).map(|j| f64::from(view[4 * i + j] * p[j])).sum();
+            [part(0), part(1), part(2)]
+        };
+        Sight {
+            eye_m: turned_back([-view[12], -view[13], -view[14]]),
+            direction: turned_back(seen),
+        }
+    }
+
+    fn distance_m(&self, ball: Ball, aspect: f32) -> f32 {
+        let half = (HALF_VIEW_RAD.tan() * aspect.min(1.0)).atan();
+        ball.radius_m / (half.sin() * self.zoom)
+    }
+}
+
+/// A point as a matrix moves it.
+#[cfg(test)]
+fn apply(m: &Matrix, p: [f32; 3]) -> [f32; 4] {
+    let row = |i: usize| m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
+    [row(0), row(1), row(2), row(3)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BALL: Ball = Ball {
+        center_m: 0.2,
+        radius_m: 0.5,
+    };
+
+    fn near(got: f32, want: f32) {
+        assert!((got - want).abs() < 1e-5, "{got} against {want}");
+    }
+
+    #[test]
+    fn from_the_side_the_axis_is_upright_and_the_cut_faces_the_eye() {
+        let view = Camera::SIDE.view(BALL, 1.0);
+        let top = apply(&view, [0.0, 0.7, 0.0]);
+        let front = apply(&view, [0.0, 0.2, 0.5]);
+        near(top[0], 0.0);
+        near(top[1], 0.5);
+        // Half a metre nearer than the axis.
+        near(front[2] - top[2], 0.5);
+    }
+
+    #[test]
+    fn from_behind_the_aft_end_is_nearest() {
+        let view = Camera::BACK.view(BALL, 1.0);
+        let aft = apply(&view, [0.0, 0.7, 0.0]);
+        let nose = apply(&view, [0.0, -0.3, 0.0]);
+        near(aft[2] - nose[2], 1.0);
+        near(aft[1], 0.0);
+    }
+
+    #[test]
+    fn a_turn_to_the_right_brings_the_left_side_forward() {
+        let view = Camera::SIDE.turned(-FRAC_PI_2, 0.0).view(BALL, 1.0);
+        let left = apply(&view, [-0.5, 0.2, 0.0]);
+        let right = apply(&view, [0.5, 0.2, 0.0]);
+        near(left[2] - right[2], 1.0);
+    }
+
+    #[test]
+    fn the_line_of_sight_through_a_point_meets_it() {
+        let camera = Camera::START.turned(0.4, -0.9).zoomed(1.3);
+        let (point, aspect) = ([0.1_f32, 0.45, -0.2], 1.6);
+        let p = apply(&camera.view(BALL, aspect), point);
+        let q = apply(&camera.projection(BALL, aspect, 1.0), [p[0], p[1], p[2]]);
+        let sight = camera.sight(BALL, aspect, [q[0] / q[3], q[1] / q[3]]);
+        let t = f64::from(-p[2]);
+        for i in 0..3 {
+            let met = sight.eye_m[i] + t * sight.direction[i];
+            assert!((met - f64::from(point[i])).abs() < 1e-5, "{i}: {met}");
+        }
+    }
+
+    #[test]
+    fn the_ball_just_fits_into_narrow_and_wide_views() {
+        for aspect in [0.5, 1.0, 2.0] {
+            let camera = Camera::SIDE;
+            let (view, projection) = (
+                camera.view(BALL, aspect),
+                camera.projection(BALL, aspect, BALL.radius_m),
+            );
+            // The outermost point seen lies a little before the centre.
+            let mut widest: f32 = 0.0;
+            for i in 0..1000 {
+                let a = i as f32 * TAU / 1000.0;
+                let p = apply(&view, [0.5 * a.cos(), 0.2, 0.5 * a.sin()]);
+                let q = apply(&projection, [p[0], p[1], p[2]]);
+                widest = widest.max((q[0] / q[3]).abs() * aspect.max(1.0));
+            }
+            assert!((0.98..=1.001).contains(&widest), "{aspect}: {widest}");
+        }
+    }
+}

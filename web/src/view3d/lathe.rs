@@ -1,0 +1,183 @@
+//! Profiles as edges with normals, ready to be turned about the axis.
+
+use msape::vehicle::profile::Profile;
+use msape::vehicle::segment::{Point, Segment};
+
+/// Largest angle that an edge spans of an arc, rad.
+const STEP_MAX_RAD: f64 = 0.2;
+/// What is this close to the axis lies on it, m.
+const ON_AXIS_M: f64 = 1e-9;
+
+/// A corner of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner {
+    /// Where it is.
+    pub at: Point,
+    /// Outward normal, along x.
+    pub normal_x: f64,
+    /// Outward normal, away from the axis.
+    pub normal_r: f64,
+    /// What is painted there; negative where nothing is.
+    pub value: f32,
+}
+
+/// A piece of a profile, short enough to be straight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Where it starts.
+    pub start: Corner,
+    /// Where it ends.
+    pub end: Corner,
+}
+
+impl Edge {
+    /// Whether it lies on the axis, where it has no surface.
+    pub fn is_on_axis(&self) -> bool {
+        self.start.at.r_m.abs() < ON_AXIS_M && self.end.at.r_m.abs() < ON_AXIS_M
+    }
+}
+
+/// The edges of a closed profile, run so that the body is on their left; `value` paints a point of a segment as it is given.
+pub fn edges(
+    profile: &Profile,
+    chord_error_m: f64,
+    value: impl Fn(&Segment, Point) -> f32,
+) -> Vec<Edge> {
+    // The body is on the left where the enclosed area, ∮ −r dx, is positive.
+    let is_left = profile
+        .segments
+        .iter()
+        .map(|segment| segment.integrals().r_dx)
+        .sum::<f64>()
+        < 0.0;
+    let mut edges = Vec::new();
+    let mut add = |original: &Segment, run: &Segment| {
+        of_segment(run, chord_error_m, |at| value(original, at), &mut edges);
+    };
+    if is_left {
+        profile.segments.iter().for_each(|s| add(s, s));
+    } else {
+        let backwards = profile.segments.iter().rev();
+        backwards.for_each(|s| add(s, &s.reversed()));
+    }
+    edges
+}
+
+fn of_segment(
+    segment: &Segment,
+    chord_error_m: f64,
+    value: impl Fn(Point) -> f32,
+    edges: &mut Vec<Edge>,
+) {
+    match *segment {
+        Segment::Line { start, end } => {
+            let (dx, dr) = (end.x_m - start.x_m, end.r_m - start.r_m);
+            let length = dx.hypot(dr);
+            if length <= 0.0 {
+                return;
+            }
+            let pieces = pieces_of_line(&value, start, end);
+            let corner = |i: usize| {
+                let part = i as f64 / pieces as f64;
+                let at = Point {
+                    x_m: start.x_m + part * dx,
+                    r_m: start.r_m + part * dr,
+                };
+                Corner {
+                    at,
+                    normal_x: dr / length,
+                    normal_r: -dx / length,
+                    value: value(at),
+                }
+            };
+            edges.extend((0..pieces).map(|i| Edge {
+                start: corner(i),
+                end: corner(i + 1),
+            }));
+        }
+        Segment::Arc {
+            start,
+            end,
+            center,
+            radius_m,
+            start_angle_rad,
+            sweep_rad,
+        } => {
+            // chord error = R (1 − cos(step/2))
+            let step = (2.0 * (1.0 - chord_error_m / radius_m).clamp(-1.0, 1.0).acos())
+                .clamp(1e-2, STEP_MAX_RAD);
+            let pieces = (sweep_rad.abs() / step).ceil().max(1.0) as usize;
+            // The body is on the left: outside of a circle that is run the positive way.
+            let sign = sweep_rad.signum();
+            let corner = |i: usize| {
+                let angle = start_angle_rad + sweep_rad * i as f64 / pieces as f64;
+                let (s, c) = angle.sin_cos();
+                let at = match i {
+                    0 => start,
+                    i if i == pieces => end,
+                    _ => Point {
+                        x_m: center.x_m + radius_m * c,
+                        r_m: center.r_m + radius_m * s,
+                    },
+                };
+                Corner {
+                    at,
+                    normal_x: sign * c,
+                    normal_r: sign * s,
+                    value: value(at),
+                }
+            };
+            edges.extend((0..pieces).map(|i| Edge {
+                start: corner(i),
+                end: corner(i + 1),
+            }));
+        }
+    }
+}
+
+/// A line is one edge, more where what is painted on it changes.
+fn pieces_of_line(value: &impl Fn(Point) -> f32, start: Point, end: Point) -> usize {
+    if value(start) == value(end) { 1 } else { 24 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    fn ball() -> Profile {
+        let half = Segment::arc(Point { x_m: 3.0, r_m: 0.0 }, 2.0, PI, -PI);
+        Profile {
+            segments: vec![half],
+        }
+        .closed()
+    }
+
+    #[test]
+    fn normals_point_out_of_a_ball_whichever_way_it_is_run() {
+        for profile in [ball(), ball().reversed()] {
+            let edges = edges(&profile, 1e-3, |_, _| -1.0);
+            for corner in edges.iter().flat_map(|edge| [edge.start, edge.end]) {
+                let out = (corner.at.x_m - 3.0) * corner.normal_x + corner.at.r_m * corner.normal_r;
+                let on_axis = corner.normal_r < 0.0 && corner.at.r_m == 0.0;
+                assert!(on_axis || (out - 2.0).abs() < 1e-12, "{corner:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn edges_close_and_stay_within_the_chord_error() {
+        let edges = edges(&ball(), 1e-3, |_, _| -1.0);
+        for pair in edges.windows(2) {
+            assert_eq!(pair[0].end.at, pair[1].start.at);
+        }
+        assert_eq!(edges[0].start.at, edges[edges.len() - 1].end.at);
+        for edge in edges.iter().filter(|edge| !edge.is_on_axis()) {
+            let middle_x = 0.5 * (edge.start.at.x_m + edge.end.at.x_m) - 3.0;
+            let middle_r = 0.5 * (edge.start.at.r_m + edge.end.at.r_m);
+            let error = 2.0 - middle_x.hypot(middle_r);
+            assert!((0.0..=1.0001e-3).contains(&error), "{error}");
+        }
+        assert_eq!(edges.iter().filter(|edge| edge.is_on_axis()).count(), 1);
+    }
+}
