@@ -334,21 +334,21 @@ body_rates_deg_s = [3.0, 20.0, -5.0]
 }
 
 /// A centre of gravity off the axis, above it: trimmed nose down, a blunt body lifts up. With lift the point mass at trim and
-/// the rigid body that starts at trim fly one path to a thousandth.
+/// the rigid body that starts at trim, in continuum flow, fly one path to a thousandth.
 #[test]
 fn at_trim_with_lift_three_and_six_degrees_of_freedom_agree_to_a_thousandth() {
     let case = |vehicle: &str| {
         let text = format!(
             "schema = 'msape/1'
 [entry]
-altitude_m = 125e3
+altitude_m = 70e3
 latitude_deg = 33.0
 longitude_deg = 246.3833
 speed_m_s = 11000.0
 flight_path_angle_deg = -8.0
 azimuth_deg = 90.0
 [stop]
-altitude_m = 48e3
+altitude_m = 45e3
 [outline]
 preset = 'stardust'
 [vehicle]
@@ -367,7 +367,7 @@ cg_m = [0.25, 0.0, -0.02]
         "dof = 6
 inertia_kg_m2 = [[2.4, 0.0, 0.0], [0.0, 1.9, 0.0], [0.0, 0.0, 1.9]]
 [attitude]
-alpha_deg = -5.0
+alpha_deg = -9.6
 ",
     );
     for (a, b) in [
@@ -386,10 +386,17 @@ alpha_deg = -5.0
     }
     // The lift is there: without it the vehicle comes down sooner.
     let ballistic = case("");
-    assert!(trimmed.time_of_flight_s > ballistic.time_of_flight_s + 1.0);
+    assert!(trimmed.time_of_flight_s > 2.0 * ballistic.time_of_flight_s);
+    // It keeps its angle: quarter of a degree of swing about a trim that moves by little.
+    let largest = six.attitude.unwrap().maximum_total_alpha;
+    assert!(
+        largest.angle_rad < 10.5 * DEG,
+        "{}",
+        largest.angle_rad / DEG
+    );
 }
 
-/// A lift of nothing is no lift.
+/// A lift of nothing is no lift; other rounding may move a peak within the part of a step to which it is placed.
 #[test]
 fn lift_of_nothing_changes_nothing() {
     let none = entry("drag_coefficient = 1.5\n").flight.unwrap();
@@ -400,8 +407,8 @@ fn lift_of_nothing_changes_nothing() {
         none.peak_deceleration_earth_g.value,
         zero.peak_deceleration_earth_g.value,
     );
-    assert!((b / a - 1.0).abs() < 1e-12);
-    assert!((zero.downrange_m / none.downrange_m - 1.0).abs() < 1e-12);
+    assert!((b / a - 1.0).abs() < 1e-7);
+    assert!((zero.downrange_m / none.downrange_m - 1.0).abs() < 1e-9);
 }
 
 /// Lift to the right turns the path to the right, and a schedule that is level is a constant.
