@@ -1,6 +1,7 @@
 // The vehicle's card: tabs, section, three dimensions, mass tree, files.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { assertAccessible, pageTest } from "./harness.mjs";
 
 /** What a browser without a graphics processor says when it draws by itself, or when a test looks at a drawing. */
@@ -131,6 +132,27 @@ pageTest("heat flux has a scale with its unit, materials have their names", asyn
   assert.notEqual(by_flux.sum, by_component.sum);
   await panel.getByRole("radio", { name: "Material" }).check();
   assert.ok((await panel.getByRole("list", { name: "Colours of materials" }).getByRole("listitem").count()) >= 4);
+}, { allowed: software });
+
+pageTest("the view is saved as an image", async (page) => {
+  await open3d(page);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "PNG", exact: true }).click()]);
+  assert.match(download.suggestedFilename(), /-3d\.png$/);
+  const bytes = await readFile(await download.path());
+  assert.equal(bytes.subarray(1, 4).toString("latin1"), "PNG");
+  assert.ok((await pixels(page, bytes.toString("base64"))).drawn > 0.1, "the vehicle is in it");
+}, { allowed: software });
+
+pageTest("the wheel scrolls the page until the view has the focus", async (page) => {
+  await open3d(page);
+  const box = await stage(page).boundingBox();
+  await page.mouse.move(box.x + 50, box.y + 50);
+  const before = await picture(page);
+  await page.mouse.wheel(0, -100);
+  assert.equal((await picture(page)).sum, before.sum);
+  await stage(page).focus();
+  await page.mouse.wheel(0, -100);
+  await page.locator(".stage .reading", { hasText: "magnified 1.2 times" }).waitFor();
 }, { allowed: software });
 
 pageTest("a context that is lost and restored shows the vehicle again", async (page) => {

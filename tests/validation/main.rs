@@ -10,3 +10,4 @@ mod aerodynamics;
 mod outcomes;
 mod outlines;
 mod published;
+mod six_dof;

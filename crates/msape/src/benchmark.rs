@@ -23,6 +23,8 @@ pub struct Bench {
     pub msr: DesignProblem,
     /// The same as flight sees it before the first pass.
     pub msr_body: Body,
+    /// Where everything stands in it before the first pass.
+    pub msr_layout: vehicle::layout::Layout,
     /// A vehicle of another concept.
     pub galahad: DesignProblem,
     /// A spinning entry in six degrees of freedom with the database of its outline.
@@ -41,7 +43,7 @@ pub struct Job {
 }
 
 /// What is measured; the first is the reference.
-pub static JOBS: [Job; 12] = [
+pub static JOBS: [Job; 14] = [
     Job {
         name: "bare kernel: order 5, exponential air, no results",
         run: |bench| {
@@ -82,6 +84,20 @@ pub static JOBS: [Job; 12] = [
     Job {
         name: "vehicle: closing, mass, structure (MSR)",
         run: |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    },
+    Job {
+        name: "vehicle: closing, mass, structure (Galahad)",
+        run: |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
+    },
+    Job {
+        name: "half-section: profiles, volumes, moments (MSR)",
+        run: |bench| {
+            let layout = &bench.msr_layout;
+            let parts = vehicle::mass::profiles(vehicle::Concept::Msr, layout);
+            let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
+            let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
+            black_box(volume);
+        },
     },
     Job {
         name: "converged design (MSR)",
@@ -153,6 +169,7 @@ impl Bench {
             msr_case,
             msr,
             msr_body,
+            msr_layout: built.layout,
             galahad,
             spinning,
             spinning_case,

@@ -10,6 +10,7 @@ pub mod inputs;
 
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
+use crate::vehicle::impact::landing::Landing;
 use serde::{Deserialize, Serialize};
 
 /// A designed vehicle and what was sized for it.
@@ -17,6 +18,8 @@ use serde::{Deserialize, Serialize};
 pub struct Design {
     /// Geometry, mass, impact, structure.
     pub vehicle: Vehicle,
+    /// Landing on the chosen ground and on a rigid surface.
+    pub landing: Landing,
     /// Heat shield of the forebody.
     pub forebody_tps: Sizing,
     /// Heat shield of the aftbody.

@@ -18,6 +18,7 @@ pub mod close;
 pub mod crossing;
 pub mod crush;
 pub mod forebody;
+pub mod grow;
 pub mod impact;
 pub mod input;
 pub mod layout;
@@ -41,7 +42,9 @@ pub use material::{DensityBasis, Material, Materials};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
-use crate::vehicle::close::{Closed, close, close_from};
+use crate::vehicle::close::Closed;
+use crate::vehicle::grow::smallest_that_closes;
+use crate::vehicle::impact::ground::Striker;
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
 use crate::vehicle::profile::Profile;
@@ -181,15 +184,12 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         },
     };
     let (diameter_m, closed) = smallest_that_closes(input, foam)?;
-    let nose_diameter_m = 2.0 * closed.layout.outline.forebody.nose_radius_m;
     let mass_kg = closed.mass.mass_kg;
-    let p = &input.impact.ground.penetration;
-    let load = |alpha| impact::penetration_load_earth_g(alpha, nose_diameter_m, v, mass_kg);
+    let striker = Striker::new(&closed.layout.outline.forebody, mass_kg, v);
     let impact = Impact {
-        ground_penetration_load_earth_g: load(p.alpha),
-        ground_penetration_range_earth_g: (load(p.alpha_min), load(p.alpha_max)),
+        ground_penetration: input.impact.ground.rigid_body_load(&striker),
         crush_load_limit_earth_g: input.impact.crush_load_limit_earth_g,
-        nose_diameter_m,
+        nose_diameter_m: striker.nose_diameter_m,
         required_stroke_m: stroke_m,
         required_foam_thickness_m: required_foam_m,
         foam_strength_pa,
@@ -221,83 +221,6 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         findings,
         iterations,
     })
-}
-
-/// Growth of the diameter from one try to the next.
-const GROWTH: f64 = 1.03;
-
-/// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
-fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed), NotClosed> {
-    let at_input = match close(input, input.diameter_m, foam) {
-        Ok(closed) => return Ok((input.diameter_m, closed)),
-        Err(misfit) => misfit,
-    };
-    let largest = input.rules.diameter_max_m;
-    let mut low = input.diameter_m;
-    let mut at_largest = at_input;
-    while low < largest {
-        let mut high = (low * GROWTH).min(largest);
-        match close(input, high, foam) {
-            Ok(mut best) => {
-                while high - low > input.rules.diameter_resolution_m {
-                    let middle = 0.5 * (low + high);
-                    match close_from(input, middle, foam, best.start()) {
-                        Ok(closed) => (high, best) = (middle, closed),
-                        Err(_) => low = middle,
-                    }
-                }
-                // from the beginning, so that the vehicle does not depend on the search
-                let settled = close(input, high, foam).unwrap_or(best);
-                return Ok((high, settled));
-            }
-            Err(misfit) => (low, at_largest) = (high, misfit),
-        }
-    }
-    let mut reason = format!(
-        "No vehicle of {:.3} m to {:.3} m closes: at {:.3} m {}; at {:.3} m {}.",
-        input.diameter_m,
-        largest.max(input.diameter_m),
-        input.diameter_m,
-        at_input.reason(),
-        largest.max(input.diameter_m),
-        at_largest.reason()
-    );
-    if let Some(diameter_m) = largest_payload_m(input, foam, largest.max(input.diameter_m)) {
-        reason.push_str(&format!(
-            " The widest payload of this mass that fits into {:.3} m is {diameter_m:.3} m across, this one is {:.3} m.",
-            largest.max(input.diameter_m),
-            input.payload_diameter_m()
-        ));
-    }
-    Err(NotClosed {
-        reason,
-        at_input: Some(at_input),
-        at_largest: Some(at_largest),
-    })
-}
-
-/// Halvings in the search for the widest payload: to a few micrometres.
-const PAYLOAD_HALVINGS: usize = 18;
-
-/// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.
-fn largest_payload_m(input: &VehicleInput, foam: Foam, diameter_m: f64) -> Option<f64> {
-    let closes = |payload_m: f64| {
-        let mut input = input.clone();
-        input.payload_size = PayloadSize::DiameterM(payload_m);
-        close(&input, diameter_m, foam).is_ok()
-    };
-    let (mut low, mut high) = (0.0, input.payload_diameter_m());
-    for _ in 0..PAYLOAD_HALVINGS {
-        let middle = 0.5 * (low + high);
-        if closes(middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    // rounded down to the millimetre, so that what is said does fit
-    let said = (low * 1000.0).floor() / 1000.0;
-    (said > 0.0 && closes(said)).then_some(said)
 }
 
 fn dimensions(input: &VehicleInput, diameter_m: f64, closed: &Closed) -> Dimensions {

@@ -20,7 +20,11 @@ fn drawn(vehicle: &Vehicle) -> impl Iterator<Item = &Component> {
 
 /// The legend: number, colour, name and mass of each component; a press shows its detail, a mark hides it.
 #[component]
-pub fn Legend() -> impl IntoView {
+pub fn Legend(
+    /// Another fill of the swatch of a component than its own colour.
+    #[prop(optional)]
+    fill: Option<Callback<ComponentKind, Option<String>>>,
+) -> impl IntoView {
     let view = VehicleView::expect();
     let (lit, chosen) = (view.lit, view.chosen);
     let kinds = Memo::new(move |_| {
@@ -63,7 +67,12 @@ pub fn Legend() -> impl IntoView {
                             <button type="button" aria-expanded=move || (chosen.get() == Some(kind)).to_string()
                                 on:focus=move |_| lit.set(Some(kind)) on:blur=move |_| lit.set(None)
                                 on:click=move |_| view.choose(kind)>
-                                <svg viewBox="0 0 10 10" aria-hidden="true"><rect width="10" height="10" rx="2" class=class(kind)></rect></svg>
+                                <svg viewBox="0 0 10 10" aria-hidden="true">
+                                    {move || match fill.and_then(|fill| fill.run(kind)) {
+                                        Some(fill) => view! { <rect width="10" height="10" rx="2" fill=fill></rect> }.into_any(),
+                                        None => view! { <rect width="10" height="10" rx="2" class=class(kind)></rect> }.into_any(),
+                                    }}
+                                </svg>
                                 <span>{i + 1} " " {kind.label()}</span>
                             </button>
                         </th>

@@ -14,7 +14,7 @@ use crate::state::State;
 use crate::view3d::paint::{self, Colour};
 use leptos::prelude::*;
 use msape::heating::surface::SurfaceHeating;
-use msape::vehicle::{Component, Vehicle};
+use msape::vehicle::{Component, ComponentKind, Vehicle};
 use scale::Scale;
 use stage::{Paint, PaintedPart, Stage, Subject};
 
@@ -66,6 +66,24 @@ pub fn View3d() -> impl IntoView {
             view.choose(kind);
         }
     };
+    // The swatches say what the colours are.
+    let fill = move |kind: ComponentKind| {
+        view.vehicle.with(|vehicle| {
+            let vehicle = vehicle.as_ref()?;
+            let component = vehicle.component(kind)?;
+            match colours.get() {
+                Colours::Component => None,
+                Colours::Material => {
+                    let colour = material_colour(&materials(vehicle), component);
+                    Some(paint::css(colour))
+                }
+                Colours::HeatFlux if component.wetted_area_m2 > 0.0 => {
+                    Some(format!("url(#{})", scale::GRADIENT))
+                }
+                Colours::HeatFlux => Some(paint::css(UNHEATED)),
+            }
+        })
+    };
     let summary = Signal::derive(move || {
         view.vehicle.with(|vehicle| {
             let Some(vehicle) = vehicle.as_ref() else {
@@ -99,7 +117,7 @@ pub fn View3d() -> impl IntoView {
             </div>
             <Stage subject parts by_scale summary name pick=Callback::new(pick) />
             <div class="beside">
-                <Legend />
+                <Legend fill=Callback::new(fill) />
                 {move || match colours.get() {
                     Colours::Component => ().into_any(),
                     Colours::Material => view! { <Materials /> }.into_any(),

@@ -3,6 +3,7 @@
 mod aero;
 mod answers;
 mod bad_input;
+mod export;
 mod schema;
 
 use std::io::Write;

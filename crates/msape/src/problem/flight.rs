@@ -200,7 +200,12 @@ pub(super) fn body(
     }
     let mut drag = drag(reader, library, degrees, outline);
     let mut database = None;
-    if degrees == Some(Degrees::Six) && by_database(reader, outline) {
+    let at_trim = reader.flag("vehicle.trim") == Some(true) && degrees == Some(Degrees::Three);
+    if at_trim && !by_database(reader, outline) {
+        let message = "got true, which needs coefficients over the angle of attack; give an [outline] or vehicle.aerodynamics.table";
+        reader.fault("vehicle.trim", message);
+    }
+    if (degrees == Some(Degrees::Six) || at_trim) && by_database(reader, outline) {
         database = of_outline(reader, library, outline, drag.as_ref(), diameter_m);
         // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
         drag = match (drag, &database) {
@@ -220,6 +225,7 @@ pub(super) fn body(
         length_m,
         database,
         outline,
+        at_trim,
     };
     let freedom = freedom(reader, known);
     Some(Body {

@@ -3,6 +3,7 @@
 mod attitude;
 mod design;
 mod flight;
+mod landing;
 mod mass;
 
 use crate::answer::Answer;
@@ -140,9 +141,9 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: [&[Output]; 2] = match job {
-        Job::Fly => [&[], &[]],
-        Job::Design => [design::OUTPUTS, mass::OUTPUTS],
+    let of_design: [&[Output]; 3] = match job {
+        Job::Fly => [&[]; 3],
+        Job::Design => [design::OUTPUTS, mass::OUTPUTS, landing::OUTPUTS],
     };
     of_design
         .into_iter()

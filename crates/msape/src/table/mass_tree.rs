@@ -5,8 +5,10 @@ use super::number::shortest;
 use crate::vehicle::Vehicle;
 use crate::vehicle::mass_tree::Line;
 
-/// Columns: key with unit, and the cell of a line.
-const COLUMNS: [(&str, fn(&Line) -> String); 12] = [
+/// A column: key with unit, and the cell of a line.
+type Column = (&'static str, fn(&Line) -> String);
+
+const COLUMNS: [Column; 12] = [
     ("component", |line| line.name.clone()),
     ("material", |line| line.material.clone().unwrap_or_default()),
     ("density_kg_m3", |line| cell(line.density_kg_m3)),

@@ -175,7 +175,10 @@ impl Misfit {
                 mm(payload_radius_m)
             ),
             Self::NotConverged { move_m } => {
-                format!("masses and geometry did not settle: the centre of gravity still moves {:.3} mm", mm(move_m))
+                format!(
+                    "masses and geometry did not settle: the lid about the centre of gravity and the foam that raises the payload to it move it on by {:.3} mm a turn",
+                    mm(move_m)
+                )
             }
         }
     }

@@ -1,4 +1,16 @@
 //! What each component is made of, and where its density comes from.
+//!
+//! ```text
+//! ρ_foam = ρ_grade(strength of equation 6) + ρ_panels
+//! ```
+//!
+//! with densities in kg/m³, the panels in the MSR concept only. A density found from an assumed one counts as assumed.
+//!
+//! # Valid
+//! Homogeneous components.
+//!
+//! # References
+//! - \[samareh-2014\] Table 1; the sources of the densities stand in the data files.
 
 use crate::vehicle::impact::Foam;
 use crate::vehicle::input::{Concept, VehicleInput};

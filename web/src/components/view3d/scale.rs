@@ -4,6 +4,8 @@ use crate::display::number;
 use crate::view3d::paint::{SCALE, css};
 use leptos::prelude::*;
 
+/// Identifier of the colours, for other drawings.
+pub const GRADIENT: &str = "scale-colours";
 /// Marks along the scale.
 const MARKS: usize = 4;
 
@@ -29,8 +31,8 @@ pub fn Scale(largest: f64, unit: String) -> impl IntoView {
     });
     view! {
         <svg class="scale" viewBox="0 0 200 46" role="img" aria-label=name>
-            <defs><linearGradient id="scale-colours">{stops.collect_view()}</linearGradient></defs>
-            <rect width="200" height="16" rx="2" fill="url(#scale-colours)"></rect>
+            <defs><linearGradient id=GRADIENT>{stops.collect_view()}</linearGradient></defs>
+            <rect width="200" height="16" rx="2" fill=format!("url(#{GRADIENT})")></rect>
             {marks.collect_view()}
             <text x="200" y="43" text-anchor="end">{unit}</text>
         </svg>

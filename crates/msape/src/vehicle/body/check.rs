@@ -1,4 +1,16 @@
 //! What keeps an open chain of lines and arcs from being the outline of a body of revolution: what crosses what, and where.
+//!
+//! ```text
+//! r = 0 at both ends, r > 0 between them; no two segments share a point but neighbours their joint; V > 0
+//! ```
+//!
+//! with r the distance from the axis in m and V the volume in m³, zero being a billionth of the outline's size.
+//!
+//! # Valid
+//! Any chain of finite numbers; segments are compared where they overlap in x.
+//!
+//! # References
+//! - Own convention.
 
 use crate::vehicle::crossing::{distance_m, meetings};
 use crate::vehicle::profile::Profile;

@@ -147,7 +147,6 @@ fn forebody(outline: &Profile) -> (Profile, Option<Segment>) {
 
 #[cfg(test)]
 mod tests {
-
     use crate::vehicle::body::shape::{Aft, Shape};
     use numerics::math::PI;
 
@@ -172,7 +171,7 @@ mod tests {
             (facts.forebody_area_m2, 0.934_500_31),
             (facts.forebody_volume_m3, 0.085_661_68),
             (facts.forebody_centroid_from_nose_m, 0.171_052_67),
-            (facts.reference_area_m2, 0.785_398_16),
+            (4.0 * facts.reference_area_m2, PI),
         ];
         for (got, want) in rows {
             assert!((got - want).abs() <= 5.001e-9, "{got} against {want}");

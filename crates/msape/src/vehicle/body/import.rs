@@ -1,4 +1,16 @@
 //! Outlines from files: CSV of points, DXF of lines and arcs. Both give the rows that `outline.points` holds.
+//!
+//! ```text
+//! 1 in = 0.0254 m        1 ft = 0.3048 m
+//! ```
+//!
+//! Rows are x and r in m and the bulge of the piece to the next point.
+//!
+//! # Valid
+//! Text; the kind of file is told by the ending of its name.
+//!
+//! # References
+//! - \[nist-sp-811\] appendix B for the factors.
 
 pub mod chain;
 pub mod csv;

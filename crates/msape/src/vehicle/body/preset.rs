@@ -1,4 +1,16 @@
 //! Outlines of known vehicles, read from a file of `data/outlines`: each dimension with its source, assumed ones marked.
+//!
+//! ```text
+//! length' = length D' / D        where a case gives the diameter D' beside the preset
+//! ```
+//!
+//! with lengths in m; angles stay.
+//!
+//! # Valid
+//! As [`crate::vehicle::body::shape`].
+//!
+//! # References
+//! - Those of each file.
 
 use crate::vehicle::body::RigidBody;
 use crate::vehicle::body::shape::{Aft, AftCone, Shape};

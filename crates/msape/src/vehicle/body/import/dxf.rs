@@ -52,10 +52,10 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Vec<Vec<f64>>, Vec<I
     let section = |name: &str| {
         let mut from = None;
         for (i, pair) in groups.windows(2).enumerate() {
-            if let [(0, "SECTION", _), (2, found, _)] = pair {
-                if *found == name {
-                    from = Some(i + 2);
-                }
+            if let [(0, "SECTION", _), (2, found, _)] = pair
+                && *found == name
+            {
+                from = Some(i + 2);
             }
         }
         let from = from.unwrap_or(groups.len());
