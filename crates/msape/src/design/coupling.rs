@@ -18,6 +18,7 @@
 
 use super::Design;
 use super::inputs::DesignInput;
+use super::misfit;
 use crate::answer::{Answer, Outcome, Pass};
 use crate::finding::{Finding, Severity};
 use crate::flight::mission::{Body, Model};
@@ -25,7 +26,7 @@ use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
 use crate::soak::SoakInput;
 use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Side, limits};
-use crate::vehicle::{self, Vehicle, VehicleInput, misfit};
+use crate::vehicle::{self, Vehicle, VehicleInput};
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
