@@ -3,10 +3,12 @@
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
+//! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
 
 pub mod coupling;
 pub mod crossings;
 pub mod inputs;
+pub mod misfit;
 
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
