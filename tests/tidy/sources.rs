@@ -31,10 +31,13 @@ const PHYSICS: [&str; 7] = [
 ];
 
 /// Files of these folders that hold no equation: lists of parts, input, assembly.
-const NO_EQUATION: [&str; 15] = [
+const NO_EQUATION: [&str; 18] = [
     "flight.rs",
+    "flight/freedom.rs",
     "flight/mission.rs",
     "flight/sample.rs",
+    "flight/six_dof/rigid.rs",
+    "flight/six_dof/tests.rs",
     "flight/summary.rs",
     "flight/trajectory.rs",
     "heating.rs",

@@ -8,3 +8,4 @@ mod accuracy;
 mod aerodynamics;
 mod outcomes;
 mod published;
+mod six_dof;

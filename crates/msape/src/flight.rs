@@ -31,6 +31,7 @@ pub mod six_dof;
 pub mod summary;
 pub mod three_dof;
 pub mod trajectory;
+pub mod trim;
 
 /// A largest value and where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -141,6 +142,9 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
         speed_m_s: peak.speed_m_s,
         nose_radius_m: body.nose_radius_m,
     });
+    if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
+        findings.extend(six_dof::remarks::findings(rigid, attitude));
+    }
     let (lowest_m, highest_m) = mission.atmosphere.valid_m();
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
     if !(lowest_m..=highest_m).contains(&start_m) {

@@ -20,7 +20,7 @@
 //! 1. [`case`]: keys and values as typed, from TOML or JSON, faults included.
 //! 2. [`problem`]: the same, checked against [`quantity::input`] and [`library`]; every fault at once, or none. After it
 //!    physics cannot fail.
-//! 3. [`flight`] for [`fly`]; the passes of [`design`](mod@design) for [`design`](fn@design).
+//! 3. [`flight`] for [`fly`], with three or [six](flight::six_dof) degrees of freedom; the passes of [`design`](mod@design) for [`design`](fn@design).
 //! 4. [`answer`]: how it ended, numbers, adjustments, findings, the record of the passes.
 //! 5. [`table`]: the answer as CSV and KML; [`answer::json`] as JSON.
 //!
@@ -51,8 +51,7 @@
 //! - Errors after the check: "does not close", "skipped out" and "not converged" are outcomes.
 //! - Model limits as errors: a number outside a model's range is given, with a finding.
 //! - Drawing, storage and concurrency: they belong to the crates around this one.
-//! - Six degrees of freedom, in-depth ablation, transient conduction, trade studies, optimization,
-//!   surrogates: not written yet. What stands in for each is named in the result.
+//! - In-depth ablation, transient conduction, trade studies, optimization, surrogates: not written yet. What stands in for each is named in the result.
 
 pub mod aero;
 pub mod answer;

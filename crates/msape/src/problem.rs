@@ -5,7 +5,6 @@
 mod aerodynamics;
 mod attitude;
 mod center;
-mod database;
 mod design;
 mod flight;
 mod freedom;

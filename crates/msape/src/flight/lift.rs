@@ -15,6 +15,7 @@
 //! - \[vinh-1980\] chapter 2.
 
 use super::equations::{Equations, Surroundings};
+use super::trim::Trim;
 use numerics::interp::Table1;
 use numerics::math;
 
@@ -39,6 +40,8 @@ pub enum Source {
     Coefficient(f64),
     /// A coefficient against Mach number.
     Table(Table1),
+    /// Lift and drag at the angle of attack where the moment about the centre of gravity is nothing.
+    Trim(Trim),
 }
 
 /// Angle of bank, rad.
@@ -70,6 +73,7 @@ impl Lift {
             Source::OfDrag(ratio) => ratio * drag,
             Source::Coefficient(coefficient) => *coefficient,
             Source::Table(table) => table.at(mach(equations, around)),
+            Source::Trim(trim) => return trim.at(equations, around),
         };
         DragAndLift { drag, lift }
     }

@@ -10,7 +10,8 @@
 //!
 //! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
 //! - [`quaternion`], [`attitude`]: its attitude.
-//! - [`events`]: what happens to the attitude.
+//! - [`events`], [`remarks`]: what happens to the attitude, and what must be known of it.
+//! - [`reorientation`]: backward entries.
 //!
 //! # Valid
 //! Rigid bodies of constant mass.
@@ -24,6 +25,8 @@ pub mod events;
 pub mod inertia;
 pub mod motion;
 pub mod quaternion;
+pub mod remarks;
+pub mod reorientation;
 pub mod rigid;
 
 use super::equations::Equations;

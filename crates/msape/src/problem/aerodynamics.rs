@@ -102,25 +102,11 @@ pub(super) fn database(
     let bridging = choice(reader, "vehicle.aerodynamics.bridging");
     let wall = reader.number("vehicle.aerodynamics.wall_temperature_ratio");
     let accommodation = reader.number("vehicle.aerodynamics.accommodation");
-    let table = table(reader, library, diameter_m);
+    if reader.given(TABLE) {
+        return table_database(reader, library, diameter_m);
+    }
     if reader.faults.len() > before {
         return None;
-    }
-    if let Some(grid) = table {
-        let own = matches!(
-            grid.content,
-            Content::Static {
-                damping: Given::Yes,
-                ..
-            }
-        );
-        let given = reader.given(DAMPING_TABLE) || reader.given("vehicle.aerodynamics.damping");
-        let damping = if own && !given {
-            Damping::Table(grid.clone())
-        } else {
-            damping?
-        };
-        return Some(Database::of_table(grid, diameter_m, damping));
     }
     let mut options = body.options(library, drag);
     options.damping = damping?;
@@ -131,6 +117,35 @@ pub(super) fn database(
     options.wall_temperature_ratio = wall?;
     options.accommodation = [accommodation?; 2];
     Some(Database::of_surface(&body.surface, options))
+}
+
+/// The database of a table of the case; `None` where it has none, or a faulty one.
+pub(super) fn table_database(
+    reader: &mut Reader,
+    library: &Library,
+    diameter_m: f64,
+) -> Option<Database> {
+    let before = reader.faults.len();
+    let damping = damping(reader, library);
+    let table = table(reader, library, diameter_m);
+    if reader.faults.len() > before {
+        return None;
+    }
+    let grid = table?;
+    let own = matches!(
+        grid.content,
+        Content::Static {
+            damping: Given::Yes,
+            ..
+        }
+    );
+    let given = reader.given(DAMPING_TABLE) || reader.given("vehicle.aerodynamics.damping");
+    let damping = if own && !given {
+        Damping::Table(grid.clone())
+    } else {
+        damping?
+    };
+    Some(Database::of_table(grid, diameter_m, damping))
 }
 
 /// Drag at zero angle of attack of a table of the case; `None` where it has none, or a faulty one.

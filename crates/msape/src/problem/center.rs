@@ -26,8 +26,10 @@ pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Optio
     if let Outline::Body(body) = outline {
         let [x, y, z] = cg;
         let r = (y * y + z * z).sqrt();
-        if !contains(&body.outline, x, r) {
-            let (from, to) = (body.nose_tip_x_m(), body.nose_tip_x_m() + body.length_m());
+        let apex = body.virtual_apex_x_m.unwrap_or_else(|| body.nose_tip_x_m());
+        if !contains(&body.outline, x + apex, r) {
+            let from = body.nose_tip_x_m() - apex;
+            let to = from + body.length_m();
             let radius = 0.5 * body.diameter_m;
             let message = format!(
                 "got x {x} m, {r} m from the axis, which is outside the outline; must be within it, x {from:.4} to {to:.4} m and at most {radius:.4} m from the axis"

@@ -1,7 +1,6 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::table_drag;
-use super::database::database;
+use super::aerodynamics::{database, table_database, table_drag};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
@@ -10,6 +9,7 @@ use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
+use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
@@ -198,17 +198,22 @@ pub(super) fn body(
         ),
         _ => {}
     }
-    let (drag, database) = match (degrees, by_outline(reader, outline)) {
-        (Some(Degrees::Six), true) => match database(reader, library, outline) {
-            // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
-            Some(of_outline) => {
-                let drag = Drag::Constant(of_outline.axial_force.at(25.0));
-                (Some(drag), Some(of_outline))
-            }
-            None => (None, None),
-        },
-        _ => (drag(reader, library, degrees, outline), None),
-    };
+    let mut drag = drag(reader, library, degrees, outline);
+    let mut database = None;
+    let at_trim = reader.flag("vehicle.trim") == Some(true) && degrees == Some(Degrees::Three);
+    if at_trim && !by_database(reader, outline) {
+        let message = "got true, which needs coefficients over the angle of attack; give an [outline] or vehicle.aerodynamics.table";
+        reader.fault("vehicle.trim", message);
+    }
+    if (degrees == Some(Degrees::Six) || at_trim) && by_database(reader, outline) {
+        database = of_outline(reader, library, outline, drag.as_ref(), diameter_m);
+        // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+        drag = match (drag, &database) {
+            (Some(Drag::Table(table)), Some(_)) => Some(Drag::Constant(table.at(25.0))),
+            (drag, Some(_)) => drag,
+            (_, None) => None,
+        };
+    }
     let area_m2 = area_m2
         .or(diameter_m.map(|d| 0.25 * PI * d * d))
         .or(area_of_outline_m2);
@@ -220,6 +225,7 @@ pub(super) fn body(
         length_m,
         database,
         outline,
+        at_trim,
     };
     let freedom = freedom(reader, known);
     Some(Body {
@@ -232,16 +238,45 @@ pub(super) fn body(
     })
 }
 
-/// Whether force and moment of a rigid body are those of its outline: by name, or where the case says nothing else.
-fn by_outline(reader: &Reader, outline: &Outline) -> bool {
-    let otherwise = ["vehicle.drag_coefficient", "vehicle.drag_table"];
-    let given = otherwise
-        .iter()
-        .chain(&CONSTANTS)
-        .any(|key| reader.given(key));
+/// Whether force and moment of a rigid body come from a database: where it has an outline, a name or a table.
+fn by_database(reader: &Reader, outline: &Outline) -> bool {
+    let constants = CONSTANTS.iter().any(|key| reader.given(key));
     let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
     let named = named.iter().any(|key| reader.given(key));
-    !given && (named || *outline != Outline::Absent)
+    !constants && (named || *outline != Outline::Absent)
+}
+
+/// The database of a rigid body, from its outline or from a table.
+fn of_outline(
+    reader: &mut Reader,
+    library: &Library,
+    outline: &Outline,
+    drag: Option<&Drag>,
+    diameter_m: Option<f64>,
+) -> Option<OfOutline> {
+    let database = match outline {
+        Outline::Body(body) => database(
+            reader,
+            library,
+            &AeroBody::of_rigid(body, None),
+            Some(drag?),
+        ),
+        Outline::Faulty => None,
+        Outline::Absent if reader.given("vehicle.aerodynamics.table") => {
+            table_database(reader, library, diameter_m?)
+        }
+        Outline::Absent => {
+            reader.fault("vehicle.aerodynamics", "has axial force alone; with vehicle.dof = 6 give an [outline] from which the rest is computed, or constants in [vehicle.aerodynamics]");
+            None
+        }
+    }?;
+    Some(OfOutline {
+        database,
+        axial_force: match drag {
+            Some(Drag::Table(table)) => Some(table.clone()),
+            _ => None,
+        },
+    })
 }
 
 fn drag(

@@ -13,6 +13,7 @@ use crate::flight::six_dof::aerodynamics::{
 };
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
+use crate::flight::trim::Trim;
 use crate::quantity::input::inputs;
 use numerics::interp::{End, Table1};
 use numerics::math::{PI, RADIANS_PER_DEGREE};
@@ -75,17 +76,27 @@ pub(super) struct Known<'a> {
     pub(super) length_m: Option<f64>,
     pub(super) database: Option<OfOutline>,
     pub(super) outline: &'a Outline,
+    /// Whether a point mass flies at trim.
+    pub(super) at_trim: bool,
 }
 
 /// How the vehicle is free to move.
 pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
     match known.degrees {
         Degrees::Three => {
+            let at_trim = known.at_trim;
             unused(reader, "three degrees of freedom", |key| {
-                RIGID_ONLY.contains(&key) || key.starts_with("attitude.")
+                let of_trim = at_trim && key == "vehicle.cg_m";
+                RIGID_ONLY.contains(&key) && !of_trim || key.starts_with("attitude.")
             });
             let bank = bank(reader);
-            let lift = lift(reader)?;
+            let lift = if at_trim {
+                let cg = center::cg(reader, known.outline, true)?;
+                let of_outline = known.database.as_ref()?;
+                Some(Source::Trim(Trim::new(&of_outline.database, cg)))
+            } else {
+                lift(reader)?
+            };
             Some(match lift {
                 None => Freedom::Ballistic,
                 Some(source) => Freedom::Lifting(Box::new(Lift {
@@ -96,7 +107,7 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
         }
         Degrees::Six => {
             unused(reader, "six degrees of freedom", |key| {
-                LIFT.contains(&key) || BANK.contains(&key)
+                LIFT.contains(&key) || BANK.contains(&key) || key == "vehicle.trim"
             });
             rigid(reader, known).map(|rigid| Freedom::Rigid(Box::new(rigid)))
         }
@@ -311,5 +322,108 @@ pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
             Aerodynamics::Constants(c) if !damped && c.cm_alpha_per_rad == 0.0 => TOLERANCE_FREE,
             _ => TOLERANCE_CONSTANTS,
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::FlightProblem;
+    use crate::{Case, Library};
+
+    const FREE: &str = "
+schema = 'msape/1'
+[entry]
+altitude_m = 125e3
+latitude_deg = 33.0
+longitude_deg = 246.0
+speed_m_s = 12e3
+flight_path_angle_deg = -8.0
+azimuth_deg = 90.0
+[vehicle]
+dof = 6
+mass_kg = 46.0
+diameter_m = 1.0
+nose_radius_m = 0.25
+";
+
+    fn said(rest: &str) -> String {
+        let case = Case::from_text(&format!("{FREE}{rest}")).unwrap();
+        match FlightProblem::check(&case, &Library::builtin().unwrap()) {
+            Ok(_) => String::new(),
+            Err(faults) => {
+                let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
+                lines.join("\n")
+            }
+        }
+    }
+
+    const SOUND: &str = "inertia_kg_m2 = [[3.0, 0.0, 0.0], [0.0, 2.5, 0.0], [0.0, 0.0, 2.5]]\n";
+
+    #[test]
+    fn a_body_without_aerodynamics_and_attitude_is_allowed() {
+        assert_eq!(said(SOUND), "");
+    }
+
+    #[test]
+    fn every_fault_of_a_rigid_body_is_said_at_once() {
+        let said = said(
+            "
+inertia_kg_m2 = [[9.0, 0.0, 0.0], [0.0, 2.5, 0.0], [0.0, 0.0, 2.5]]
+cg_m = [0.2, 0.0]
+[attitude]
+quaternion = [0.0, 0.0, 0.0, 0.0]
+body_rates_deg_s = [[1.0, 2.0, 3.0], [1.0, 2.0, 3.0]]
+[solver]
+flight_model = 'allen-eggers'
+",
+        );
+        for part in [
+            "vehicle.inertia_kg_m2: has the principal moments 2.500000, 2.500000 and 9.000000 kg-m^2; the largest must be at most 5.000000 kg-m^2",
+            "vehicle.cg_m: row 1 has 2 numbers, must be",
+            "attitude.quaternion: got [0.0, 0.0, 0.0, 0.0], whose length is 0; must have a length above 0",
+            "attitude.body_rates_deg_s: got 2 rows, must be one row of 3 numbers",
+            "solver.flight_model: got \"allen-eggers\", which has no attitude",
+        ] {
+            assert!(said.contains(part), "{part}\nnot in\n{said}");
+        }
+    }
+
+    #[test]
+    fn inertia_must_be_there_and_symmetric() {
+        assert!(said("").contains("vehicle.inertia_kg_m2: missing"));
+        let skewed = "inertia_kg_m2 = [[3.0, 0.5, 0.0], [0.0, 2.5, 0.0], [0.0, 0.0, 2.5]]\n";
+        assert!(said(skewed).contains("both must be the same"));
+        let two = "inertia_kg_m2 = [[3.0, 0.0, 0.0], [0.0, 2.5, 0.0]]\n";
+        assert!(said(two).contains("got 2 rows, must be three rows of three numbers"));
+        let nothing = "inertia_kg_m2 = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]\n";
+        assert!(said(nothing).contains("must be positive definite"));
+    }
+
+    #[test]
+    fn a_centre_of_gravity_outside_the_outline_is_refused_with_the_range() {
+        let outline = "[outline]\npreset = 'stardust'\n";
+        let with = |cg: &str| said(&format!("{SOUND}cg_m = {cg}\n{outline}"));
+        assert_eq!(with("[0.3, 0.0, 0.01]"), "");
+        assert!(
+            with("[-0.2, 0.0, 0.0]")
+                .contains("outside the outline; must be within it, x 0.0354 to")
+        );
+        assert!(with("[0.3, 0.4, 0.3]").contains("0.5 m from the axis"));
+        assert!(said(&format!("{SOUND}{outline}")).contains("vehicle.cg_m: missing"));
+    }
+
+    #[test]
+    fn two_ways_of_one_thing_are_refused() {
+        let both = "[attitude]\nyaw_deg = 1.0\nbeta_deg = 2.0\n";
+        assert!(
+            said(&format!("{SOUND}{both}"))
+                .contains("attitude.beta_deg: given together with attitude.yaw_deg")
+        );
+        let drag = format!("drag_coefficient = 1.0\n{SOUND}[vehicle.aerodynamics]\nca = 1.0\n");
+        assert!(
+            said(&drag)
+                .contains("vehicle.aerodynamics.ca: given together with vehicle.drag_coefficient")
+        );
+        assert!(said("dof_ = 5\n").contains("vehicle.dof_: unknown key"));
     }
 }

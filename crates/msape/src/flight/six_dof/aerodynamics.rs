@@ -35,13 +35,13 @@ pub enum Aerodynamics {
     Database(Box<OfOutline>),
 }
 
-/// The database of an outline.
+/// The database of an outline, or of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OfOutline {
     /// Coefficients.
     pub database: Database,
-    /// Axial force nose first against Mach number, on which they rest; its rows are kinks.
-    pub axial_force: DragTable,
+    /// Axial force nose first against Mach number, where they rest on a table; its rows are kinks.
+    pub axial_force: Option<DragTable>,
 }
 
 /// Coefficients that do not depend on Mach number, moment about the centre of gravity.

@@ -145,7 +145,7 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
     #[inline]
     fn drag_table(&self) -> Option<&'a DragTable> {
         match (&self.rigid.aerodynamics, &self.point.body.drag) {
-            (Aerodynamics::Database(of_outline), _) => Some(&of_outline.axial_force),
+            (Aerodynamics::Database(of_outline), _) => of_outline.axial_force.as_ref(),
             (Aerodynamics::Drag, Drag::Table(table)) => Some(table),
             _ => None,
         }

@@ -78,6 +78,8 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Lift coefficient of a point mass at every Mach number.", CONVENTION),
     rows("vehicle.lift_table", "Lift Table", &[part("mach"), part("lift_coefficient")])
         .help("Rows of Mach number and lift coefficient of a point mass, interpolated linearly, ends held.", CONVENTION),
+    Input::new("vehicle.trim", "Fly at Trim", Group::Vehicle, Kind::Flag)
+        .help("Whether a point mass flies at the angle of attack where the moment about its centre of gravity is nothing, with drag and lift of its outline.", "NASA/TM-2014-218507, section 3.3.1"),
     angle("vehicle.bank_deg", "Bank Angle", 360.0)
         .help("Angle by which lift leans to the right of the vertical plane; 0 deg when absent.", CONVENTION),
     rows("vehicle.bank_table_deg", "Bank against Time", &[part("time_s"), part("bank_deg")])

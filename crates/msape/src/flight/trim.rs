@@ -1,0 +1,144 @@
+//! Drag and lift at the angle of attack at which a body of revolution does not turn, tabulated beforehand.
+//!
+//! ```text
+//! C_m(α) + C_N(α) x/D + C_A(α) e/D = 0
+//! C_D = C_A cos α + C_N sin α,   C_L = |C_N cos α − C_A sin α|
+//! ```
+//!
+//! with α the angle of trim in rad, x the centre of gravity aft of the virtual apex and e its distance from the axis in m, D
+//! the diameter in m, coefficients about the virtual apex. Both are linear in log₁₀ M and log₁₀ Kn between the nodes of a
+//! grid, so that a flight at trim costs what a flight of a point mass does.
+//!
+//! # Valid
+//! Trim between 0 and 90 deg, nose first. Where there is none, the angle is that of the smallest moment. The lift is turned by
+//! the angle of bank; at 0 deg it points up.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.3.1.
+
+use super::equations::{Equations, Surroundings};
+use super::lift::DragAndLift;
+use crate::aero::bridging::{CONTINUUM, FREE_MOLECULAR};
+use crate::aero::database::Database;
+use numerics::math;
+use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
+use numerics::root;
+
+/// Mach numbers of the grid: from, to, intervals.
+const MACH: ([f64; 2], usize) = ([0.05, 60.0], 160);
+/// Intervals of the Knudsen number, whose ends are those of the bridging.
+const KNUDSEN_INTERVALS: usize = 32;
+/// Step of the search for trim, deg.
+const STEP_DEG: f64 = 1.0;
+
+/// Coefficients at trim.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trim {
+    diameter_m: f64,
+    /// One row a Mach number, one entry a Knudsen number: drag and lift coefficient, angle of trim in rad.
+    grid: Vec<Vec<[f64; 3]>>,
+}
+
+impl Trim {
+    /// The trim of a database with the centre of gravity `cg_m`: x aft of the virtual apex, y and z off the axis, m.
+    pub fn new(database: &Database, [x, y, z]: [f64; 3]) -> Trim {
+        let ([low, high], intervals) = MACH;
+        let node = |ends: [f64; 2], i: usize, n: usize| {
+            let [a, b] = ends.map(math::log10);
+            math::pow(10.0, a + (b - a) * i as f64 / n as f64)
+        };
+        let off_axis_m = (y * y + z * z).sqrt();
+        let grid = (0..=intervals)
+            .map(|i| {
+                let mach = node([low, high], i, intervals);
+                (0..=KNUDSEN_INTERVALS)
+                    .map(|j| {
+                        let knudsen = node([CONTINUUM, FREE_MOLECULAR], j, KNUDSEN_INTERVALS);
+                        at_trim(database, [mach, knudsen], [x, off_axis_m])
+                    })
+                    .collect()
+            })
+            .collect();
+        Trim {
+            diameter_m: database.diameter_m,
+            grid,
+        }
+    }
+
+    /// Drag, lift and angle of trim, rad, at a Mach and a Knudsen number.
+    #[inline]
+    pub fn coefficients(&self, mach: f64, knudsen: f64) -> [f64; 3] {
+        let (ends, intervals) = MACH;
+        let (i, u) = place(mach, ends, intervals);
+        let (j, v) = place(knudsen, [CONTINUUM, FREE_MOLECULAR], KNUDSEN_INTERVALS);
+        let corner = |i: usize, j: usize| {
+            let row = self.grid.get(i);
+            row.and_then(|row| row.get(j)).copied().unwrap_or_default()
+        };
+        let [a, b, c, d] = [
+            corner(i, j),
+            corner(i + 1, j),
+            corner(i, j + 1),
+            corner(i + 1, j + 1),
+        ];
+        core::array::from_fn(|k| {
+            (1.0 - v) * ((1.0 - u) * a[k] + u * b[k]) + v * ((1.0 - u) * c[k] + u * d[k])
+        })
+    }
+
+    /// Drag and lift at one state of a flight.
+    #[inline]
+    pub fn at(&self, equations: &Equations, around: &Surroundings<f64>) -> DragAndLift {
+        let atmosphere = &equations.mission.atmosphere;
+        let air = atmosphere.air_in(equations.layer, around.altitude_m);
+        let mach = around.air_speed_m_s / air.speed_of_sound_m_s;
+        let [drag, lift, _] = self.coefficients(mach, air.mean_free_path_m / self.diameter_m);
+        DragAndLift { drag, lift }
+    }
+}
+
+/// Interval and part of it, in the logarithm, held beyond the ends.
+#[inline]
+fn place(x: f64, ends: [f64; 2], intervals: usize) -> (usize, f64) {
+    let [a, b] = ends;
+    let held = x.max(a).min(b);
+    let t = math::ln(held / a) / math::ln(b / a) * intervals as f64;
+    let i = (t as usize).min(intervals - 1);
+    (i, t - i as f64)
+}
+
+/// Drag, lift and angle at which the moment about the centre of gravity vanishes.
+fn at_trim(database: &Database, [mach, knudsen]: [f64; 2], [x, off_axis_m]: [f64; 2]) -> [f64; 3] {
+    let d = database.diameter_m;
+    let moment = |alpha: f64| {
+        let c = database.coefficients(mach, knudsen, alpha);
+        c.cm + (c.cn * x + c.ca * off_axis_m) / d
+    };
+    let alpha = if off_axis_m == 0.0 {
+        0.0
+    } else {
+        let step = STEP_DEG * RADIANS_PER_DEGREE;
+        let mut found = None;
+        let (mut least, mut before) = ((f64::INFINITY, 0.0), moment(0.0));
+        let mut alpha = 0.0;
+        while found.is_none() && alpha < FRAC_PI_2 {
+            let next = alpha + step;
+            let here = moment(next);
+            if before > 0.0 && here <= 0.0 {
+                found = root::brent(moment, alpha, next, 1e-12);
+            }
+            if here.abs() < least.0 {
+                least = (here.abs(), next);
+            }
+            (alpha, before) = (next, here);
+        }
+        found.unwrap_or(least.1)
+    };
+    let c = database.coefficients(mach, knudsen, alpha);
+    let (sin, cos) = math::sin_cos(alpha);
+    [
+        c.ca * cos + c.cn * sin,
+        (c.cn * cos - c.ca * sin).abs(),
+        alpha,
+    ]
+}

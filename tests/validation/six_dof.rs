@@ -1,0 +1,61 @@
+//! Six degrees of freedom: what the report says of backward entries, and the accuracy of a spinning entry.
+
+use msape::flight::six_dof::reorientation::{Facing, Reorientation, study};
+use msape::problem::FlightProblem;
+use msape::{Case, Library};
+use msape_tests::entry::{flown, output, set};
+
+fn shipped(name: &str) -> Case {
+    Case::from_text(msape::library::data_file(name).unwrap()).unwrap()
+}
+
+fn studied(case: &Case, cg_x_m: &[f64]) -> Vec<Reorientation> {
+    let library = Library::builtin().unwrap();
+    study(&FlightProblem::check(case, &library).unwrap(), cg_x_m)
+}
+
+/// Section 3.3.2, Figure 27: with the centre of gravity at 0.2 diameters a vehicle that enters backwards without rates turns
+/// round before continuum flow (Knudsen number 0.001), and the place of the centre of gravity is a driver: the farther aft it
+/// is, the later.
+#[test]
+fn backward_entry_without_rates_turns_round_before_continuum_flow() {
+    let case = shipped("cases/backward-entry.toml");
+    let diameter_m = 1.1;
+    let places = [0.15, 0.2, 0.25].map(|x| x * diameter_m);
+    let entries = studied(&case, &places);
+    let first_turn =
+        |entry: &Reorientation| entry.attitude.hemisphere_change_times_s.first().copied();
+    for entry in &entries {
+        println!(
+            "x_cg/D {:.3}: {:?}, first turn {:?} s, below 10 deg at Kn {:?}, at peak heating {:.1} deg",
+            entry.cg_x_m / diameter_m,
+            entry.facing,
+            first_turn(entry),
+            entry.attitude.first_below_10_deg_knudsen,
+            entry.attitude.total_alpha_at_peak_heating_rad.to_degrees(),
+        );
+        assert_eq!(entry.facing, Facing::Forward);
+        assert!(entry.attitude.last_hemisphere_change_knudsen.unwrap() > 1e-3);
+    }
+    let times: Vec<f64> = entries.iter().filter_map(first_turn).collect();
+    assert!(times[0] < times[1] && times[1] < times[2], "{times:?}");
+}
+
+/// The default accuracy against a tight integration: the largest angle after peak heating to 1e-4.
+#[test]
+fn largest_angles_of_a_spinning_entry_are_good_to_1e_4() {
+    let library = Library::builtin().unwrap();
+    let case = shipped("cases/stardust-spinning.toml");
+    let mut tight = case.clone();
+    set(&mut tight, "solver.tolerance", 1e-12);
+    let (ours, reference) = (flown(&case, &library), flown(&tight, &library));
+    for key in [
+        "maximum_total_alpha_deg",
+        "maximum_total_alpha_after_peak_heating_deg",
+        "total_alpha_at_peak_heating_deg",
+    ] {
+        let (a, b) = (output(&ours, key), output(&reference, key));
+        println!("{key}: {a} against {b}");
+        assert!((a / b - 1.0).abs() < 1e-4, "{key}: {a} against {b}");
+    }
+}
