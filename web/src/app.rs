@@ -5,6 +5,7 @@ use crate::components::open::open_file;
 use crate::link;
 use crate::pages::benchmark::Benchmark;
 use crate::pages::design::Design;
+use crate::pages::library::aerodynamics::{self, Aerodynamics};
 use crate::pages::library::{self, Library};
 use crate::presets::{first, starts};
 use crate::state::document::{Document, Run};
@@ -27,6 +28,8 @@ pub enum Page {
     Design,
     /// Outlines of vehicles.
     Library,
+    /// Coefficients of bodies.
+    Aerodynamics,
     /// Speed in this browser.
     Benchmark,
 }
@@ -37,14 +40,21 @@ impl Page {
         match window().location().hash().as_deref() {
             Ok("#/benchmark") => Page::Benchmark,
             Ok(hash) if hash.starts_with(library::ADDRESS) => Page::Library,
+            Ok(hash) if hash.starts_with(aerodynamics::ADDRESS) => Page::Aerodynamics,
             _ => Page::Design,
         }
+    }
+
+    /// Whether a link in the header leads to where this page is.
+    pub fn is_part_of(self, other: Page) -> bool {
+        self == other || (self, other) == (Page::Aerodynamics, Page::Library)
     }
 
     fn title(self) -> &'static str {
         match self {
             Page::Design => "M-SAPE: planetary entry vehicles",
             Page::Library => "Library - M-SAPE: planetary entry vehicles",
+            Page::Aerodynamics => "Aerodynamics - M-SAPE: planetary entry vehicles",
             Page::Benchmark => "Benchmark - M-SAPE: planetary entry vehicles",
         }
     }
@@ -71,6 +81,7 @@ pub fn App() -> impl IntoView {
         {move || match page.get() {
             Page::Design => view! { <Design /> }.into_any(),
             Page::Library => view! { <Library /> }.into_any(),
+            Page::Aerodynamics => view! { <Aerodynamics /> }.into_any(),
             Page::Benchmark => view! { <Benchmark /> }.into_any(),
         }}
         <footer class="bottom">

@@ -3,7 +3,7 @@
 use crate::display::{UnitSystem, symbol};
 use msape::flight::{Flight, Trajectory};
 use msape::quantity::trajectory::{Column, find};
-use msape_plot::{Axis, EventLine, Figure, Series};
+use msape_plot::{Axis, EventLine, Figure, Scale, Series};
 
 /// A column over another.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,11 +40,21 @@ pub const REPORT_PLOTS: [(&str, &str); 4] = [
     ("altitude_m", "speed_m_s"),
 ];
 
+/// Plots of attitude: vertical and horizontal column.
+pub const ATTITUDE_PLOTS: [(&str, &str); 4] = [
+    ("total_alpha_deg", "time_s"),
+    ("total_alpha_deg", "knudsen"),
+    ("q_deg_s", "time_s"),
+    ("dynamic_pressure_pa", "time_s"),
+];
+
 impl ChartSpec {
     /// Heading: "Altitude over Time".
     pub fn title(&self) -> String {
         let label = |key| find(key).map_or("", |column| column.label);
-        format!("{} over {}", label(&self.y), label(&self.x).to_lowercase())
+        let over = label(&self.x).to_lowercase();
+        let over = over.replace("knudsen", "Knudsen").replace("mach", "Mach");
+        format!("{} over {over}", label(&self.y))
     }
 
     /// Points in the units shown, one for each row of the time history.
@@ -107,7 +117,13 @@ impl ChartSpec {
 
 fn axis(key: &str, units: UnitSystem) -> Axis {
     find(key).map_or_else(Axis::default, |column: &'static Column| {
-        Axis::new(column.label, symbol(units.of_column(column)))
+        let axis = Axis::new(column.label, symbol(units.of_column(column)));
+        // It falls by ten powers of ten on the way down.
+        axis.with_scale(if key == "knudsen" {
+            Scale::Log
+        } else {
+            Scale::Linear
+        })
     })
 }
 
@@ -162,7 +178,7 @@ mod tests {
 
     #[test]
     fn the_plots_of_the_report_have_their_columns() {
-        for (y, x) in REPORT_PLOTS {
+        for (y, x) in REPORT_PLOTS.into_iter().chain(ATTITUDE_PLOTS) {
             assert!(find(y).is_some() && find(x).is_some(), "{y} {x}");
         }
     }

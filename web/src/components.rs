@@ -1,6 +1,8 @@
 //! What pages are made of. They read signals and call [`crate::state::State::edit`].
 
+pub mod aerodynamics;
 pub mod alternatives;
+pub mod attitude;
 pub mod cad;
 pub mod chart;
 pub mod chart_panel;
@@ -10,9 +12,11 @@ pub mod coupling;
 pub mod drawing;
 pub mod export;
 pub mod field;
+pub mod figure_panel;
 pub mod form;
 pub mod header;
 pub mod headline;
+pub mod library_tabs;
 pub mod mass_tree;
 pub mod notes;
 pub mod number;

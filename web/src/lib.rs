@@ -9,6 +9,7 @@
 //!
 //! Deliberately absent: physics, units and lists of variables. They are in `msape`.
 
+mod aerodynamics;
 mod app;
 mod charts;
 mod clock;

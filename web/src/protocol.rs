@@ -1,5 +1,6 @@
 //! Messages between page and worker, as postcard bytes: both ends are of one build.
 
+use crate::aerodynamics::{Curves, Question};
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,12 @@ pub enum Ask {
     Measure(Batch),
     /// To fly a vehicle as it is.
     Fly(Case),
+    /// For curves of coefficients.
+    Aerodynamics(Box<Question>),
+    /// For the flight of a design with its attitude.
+    Attitude(Box<Case>),
+    /// To read a table of coefficients.
+    ReadTable(String),
 }
 
 /// What the worker replies.
@@ -23,6 +30,10 @@ pub enum Told {
     Measured(Result<f64, String>),
     /// A flight, or every fault of its case.
     Flown(Box<Result<Answer, Vec<Fault>>>),
+    /// Curves of coefficients, or every fault of their case.
+    Aerodynamics(Box<Result<Curves, Vec<Fault>>>),
+    /// Rows of a table, or every fault of its text.
+    TableRead(Result<Vec<Vec<f64>>, Vec<String>>),
 }
 
 /// Repetitions of a job of [`msape::benchmark::JOBS`].

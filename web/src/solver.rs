@@ -1,17 +1,32 @@
 //! What the worker does with a question.
 
+use crate::aerodynamics::{self, Kept};
 use crate::clock::now_ms;
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use msape::benchmark::{Bench, JOBS};
 use msape::library::DataError;
-use msape::{Case, Library, Request, design, fly};
-use std::cell::OnceCell;
+use msape::problem::attitude_of_design;
+use msape::{Answer, Case, InputError, Library, Request, design, fly};
+use std::cell::{OnceCell, RefCell};
+
+/// Rows of a history of attitude: it turns several times a second for minutes.
+const ATTITUDE_ROWS: f64 = 8000.0;
+
+/// Whether a design is flown with its attitude, too.
+pub fn is_rigid(case: &Case) -> bool {
+    case.text("vehicle.dof")
+        .is_some_and(|dof| dof.trim() == "6")
+}
 
 /// Solves jobs with the library that ships with the program.
 pub struct Solver {
     library: Library,
     /// Made when it is first asked for.
     bench: OnceCell<Result<Bench, DataError>>,
+    /// The answer to the last case of a design.
+    designed: RefCell<Option<(Case, Answer)>>,
+    /// The database that was last asked for.
+    aerodynamics: Kept,
 }
 
 impl Solver {
@@ -22,7 +37,12 @@ impl Solver {
     pub fn new() -> Result<Solver, DataError> {
         let library = Library::builtin()?;
         let bench = OnceCell::new();
-        Ok(Solver { library, bench })
+        Ok(Solver {
+            library,
+            bench,
+            designed: RefCell::default(),
+            aerodynamics: Kept::default(),
+        })
     }
 
     /// The reply to a question, both as bytes.
@@ -34,6 +54,13 @@ impl Solver {
             Ask::Solve(job) => Told::Solved(Box::new(self.solve(job))),
             Ask::Measure(batch) => Told::Measured(self.measure(batch)),
             Ask::Fly(case) => Told::Flown(Box::new(self.fly(&case))),
+            Ask::Aerodynamics(question) => Told::Aerodynamics(Box::new(aerodynamics::curves(
+                &question,
+                &self.library,
+                &self.aerodynamics,
+            ))),
+            Ask::Attitude(case) => Told::Flown(Box::new(self.attitude(&case))),
+            Ask::ReadTable(text) => Told::TableRead(aerodynamics::read_table(&text)),
         })
     }
 
@@ -42,11 +69,41 @@ impl Solver {
         let result = design(&case, &self.library, Request::Steps)
             .map_err(|faults| faults.into_iter().map(Fault::from).collect());
         let duration_ms = now_ms() - start_ms;
+        // Only who flies the attitude as well asks for the design again.
+        if let Ok(answer) = &result
+            && is_rigid(&case)
+        {
+            *self.designed.borrow_mut() = Some((case, answer.clone()));
+        }
         Reply {
             id,
             result,
             duration_ms,
         }
+    }
+
+    /// The flight of a design with its attitude.
+    fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
+        let faults =
+            |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
+        let mut designed = self.designed.borrow_mut();
+        if designed.as_ref().is_none_or(|(of, _)| of != case) {
+            let answer = design(case, &self.library, Request::Steps).map_err(faults)?;
+            *designed = Some((case.clone(), answer));
+        }
+        let vehicle = designed
+            .as_ref()
+            .and_then(|(_, answer)| Some((answer.design.as_ref()?, answer.flight.as_ref()?)));
+        let Some((vehicle, flight)) = vehicle else {
+            let message = "the design has no vehicle that could fly".to_string();
+            return Err(vec![Fault {
+                key: "vehicle.dof".to_string(),
+                message,
+            }]);
+        };
+        let problem = attitude_of_design(case, &self.library, vehicle).map_err(faults)?;
+        let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
+        Ok(problem.solve(&case.name, Request::Uniform(step_s)))
     }
 
     fn fly(&self, case: &Case) -> Result<msape::Answer, Vec<Fault>> {

@@ -5,6 +5,7 @@ pub mod document;
 pub mod history;
 pub mod preferences;
 
+use crate::aerodynamics::{Curves, Question};
 use crate::clock::now_ms;
 use crate::protocol::{Batch, Fault, Reply};
 use crate::worker::{News, WorkerLink};
@@ -93,6 +94,8 @@ pub struct State {
     pub preferences: Preferences,
     /// What a case may name.
     pub library: StoredValue<Option<Library>>,
+    /// Inputs that the next flight of an outline begins with.
+    pub flight_fields: StoredValue<Option<Case>>,
     /// Time from navigation to the first answer, ms.
     pub first_answer_ms: RwSignal<Option<f64>>,
     worker: StoredValue<Option<WorkerLink>, LocalStorage>,
@@ -128,6 +131,7 @@ impl State {
             file_faults: RwSignal::new(Vec::new()),
             preferences,
             library: stored_library,
+            flight_fields: StoredValue::new(None),
             first_answer_ms: RwSignal::new(None),
             worker: StoredValue::new_local(None),
         };
@@ -221,6 +225,40 @@ impl State {
     pub async fn fly(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
         let link = self.worker.get_value();
         link.ok_or("there is no worker")?.fly(case).await
+    }
+
+    /// The flight of a design with its attitude, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn attitude(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.attitude(case).await
+    }
+
+    /// Curves of coefficients, or every fault of their case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn aerodynamics(
+        self,
+        question: Question,
+    ) -> Result<Result<Curves, Vec<Fault>>, String> {
+        let link = self.worker.get_value();
+        let link = link.ok_or("there is no worker")?;
+        link.aerodynamics(question).await
+    }
+
+    /// Rows of a table of coefficients, or every fault of its text.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn read_table(
+        self,
+        text: String,
+    ) -> Result<Result<Vec<Vec<f64>>, Vec<String>>, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.read_table(text).await
     }
 
     /// Takes the last change back.

@@ -30,6 +30,8 @@ struct Current {
     /// Absent in what was kept before outlines could be imported.
     #[serde(default)]
     outlines: BTreeMap<String, Rows>,
+    #[serde(default)]
+    tables: BTreeMap<String, Rows>,
 }
 
 impl Store {
@@ -78,6 +80,7 @@ impl Store {
                     unit_of: Arc::new(current.unit_of),
                     runs: Arc::new(runs.clone()),
                     outlines: Arc::new(current.outlines),
+                    tables: Arc::new(current.tables),
                 })
             });
         Ok((document, runs))
@@ -100,6 +103,7 @@ impl Store {
             units: document.units,
             unit_of: (*document.unit_of).clone(),
             outlines: (*document.outlines).clone(),
+            tables: (*document.tables).clone(),
         };
         transaction
             .object_store(THINGS)?

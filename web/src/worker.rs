@@ -1,6 +1,7 @@
 //! The page's end of the line to the worker. The newest edit wins: one job is under way, at most one waits. Batches of the
 //! benchmark and flights come after it.
 
+use crate::aerodynamics::{Curves, Question};
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;
@@ -79,6 +80,45 @@ impl WorkerLink {
     pub async fn fly(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
         match self.ask(Ask::Fly(case)).await? {
             Told::Flown(flown) => Ok(*flown),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// The flight of a design with its attitude, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn attitude(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
+        match self.ask(Ask::Attitude(Box::new(case))).await? {
+            Told::Flown(flown) => Ok(*flown),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// Curves of coefficients, or every fault of their case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn aerodynamics(
+        &self,
+        question: Question,
+    ) -> Result<Result<Curves, Vec<Fault>>, String> {
+        match self.ask(Ask::Aerodynamics(Box::new(question))).await? {
+            Told::Aerodynamics(curves) => Ok(*curves),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// Rows of a table of coefficients, or every fault of its text.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn read_table(
+        &self,
+        text: String,
+    ) -> Result<Result<Vec<Vec<f64>>, Vec<String>>, String> {
+        match self.ask(Ask::ReadTable(text)).await? {
+            Told::TableRead(rows) => Ok(rows),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }
@@ -175,14 +215,16 @@ impl WorkerLink {
         let data = event.data();
         let bytes = data.dyn_ref::<js_sys::Uint8Array>();
         let told = bytes.map(|bytes| decode::<Told>(&bytes.to_vec()));
-        if let Some(Ok(Told::Measured(_) | Told::Flown(_))) = &told {
+        if let Some(Ok(told)) = &told
+            && !matches!(told, Told::Solved(_))
+        {
             self.settle(&data);
         }
         self.send_next();
         match told {
             Some(Ok(Told::Solved(reply))) => self.news(News::Reply(reply)),
             Some(Err(error)) => self.news(News::Failed(error.to_string())),
-            Some(Ok(Told::Measured(_) | Told::Flown(_))) | None => {}
+            Some(Ok(_)) | None => {}
         }
     }
 

@@ -19,6 +19,7 @@
 //! - \[samareh-2014\] section 3.3 and equation 7; \[mitcheltree-1997\] Table 4.
 
 pub mod bridging;
+pub mod coefficient;
 pub mod curve;
 pub mod damping;
 pub mod database;

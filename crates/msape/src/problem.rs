@@ -4,6 +4,7 @@
 
 mod aerodynamics;
 mod attitude;
+mod attitude_of_design;
 mod center;
 mod design;
 mod flight;
@@ -25,6 +26,7 @@ use crate::library::Library;
 use crate::vehicle::body::RigidBody;
 
 pub use aerodynamics::aero;
+pub use attitude_of_design::attitude_of_design;
 pub use outline::rigid_body;
 
 /// A flight that was checked.

@@ -22,8 +22,14 @@ pub fn Chart(
     /// Whether it has no cursor.
     #[prop(optional)]
     still: bool,
+    /// A cursor of its own, in the place of the one that all charts of the flight share.
+    #[prop(optional)]
+    cursor: Option<RwSignal<Option<usize>>>,
 ) -> impl IntoView {
     let state = State::expect();
+    // A figure that is no flight's names no column: its first curve runs along x.
+    let is_history = move || spec.with_untracked(|spec| ["", "time_s"].contains(&spec.x.as_str()));
+    let cursor = cursor.unwrap_or(state.cursor);
     let frame = NodeRef::<Div>::new();
     let surface = NodeRef::<Canvas>::new();
     let size = RwSignal::new((0.0, 0.0));
@@ -69,7 +75,7 @@ pub fn Chart(
     });
 
     let at_cursor = Memo::new(move |_| {
-        let row = state.cursor.get().filter(|_| !still)?;
+        let row = cursor.get().filter(|_| !still)?;
         points.with(|points| points.get(row.min(points.len().checked_sub(1)?)).copied())
     });
     let place = move || {
@@ -86,9 +92,8 @@ pub fn Chart(
             return;
         };
         let at = (f64::from(event.offset_x()), f64::from(event.offset_y()));
-        let is_history = spec.with_untracked(|spec| spec.x == "time_s");
-        let row = points.with_untracked(|points| nearest(points, &mapping, at, is_history));
-        state.cursor.set(row);
+        let row = points.with_untracked(|points| nearest(points, &mapping, at, is_history()));
+        cursor.set(row);
     };
     let on_key = move |event: KeyboardEvent| {
         let count = points.with_untracked(Vec::len);
@@ -98,7 +103,7 @@ pub fn Chart(
         } else {
             1
         };
-        let now = state.cursor.get_untracked();
+        let now = cursor.get_untracked();
         let next = match event.key().as_str() {
             "ArrowRight" => Some(now.map_or(0, |row| (row + step).min(last))),
             "ArrowLeft" => Some(now.map_or(last, |row| row.saturating_sub(step))),
@@ -111,7 +116,7 @@ pub fn Chart(
             return;
         }
         event.prevent_default();
-        state.cursor.set(next.filter(|_| count > 0));
+        cursor.set(next.filter(|_| count > 0));
     };
     let description = move || {
         let title = title.get();
@@ -137,7 +142,7 @@ pub fn Chart(
             on:blur=move |_| focused.set(false)
             on:pointermove=point
             on:pointerdown=point
-            on:pointerleave=move |_| state.cursor.set(None)
+            on:pointerleave=move |_| cursor.set(None)
         >
             <canvas node_ref=surface aria-hidden="true"></canvas>
             <svg class="chart-cursor" aria-hidden="true" focusable="false">

@@ -8,8 +8,10 @@ use crate::files;
 use crate::state::State;
 
 use leptos::prelude::*;
+use msape::Answer;
 use msape::quantity::trajectory::{columns, find};
 use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
+use std::sync::Arc;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
@@ -24,18 +26,23 @@ pub fn ChartPanel(
     /// Whether the columns can be chosen.
     #[prop(optional)]
     free: bool,
+    /// The answer whose flight is drawn, in the place of the newest.
+    #[prop(optional)]
+    answer: Option<Signal<Option<Arc<Answer>>>>,
+    /// A cursor of its own.
+    #[prop(optional)]
+    cursor: Option<RwSignal<Option<usize>>>,
 ) -> impl IntoView {
     let state = State::expect();
     let units = Memo::new(move |_| state.document.with(|document| document.units));
     let figure = Memo::new(move |_| {
         let (spec, units, span) = (spec.get(), units.get(), span.get());
-        state
-            .latest
-            .with(|latest| {
-                let flight = latest.as_ref()?.answer.flight.as_ref()?;
-                Some(spec.figure(flight, units, span))
-            })
-            .unwrap_or_default()
+        let drawn = |answer: &Answer| Some(spec.figure(answer.flight.as_ref()?, units, span));
+        let figure = match answer {
+            Some(answer) => answer.with(|answer| drawn(answer.as_ref()?)),
+            None => state.latest.with(|latest| drawn(&latest.as_ref()?.answer)),
+        };
+        figure.unwrap_or_default()
     });
     let points = Memo::new(move |_| {
         figure.with(|figure| {
@@ -50,9 +57,9 @@ pub fn ChartPanel(
     let table_open = RwSignal::new(false);
     // Of all charts, only the one with the focus speaks.
     let focused = RwSignal::new(false);
+    let cursor = cursor.unwrap_or(state.cursor);
     let reading = move || {
-        state
-            .cursor
+        cursor
             .get()
             .and_then(|row| {
                 points.with(|points| points.get(row.min(points.len().checked_sub(1)?)).copied())
@@ -83,7 +90,7 @@ pub fn ChartPanel(
                     view! { <h3>{title}</h3> }.into_any()
                 }}
             </figcaption>
-            <Chart title spec=spec.into() figure points focused />
+            <Chart title spec=spec.into() figure points focused cursor />
             <div class="chart-foot">
                 <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading().unwrap_or_else(|| "\u{a0}".to_string())}</p>
                 <div class="tools">
@@ -132,7 +139,8 @@ fn ColumnChoice(spec: RwSignal<ChartSpec>) -> impl IntoView {
     }
 }
 
-fn drawn(figure: &Figure, title: &str) -> String {
+/// A figure with its title as SVG.
+pub fn drawn(figure: &Figure, title: &str) -> String {
     let titled = Figure {
         title: Some(title.to_string()),
         ..figure.clone()
@@ -140,7 +148,11 @@ fn drawn(figure: &Figure, title: &str) -> String {
     svg(&titled, &theme(false), EXPORT_PX.0, EXPORT_PX.1)
 }
 
-fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
+/// Hands a figure to the user as PNG.
+///
+/// # Errors
+/// What the browser refuses.
+pub fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
     let element: HtmlCanvasElement = document().create_element("canvas")?.unchecked_into();
     let size = CanvasSize {
         width_px: f64::from(EXPORT_PX.0),

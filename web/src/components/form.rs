@@ -8,10 +8,11 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::quantity::input::{Group, Input, Kind, Level, inputs};
 
-/// Inputs of a vehicle that is flown as it is, and files that only the command line can read.
+/// Inputs of a vehicle that is flown as it is, those of the attitude, which have a card of their own, and files that only the command line can read.
 fn is_of_design(input: &Input) -> bool {
     !input.key.starts_with("vehicle.")
         && !input.key.starts_with("outline.")
+        && !input.key.starts_with("attitude.")
         && input.kind != Kind::Text
 }
 

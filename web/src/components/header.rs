@@ -24,7 +24,7 @@ pub fn Header(page: Memo<Page>) -> impl IntoView {
             </div>
             <nav class="pages" aria-label="Pages">
                 {[("#/design", "Design", Page::Design), (library::ADDRESS, "Library", Page::Library)].into_iter().map(|(address, name, this)| view! {
-                    <a href=address aria-current=move || (page.get() == this).then_some("page")>{name}</a>
+                    <a href=address aria-current=move || page.get().is_part_of(this).then_some("page")>{name}</a>
                 }).collect_view()}
             </nav>
             <div class="document">

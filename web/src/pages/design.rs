@@ -1,6 +1,7 @@
 //! The Design page: inputs, vehicle, flight, results, notes and coupling of one design.
 
 use crate::charts::{ChartSpec, REPORT_PLOTS, Span};
+use crate::components::attitude::AttitudeCard;
 use crate::components::chart_panel::ChartPanel;
 use crate::components::coupling::Coupling;
 use crate::components::export::Export;
@@ -53,6 +54,7 @@ pub fn Design() -> impl IntoView {
                         <ChartPanel spec=free span free=true />
                     </div>
                 </section>
+                <AttitudeCard />
                 <Coupling />
             </div>
             <div class="column-results">

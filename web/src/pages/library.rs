@@ -1,6 +1,9 @@
-//! The Library page: outlines of known vehicles and imported ones.
+//! The Vehicles page of the Library: outlines of known vehicles and imported ones.
+
+pub mod aerodynamics;
 
 use crate::components::cad::CadMenu;
+use crate::components::library_tabs::LibraryTabs;
 use crate::components::outline::drawing::{OutlineDrawing, describe};
 use crate::components::outline::facts::Facts;
 use crate::components::outline::flight::OutlineFlight;
@@ -18,16 +21,16 @@ use std::sync::Arc;
 pub const ADDRESS: &str = "#/library/vehicles";
 
 /// The outline that the address names.
-fn linked() -> Option<String> {
+pub(crate) fn linked(page: &str) -> Option<String> {
     let hash = window().location().hash().ok()?;
-    let id = hash.strip_prefix(ADDRESS)?.strip_prefix("?o=")?;
+    let id = hash.strip_prefix(page)?.strip_prefix("?o=")?;
     js_sys::decode_uri_component(id).ok()?.as_string()
 }
 
 /// Puts the outline into the address, without a step back in the browser's history.
-fn link(id: &str) {
+pub(crate) fn link(page: &str, id: &str) {
     let address = format!(
-        "{ADDRESS}?o={}",
+        "{page}?o={}",
         String::from(js_sys::encode_uri_component(id))
     );
     if let Ok(history) = window().history() {
@@ -36,12 +39,19 @@ fn link(id: &str) {
     }
 }
 
+/// Leads to an outline.
+pub fn go_to(id: &str) {
+    let id = String::from(js_sys::encode_uri_component(id));
+    // A browser that refuses stays where it is.
+    let _ = window().location().set_hash(&format!("{ADDRESS}?o={id}"));
+}
+
 /// The page.
 #[component]
 pub fn Library() -> impl IntoView {
     let state = State::expect();
     let list = Memo::new(move |_| entries(state));
-    let chosen = RwSignal::new(linked().unwrap_or_default());
+    let chosen = RwSignal::new(linked(ADDRESS).unwrap_or_default());
     let entry = Memo::new(move |_| {
         let id = chosen.get();
         list.with(|list| {
@@ -55,12 +65,13 @@ pub fn Library() -> impl IntoView {
     });
     let title = move || entry.with(|entry| entry.as_ref().map(Entry::title));
     let choose = move |id: String| {
-        link(&id);
+        link(ADDRESS, &id);
         chosen.set(id);
     };
     view! {
         <main id="main" class="library" tabindex="-1">
             <section class="card library-list" aria-labelledby="outlines-title">
+                <LibraryTabs />
                 <h2 id="outlines-title">"Vehicles"</h2>
                 <ul class="outline-list">
                     {move || list.get().into_iter().map(|item| {

@@ -19,9 +19,11 @@ pub struct Document {
     pub runs: Arc<BTreeMap<String, Run>>,
     /// Outlines that were imported, by name.
     pub outlines: Arc<BTreeMap<String, Rows>>,
+    /// Tables of coefficients that were imported, by name.
+    pub tables: Arc<BTreeMap<String, Rows>>,
 }
 
-/// Rows of `outline.points`.
+/// Rows of `outline.points` or of `vehicle.aerodynamics.table`.
 pub type Rows = Vec<Vec<f64>>;
 
 /// A run kept by name.
@@ -46,6 +48,7 @@ impl Document {
             unit_of: Arc::default(),
             runs: Arc::default(),
             outlines: Arc::default(),
+            tables: Arc::default(),
         }
     }
 
@@ -78,6 +81,17 @@ impl Document {
         change(&mut outlines);
         Document {
             outlines: Arc::new(outlines),
+            ..self.clone()
+        }
+    }
+
+    /// The same with the imported tables changed.
+    #[must_use]
+    pub fn with_tables(&self, change: impl FnOnce(&mut BTreeMap<String, Rows>)) -> Document {
+        let mut tables = (*self.tables).clone();
+        change(&mut tables);
+        Document {
+            tables: Arc::new(tables),
             ..self.clone()
         }
     }

@@ -1,5 +1,6 @@
 //! Draws a scene with WebGL2.
 
+use super::attitude::Attitude;
 use super::camera::{Ball, Camera};
 use super::paint::{Colour, SCALE};
 use super::scene::{Part, Run, STRIDE, Scene};
@@ -54,6 +55,8 @@ pub struct Look {
 pub struct Frame {
     /// From where.
     pub camera: Camera,
+    /// How the vehicle is turned.
+    pub attitude: Attitude,
     /// What fills the view; a vehicle that grows in it is seen to grow.
     pub ball: Ball,
     /// Angle of the wedge that is cut out, rad.
@@ -175,7 +178,9 @@ impl Renderer {
         gl.enable(Gl::DEPTH_TEST);
         gl.depth_func(Gl::LEQUAL);
         gl.stencil_mask(0xff);
-        let view = frame.camera.view(frame.ball, aspect);
+        let view = frame
+            .attitude
+            .seen(frame.camera.view(frame.ball, aspect), frame.ball);
         // What has grown beyond the view is not cut off in depth.
         let reach_m = self.ball.radius_m + (self.ball.center_m - frame.ball.center_m).abs();
         let projection = frame.camera.projection(frame.ball, aspect, reach_m);

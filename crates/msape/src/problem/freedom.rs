@@ -307,7 +307,7 @@ const TOLERANCE_FREE: f64 = 1e-11;
 /// With constants: energy and angular momentum without air to 1e-9, a swing of 10 Hz to 1e-5 after three minutes.
 const TOLERANCE_CONSTANTS: f64 = 1e-9;
 /// With a database, whose tables have kinks: largest angles of an entry to 1e-5.
-const TOLERANCE_DATABASE: f64 = 1e-8;
+pub(super) const TOLERANCE_DATABASE: f64 = 1e-8;
 
 /// Method and accuracy of six degrees of freedom, where the case does not say otherwise.
 pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {

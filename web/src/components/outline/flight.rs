@@ -70,7 +70,7 @@ fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
 #[component]
 pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoView {
     let state = State::expect();
-    let fields = RwSignal::new(first_fields());
+    let fields = RwSignal::new(first_fields(state));
     // Until another is typed, the mass is that of the present design.
     let typed = RwSignal::new(false);
     Effect::new(move |_| {
@@ -150,15 +150,20 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     }
 }
 
-/// The fields as they are at first: the drag of a blunt body at high speed.
-fn first_fields() -> Case {
-    let mut fields = Case::default();
-    fields.set("vehicle.drag_coefficient", "1.5");
-    fields
+/// The fields as they are at first: the coefficients that the Aerodynamics page hands over, else the drag of a blunt body
+/// at high speed.
+fn first_fields(state: State) -> Case {
+    let handed_over = state.flight_fields.try_update_value(Option::take).flatten();
+    handed_over.unwrap_or_else(|| {
+        let mut fields = Case::default();
+        fields.set("vehicle.drag_coefficient", "1.5");
+        fields
+    })
 }
 
+/// A field of an input in a small case.
 #[component]
-fn FlightField(
+pub fn FlightField(
     input: &'static Input,
     fields: RwSignal<Case>,
     faults: RwSignal<Vec<Fault>>,

@@ -135,7 +135,7 @@ fn words<T: ToString>(faults: &[T]) -> Vec<String> {
 }
 
 /// The lines that faults speak of: "line 12: …".
-fn lines_at_fault(text: &str, faults: &[String]) -> Vec<(usize, String)> {
+pub fn lines_at_fault(text: &str, faults: &[String]) -> Vec<(usize, String)> {
     let mut numbers: Vec<usize> = faults
         .iter()
         .filter_map(|fault| {

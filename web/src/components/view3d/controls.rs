@@ -29,11 +29,15 @@ const TURNS: [Turn; 6] = [
 pub fn Controls(
     camera: RwSignal<Camera>,
     cut_deg: RwSignal<f64>,
+    /// Where the camera stands at first.
+    home: Camera,
+    /// Ends identifiers.
+    id: &'static str,
     /// Stands the camera anew so that the vehicle fills the view.
     stand: Callback<Camera>,
 ) -> impl IntoView {
     let places = [
-        ("Reset", Camera::START),
+        ("Reset", home),
         ("Side", Camera::SIDE),
         ("Front", Camera::FRONT),
         ("Back", Camera::BACK),
@@ -53,8 +57,8 @@ pub fn Controls(
                 <button type="button" class="small" on:click=move |_| stand.run(Camera { zoom: 1.0, ..camera.get_untracked() })>"Fit"</button>
             </div>
             <div class="cut">
-                <label for="cut-3d">"Cut open"</label>
-                <input id="cut-3d" type="range" min="0" max=CUT_MAX_DEG step="5" prop:value=move || cut_deg.get().to_string()
+                <label for=format!("cut-{id}")>"Cut open"</label>
+                <input id=format!("cut-{id}") type="range" min="0" max=CUT_MAX_DEG step="5" prop:value=move || cut_deg.get().to_string()
                     aria-valuetext=move || format!("{} degrees", cut_deg.get())
                     on:input:target=move |event| set_cut(cut_deg, &event.target().value()) />
                 <input type="text" inputmode="decimal" class="cut-field" aria-label="Cut open, degrees" prop:value=move || cut_deg.get().to_string()

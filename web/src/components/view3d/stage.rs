@@ -7,6 +7,7 @@ use crate::clock::now_ms;
 use crate::components::chart_panel::save;
 use crate::files;
 use crate::state::State;
+use crate::view3d::attitude::Attitude;
 use crate::view3d::camera::Camera;
 use crate::view3d::paint::{self, Colour};
 use crate::view3d::pick;
@@ -60,11 +61,24 @@ pub fn Stage(
     /// Called with the place of a part that was clicked.
     #[prop(optional)]
     pick: Option<Callback<usize>>,
+    /// Ends identifiers, where there is more than one view on a page.
+    #[prop(default = "3d")]
+    id: &'static str,
+    /// How the vehicle is turned, where it does not stand still.
+    #[prop(optional)]
+    attitude: Option<Signal<Attitude>>,
+    /// From where it is looked at, where others must know it.
+    #[prop(optional)]
+    camera: Option<RwSignal<Camera>>,
+    /// What is drawn over it.
+    #[prop(optional, into)]
+    overlay: ViewFn,
 ) -> impl IntoView {
     let state = State::expect();
     let frame_ref = NodeRef::<Div>::new();
     let canvas_ref = NodeRef::<Canvas>::new();
-    let camera = RwSignal::new(Camera::START);
+    let home = camera.map_or(Camera::START, |camera| camera.get_untracked());
+    let camera = camera.unwrap_or_else(|| RwSignal::new(Camera::START));
     let cut_deg = RwSignal::new(90.0);
     let size = RwSignal::new((0.0, 0.0));
     let fault = RwSignal::new(None::<String>);
@@ -110,6 +124,7 @@ pub fn Stage(
             };
             renderer.draw(&Frame {
                 camera: camera.get_untracked(),
+                attitude: attitude.map_or(Attitude::UPRIGHT, |attitude| attitude.get_untracked()),
                 ball: stored.ball,
                 cut_rad: (cut_deg.get_untracked() as f32).to_radians(),
                 looks,
@@ -166,6 +181,9 @@ pub fn Stage(
         parts.track();
         by_scale.track();
         camera.track();
+        if let Some(attitude) = attitude {
+            attitude.track();
+        }
         cut_deg.track();
         size.track();
         state.preferences.dark.track();
@@ -202,7 +220,7 @@ pub fn Stage(
             "-" | "_" => zoomed(1.0 / ZOOM),
             "PageUp" => cut(CUT_STEP_DEG),
             "PageDown" => cut(-CUT_STEP_DEG),
-            "Home" => stand(Camera::START),
+            "Home" => stand(home),
             _ => return,
         }
         event.prevent_default();
@@ -311,7 +329,7 @@ pub fn Stage(
                 node_ref=frame_ref
                 role="application"
                 aria-roledescription="3-D view"
-                aria-describedby="help-3d"
+                aria-describedby=format!("help-{id}")
                 tabindex="0"
                 aria-label=summary
                 on:keydown=on_key
@@ -330,11 +348,12 @@ pub fn Stage(
                     on:webglcontextlost=|event: Event| event.prevent_default()
                     on:webglcontextrestored=move |_: Event| restored.update(|count| *count += 1)
                 ></canvas>
+                {overlay.run()}
             </div>
-            <Controls camera cut_deg stand=Callback::new(stand) />
+            <Controls camera cut_deg home id stand=Callback::new(stand) />
             <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{reading}</p>
             <div class="stage-foot">
-                <p class="quiet" id="help-3d">"Drag or press the arrow keys to turn. Once it has the focus, the wheel, + and − zoom. Page Up and Page Down cut, Home resets."{pick.map(|_| " A click names a component.")}</p>
+                <p class="quiet" id=format!("help-{id}")>"Drag or press the arrow keys to turn. Once it has the focus, the wheel, + and − zoom. Page Up and Page Down cut, Home resets."{pick.map(|_| " A click names a component.")}</p>
                 <button type="button" class="small" on:click=save_image>"PNG"</button>
             </div>
         </div>

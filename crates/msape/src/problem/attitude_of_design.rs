@@ -1,0 +1,144 @@
+//! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
+
+use super::freedom::{TOLERANCE_DATABASE, one_row};
+use super::{FlightProblem, attitude, design};
+use crate::aero::Drag;
+use crate::aero::standard::AeroBody;
+use crate::case::{Case, InputError, Reader};
+use crate::design::Design;
+use crate::flight::freedom::Freedom;
+use crate::flight::mission::Model;
+use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, OfOutline, Reference};
+use crate::flight::six_dof::attitude::at_start;
+use crate::flight::six_dof::inertia::Inertia;
+use crate::flight::six_dof::rigid::Rigid;
+use crate::library::Library;
+use numerics::math::RADIANS_PER_DEGREE;
+use numerics::ode::Method;
+
+/// The flight of a designed vehicle with its attitude. `[attitude]` of the case gives that of the start, `vehicle.cg_m`
+/// a centre of gravity in the place of the vehicle's own.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn attitude_of_design(
+    case: &Case,
+    library: &Library,
+    designed: &Design,
+) -> Result<FlightProblem, Vec<InputError>> {
+    let mut reader = Reader::new(case);
+    let input = design::design(&mut reader, library);
+    let given = attitude::given(&mut reader);
+    let rates = one_row::<3>(&mut reader, "attitude.body_rates_deg_s").flatten();
+    let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
+    let [clp, cmq, cnr] = [
+        "vehicle.aerodynamics.clp",
+        "vehicle.aerodynamics.cmq",
+        "vehicle.aerodynamics.cnr",
+    ]
+    .map(|key| reader.number(key).unwrap_or(0.0));
+    let vehicle = &designed.vehicle;
+    let mut shape = AeroBody::of_vehicle(&case.name, vehicle);
+    if let Some(cg_m) = cg_m {
+        shape.cg_m = Some(cg_m);
+    }
+    let drag = input.as_ref().map(|input| Drag::Table(input.drag.clone()));
+    let database = super::aerodynamics::database(&mut reader, library, &shape, drag.as_ref());
+    let mass = &vehicle.mass;
+    let inertia = Inertia::try_new([
+        [mass.ixx_kg_m2, 0.0, 0.0],
+        [0.0, mass.iyy_kg_m2, 0.0],
+        [0.0, 0.0, mass.izz_kg_m2],
+    ]);
+    if let Err(faults) = &inertia {
+        faults
+            .iter()
+            .for_each(|fault| reader.fault("vehicle.inertia_kg_m2", fault.as_str()));
+    }
+    let (Some(input), Some(given), Some(database), Ok(inertia), true) =
+        (input, given, database, inertia, reader.faults.is_empty())
+    else {
+        return Err(reader.faults);
+    };
+    let of_outline = OfOutline {
+        axial_force: database.table().is_none().then(|| input.drag.clone()),
+        database,
+    };
+    // What the case says of the integration is for its point mass.
+    let mut mission = input.mission.clone();
+    mission.solver.model = Model::ThreeDof;
+    mission.solver.method = Method::DormandPrince853;
+    mission.solver.tolerance = mission.solver.tolerance.min(TOLERANCE_DATABASE);
+    let mut body = input.body(vehicle);
+    body.freedom = Freedom::Rigid(Box::new(Rigid {
+        inertia,
+        cg_m: shape.cg_m.unwrap_or_default(),
+        reference: Reference {
+            area_m2: body.reference_area_m2,
+            length_m: vehicle.dimensions.diameter_m,
+            span_m: vehicle.dimensions.diameter_m,
+        },
+        aerodynamics: Aerodynamics::Database(Box::new(of_outline)),
+        damping: Damping { clp, cmq, cnr },
+        attitude: at_start(&given, &mission.start, &mission),
+        rates_rad_s: rates
+            .unwrap_or_default()
+            .map(|rate| rate * RADIANS_PER_DEGREE),
+    }));
+    Ok(FlightProblem {
+        mission,
+        body,
+        outline: None,
+        findings: reader.findings,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Request, design};
+
+    fn case() -> Case {
+        let text = crate::library::data_file("cases/msr-eev-cp.toml").unwrap();
+        Case::from_text(text).unwrap()
+    }
+
+    #[test]
+    fn a_designed_vehicle_enters_nose_first_where_it_flies_as_its_point_mass() {
+        let library = Library::builtin().unwrap();
+        let case = case();
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        let point = answer.flight.as_ref().unwrap();
+        let designed = answer.design.as_ref().unwrap();
+        let problem = attitude_of_design(&case, &library, designed).unwrap();
+        let rigid = problem.solve("", Request::Nothing).flight.unwrap();
+        // Along the velocity at the start: gravity turns the path slowly, so that drag is that of zero angle but for cos α.
+        let (a, b) = (
+            rigid.peak_deceleration_earth_g.value,
+            point.peak_deceleration_earth_g.value,
+        );
+        assert!((a / b - 1.0).abs() < 0.01, "{a} against {b} Earth g");
+        assert!(rigid.attitude.is_some());
+    }
+
+    #[test]
+    fn the_attitude_of_the_start_is_that_of_the_case_and_faults_are_told() {
+        let library = Library::builtin().unwrap();
+        let mut case = case();
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        let designed = answer.design.unwrap();
+        case.set("attitude.alpha_deg", "170");
+        let problem = attitude_of_design(&case, &library, &designed).unwrap();
+        let attitude = problem.solve("", Request::Nothing).flight.unwrap().attitude;
+        let initial = attitude.unwrap().initial_total_alpha_rad;
+        assert!((initial / RADIANS_PER_DEGREE - 170.0).abs() < 1e-6);
+        case.set("attitude.yaw_deg", "10");
+        let faults = attitude_of_design(&case, &library, &designed).unwrap_err();
+        assert!(
+            faults
+                .iter()
+                .any(|fault| fault.key.starts_with("attitude.")),
+            "{faults:?}"
+        );
+    }
+}

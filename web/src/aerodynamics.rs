@@ -1,0 +1,310 @@
+//! Curves of aerodynamic coefficients: what is asked, what the worker answers.
+//!
+//! The theory is in `msape::aero`.
+
+use crate::protocol::Fault;
+use msape::aero::database::{Coefficients, Database, Regime};
+use msape::aero::own::csv;
+use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
+use msape::aero::standard::AeroBody;
+use msape::problem::aero;
+use msape::{Case, Library};
+use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
+
+/// Most curves of a figure.
+pub const CURVES_MAX: usize = 6;
+/// Mach numbers of curves over the Mach number: first, last.
+const MACH: (f64, f64) = (0.1, 50.0);
+/// Knudsen numbers of curves over the Knudsen number: first, last.
+const KNUDSEN: (f64, f64) = (1e-5, 1e3);
+/// Points of a curve over Mach or Knudsen number.
+const POINTS: u32 = 240;
+/// Step of the angle of attack, deg.
+const STEP_DEG: f64 = 1.0;
+
+/// What is asked of the database of a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Question {
+    /// A case with an outline, or of a design.
+    pub case: Case,
+    /// Where its coefficients are wanted.
+    pub places: Places,
+}
+
+/// Where coefficients are wanted: one curve a place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Places {
+    /// Mach numbers; the first holds where another number varies.
+    pub mach: Vec<f64>,
+    /// Knudsen numbers; the first holds where another number varies.
+    pub knudsen: Vec<f64>,
+    /// Angles of attack, deg.
+    pub alpha_deg: Vec<f64>,
+    /// What tells the curves over the angle of attack apart.
+    pub family: Family,
+    /// Centre of gravity in diameters aft of the virtual apex, in the place of the body's own.
+    pub cg_over_diameter: Option<f64>,
+}
+
+/// What tells curves over the angle of attack apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Family {
+    /// Mach numbers at the first Knudsen number.
+    Mach,
+    /// Knudsen numbers at the first Mach number.
+    Knudsen,
+}
+
+/// Coefficients over the angle of attack at one place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OverAlpha {
+    /// Mach number.
+    pub mach: f64,
+    /// Knudsen number.
+    pub knudsen: f64,
+    /// Coefficients from 0 to 180 deg, with trim.
+    pub polar: Polar,
+    /// Which part of the database answered.
+    pub regime: Regime,
+}
+
+/// Coefficients at one angle of attack over Mach or Knudsen number.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Line {
+    /// Angle of attack, deg.
+    pub alpha_deg: f64,
+    /// Mach or Knudsen numbers.
+    pub x: Vec<f64>,
+    /// Coefficients.
+    pub rows: Vec<Row>,
+}
+
+/// All that the page draws of a database.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Curves {
+    /// Name of the body.
+    pub name: String,
+    /// Diameter, m.
+    pub diameter_m: f64,
+    /// Centre of gravity in diameters aft of the virtual apex, where it is known.
+    pub cg_over_diameter: Option<f64>,
+    /// Where it was asked for.
+    pub places: Places,
+    /// One curve for each Mach or Knudsen number.
+    pub over_alpha: Vec<OverAlpha>,
+    /// One curve for each angle.
+    pub over_mach: Vec<Line>,
+    /// One curve for each angle.
+    pub over_knudsen: Vec<Line>,
+    /// Whether static coefficients are a table's.
+    pub is_table: bool,
+    /// Where damping comes from.
+    pub damping: DampingOrigin,
+    /// What must be known of the damping's placeholder, where it is used.
+    pub placeholder: Option<String>,
+}
+
+/// Where damping comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum DampingOrigin {
+    /// There is none.
+    Absent,
+    /// Equation 7 of the report and a placeholder.
+    Report,
+    /// A table of one's own.
+    Table,
+}
+
+/// The database of the last case, which is asked again when only the places change.
+#[derive(Default)]
+pub struct Kept(RefCell<Option<(Case, Prepared)>>);
+
+type Prepared = (AeroBody, Database);
+
+/// The curves of a case, or every fault of it.
+///
+/// # Errors
+/// What is wrong with the case.
+pub fn curves(question: &Question, library: &Library, kept: &Kept) -> Result<Curves, Vec<Fault>> {
+    let mut kept = kept.0.borrow_mut();
+    let of_case = kept.take().filter(|(case, _)| *case == question.case);
+    let (mut body, database) = match of_case {
+        Some((_, prepared)) => prepared,
+        None => aero(&question.case, library)
+            .map_err(|faults| faults.into_iter().map(Fault::from).collect::<Vec<_>>())?,
+    };
+    let own_cg_m = body.cg_m;
+    if let Some(x) = question.places.cg_over_diameter {
+        body.cg_m = Some([x * body.surface.diameter_m(), 0.0, 0.0]);
+    }
+    let drawn = drawn(&body, &database, &question.places);
+    body.cg_m = own_cg_m;
+    *kept = Some((question.case.clone(), (body, database)));
+    Ok(drawn)
+}
+
+/// Rows of a table as a case takes them, or what is wrong with its text.
+///
+/// # Errors
+/// Every fault with its line.
+pub fn read_table(text: &str) -> Result<Vec<Vec<f64>>, Vec<String>> {
+    csv::read(text)
+}
+
+fn drawn(body: &AeroBody, database: &Database, places: &Places) -> Curves {
+    use msape::aero::damping::Damping;
+    let first = |list: &[f64], otherwise: f64| list.first().copied().unwrap_or(otherwise);
+    let (mach, knudsen) = (first(&places.mach, 20.0), first(&places.knudsen, 0.0));
+    let pairs: Vec<(f64, f64)> = match places.family {
+        Family::Mach => places.mach.iter().map(|m| (*m, knudsen)).collect(),
+        Family::Knudsen => places.knudsen.iter().map(|k| (mach, *k)).collect(),
+    };
+    let angles: Vec<f64> = (0..=(180.0 / STEP_DEG) as u32)
+        .map(|n| STEP_DEG * f64::from(n))
+        .collect();
+    let at = |mach: f64, knudsen: f64, alpha_deg: f64| {
+        let found = database.coefficients(mach, knudsen, alpha_deg.to_radians());
+        row(body, &found, alpha_deg)
+    };
+    let line = |ends: (f64, f64), at: &dyn Fn(f64, f64) -> Row| {
+        let of_angle = |alpha_deg: &f64| {
+            let x = spaced(ends);
+            Line {
+                alpha_deg: *alpha_deg,
+                rows: x.iter().map(|x| at(*x, *alpha_deg)).collect(),
+                x,
+            }
+        };
+        places
+            .alpha_deg
+            .iter()
+            .take(CURVES_MAX)
+            .map(of_angle)
+            .collect()
+    };
+    Curves {
+        name: body.name.clone(),
+        diameter_m: body.surface.diameter_m(),
+        cg_over_diameter: body.cg_over_diameter().map(|[x, _]| x),
+        over_alpha: pairs
+            .into_iter()
+            .take(CURVES_MAX)
+            .map(|(mach, knudsen)| {
+                let aero = Aero::new(body, Theory::Blended { mach, knudsen }, Some(database));
+                OverAlpha {
+                    mach,
+                    knudsen,
+                    polar: polar(&aero, &angles),
+                    regime: database.coefficients(mach, knudsen, 0.0).regime,
+                }
+            })
+            .collect(),
+        over_mach: line(MACH, &|mach, alpha_deg| at(mach, knudsen, alpha_deg)),
+        over_knudsen: line(KNUDSEN, &|knudsen, alpha_deg| at(mach, knudsen, alpha_deg)),
+        places: places.clone(),
+        is_table: database.table().is_some(),
+        damping: match database.damping() {
+            Damping::Absent => DampingOrigin::Absent,
+            Damping::Report { .. } => DampingOrigin::Report,
+            Damping::Table(_) => DampingOrigin::Table,
+        },
+        placeholder: match database.damping() {
+            Damping::Report { data, .. } => Some(data.placeholder_note().to_string()),
+            _ => None,
+        },
+    }
+}
+
+fn row(body: &AeroBody, found: &Coefficients, alpha_deg: f64) -> Row {
+    let (loads, alpha_rad) = (found.loads(), alpha_deg.to_radians());
+    Row {
+        alpha_deg,
+        ca: loads.ca,
+        cn: loads.cn,
+        cm_apex: loads.cm,
+        cm_cg: body.cg_over_diameter().map(|[x, z]| loads.cm_about(x, z)),
+        cd: loads.cd(alpha_rad),
+        cl: loads.cl(alpha_rad),
+        cmq: Some(found.cmq),
+    }
+}
+
+/// Numbers in equal ratios, with the ends as they are.
+fn spaced((first, last): (f64, f64)) -> Vec<f64> {
+    let ratio = (last / first).ln();
+    let at = |n: u32| match n {
+        0 => first,
+        POINTS => last,
+        n => first * (ratio * f64::from(n) / f64::from(POINTS)).exp(),
+    };
+    (0..=POINTS).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn question(preset: &str) -> Question {
+        let mut case = Case::default();
+        case.set("outline.preset", preset);
+        Question {
+            case,
+            places: Places {
+                mach: vec![20.0, 0.3],
+                knudsen: vec![0.0, 100.0],
+                alpha_deg: vec![0.0, 20.0],
+                family: Family::Mach,
+                cg_over_diameter: Some(0.2),
+            },
+        }
+    }
+
+    #[test]
+    fn curves_are_those_of_the_database_and_meet_where_they_cross() {
+        let library = Library::builtin().unwrap();
+        let kept = Kept::default();
+        let mut question = question("sphere-cone-60");
+        let found = curves(&question, &library, &kept).unwrap();
+        assert_eq!((found.over_alpha.len(), found.over_mach.len()), (2, 2));
+        // At Mach 50 the curve over Mach ends; over the angle at Mach 20 and 20 deg it is between its neighbours.
+        let (_, database) = aero(&question.case, &library).unwrap();
+        let want = database.coefficients(50.0, 0.0, 20.0_f64.to_radians());
+        assert_eq!(found.over_mach[1].rows.last().unwrap().cn, want.cn);
+        assert_eq!(found.over_alpha[0].polar.rows[20].alpha_deg, 20.0);
+        // Stable nose first with the centre of gravity at 0.2 D.
+        let trim = found.over_alpha[0].polar.trim[0];
+        assert!(trim.alpha_deg == 0.0 && trim.cm_alpha_per_rad < 0.0);
+        // What is kept answers as what is new, about another point.
+        question.places.cg_over_diameter = None;
+        question.places.family = Family::Knudsen;
+        let again = curves(&question, &library, &kept).unwrap();
+        assert_eq!(
+            again,
+            curves(&question, &library, &Kept::default()).unwrap()
+        );
+        assert_eq!(again.cg_over_diameter, None);
+        assert_eq!(again.over_alpha[1].regime, Regime::FreeMolecular);
+    }
+
+    #[test]
+    fn faults_have_their_keys() {
+        let faults = curves(
+            &question("no-such-outline"),
+            &Library::builtin().unwrap(),
+            &Kept::default(),
+        )
+        .unwrap_err();
+        assert_eq!(faults[0].key, "outline.preset");
+        assert!(
+            read_table("mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n").unwrap_err()[0].starts_with("line 3")
+        );
+    }
+
+    #[test]
+    fn numbers_in_equal_ratios_keep_their_ends() {
+        let x = spaced((0.1, 50.0));
+        assert_eq!((x[0], x.last().copied()), (0.1, Some(50.0)));
+        assert!((x[120] / x[0] - (500.0_f64).sqrt()).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,102 @@
+//! A database that is used: in the present design, in a flight of the outline, or as a file.
+
+use super::{AeroView, Body, TABLE};
+use crate::components::chart_panel::save;
+use crate::files::{self, file_name};
+use crate::pages::library;
+use crate::state::State;
+use leptos::prelude::*;
+use msape::Case;
+
+/// Keys of a case that choose coefficients.
+fn is_aerodynamic(key: &str) -> bool {
+    key == "vehicle.aerodynamics" || key.starts_with("vehicle.aerodynamics.")
+}
+
+/// Puts the coefficients of a case into another, in the place of those it had.
+pub fn put(from: &Case, into: &mut Case) {
+    into.values.retain(|key, _| !is_aerodynamic(key));
+    for (key, value) in from.values.iter().filter(|(key, _)| is_aerodynamic(key)) {
+        into.values.insert(key.clone(), value.clone());
+    }
+}
+
+/// The buttons.
+#[component]
+pub fn Usage() -> impl IntoView {
+    let state = State::expect();
+    let view = AeroView::expect();
+    let of = |get: fn(&Body) -> bool| move || view.body.with(|body| body.as_ref().is_some_and(get));
+    let has_outline = of(|body| body.outline.is_some());
+    let in_design = move |_| {
+        let Some(case) = view.case.get_untracked() else {
+            return;
+        };
+        state.edit("Aerodynamics of the design", None, |document| {
+            document.with_case(|design| {
+                put(&case, design);
+                // The point mass of the design takes the axial force by name.
+                if let Some(name) = case.text("vehicle.aerodynamics") {
+                    design.set("design.aerodynamics", &name);
+                }
+            })
+        });
+        state.notice.set(if case.values.contains_key(TABLE) {
+            "The design flies its attitude with this table; undo takes it back.".to_string()
+        } else {
+            "The design uses these coefficients; undo takes it back.".to_string()
+        });
+    };
+    let in_flight = move |_| {
+        let (Some(case), Some(body)) = (view.case.get_untracked(), view.body.get_untracked())
+        else {
+            return;
+        };
+        let Some(entry) = body.outline else {
+            return;
+        };
+        let mut fields = Case::default();
+        put(&case, &mut fields);
+        // A point mass needs an axial force: that of a name or of a table, else of a blunt body at high speed.
+        if !fields.values.contains_key("vehicle.aerodynamics") && !fields.values.contains_key(TABLE)
+        {
+            fields.set("vehicle.drag_coefficient", "1.5");
+        }
+        state.flight_fields.set_value(Some(fields));
+        library::go_to(&entry.id());
+    };
+    let download = move |_| {
+        if let Some(case) = view.case.get_untracked() {
+            let name = file_name(&format!("{} aerodynamics", case.name), "toml");
+            save(
+                state,
+                files::download(&name, "application/toml", &case.to_toml()),
+            );
+        }
+    };
+    view! {
+        <div class="tools">
+            <button type="button" class="small" on:click=in_design>"Use in the design"</button>
+            <button type="button" class="small" disabled=move || !has_outline() on:click=in_flight>"Use in a flight"</button>
+            <button type="button" class="small" on:click=download>"Case file (TOML)"</button>
+        </div>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_replace_coefficients_and_nothing_else() {
+        let mut from = Case::default();
+        from.set("vehicle.aerodynamics.damping", "none");
+        from.set("outline.preset", "stardust");
+        let mut into = Case::default();
+        into.set("vehicle.aerodynamics", "mmeev-60");
+        into.set("vehicle.mass_kg", "46");
+        put(&from, &mut into);
+        let keys: Vec<&str> = into.values.keys().map(String::as_str).collect();
+        assert_eq!(keys, ["vehicle.aerodynamics.damping", "vehicle.mass_kg"]);
+    }
+}
