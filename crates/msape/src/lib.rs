@@ -66,6 +66,7 @@ pub mod planet;
 pub mod problem;
 pub mod quantity;
 pub mod soak;
+pub mod structure;
 pub mod table;
 pub mod tps;
 pub mod units;
