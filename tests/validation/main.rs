@@ -7,3 +7,4 @@
 mod accuracy;
 mod outcomes;
 mod published;
+mod shell;

@@ -3,8 +3,10 @@
 
 pub mod kernel;
 
+use crate::design::{Design, coupling};
+use crate::design::structural::Structural;
 use crate::flight::mission::Body;
-use crate::flight::{self, Request};
+use crate::flight::{self, Flight, Request};
 use crate::library::{DataError, Library, data_file};
 use crate::problem::{DesignProblem, FlightProblem};
 use crate::{Case, InputError, vehicle};
@@ -23,6 +25,8 @@ pub struct Bench {
     pub msr: DesignProblem,
     /// The same as flight sees it before the first pass.
     pub msr_body: Body,
+    /// It designed, and its flight.
+    pub msr_design: (Design, Flight),
     /// A vehicle of another concept.
     pub galahad: DesignProblem,
 }
@@ -37,7 +41,7 @@ pub struct Job {
 }
 
 /// What is measured; the first is the reference.
-pub static JOBS: [Job; 10] = [
+pub static JOBS: [Job; 11] = [
     Job {
         name: "bare kernel: order 5, exponential air, no results",
         run: |bench| {
@@ -78,6 +82,13 @@ pub static JOBS: [Job; 10] = [
     Job {
         name: "vehicle: closing, mass, structure (MSR)",
         run: |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    },
+    Job {
+        name: "structure: rules and shell model (MSR)",
+        run: |bench| {
+            let (design, flight) = &bench.msr_design;
+            drop(black_box(Structural::new(&bench.msr.input, design, flight)));
+        },
     },
     Job {
         name: "converged design (MSR)",
@@ -123,12 +134,18 @@ impl Bench {
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
         let msr_body = msr.input.body(&built);
+        let answer = coupling::solve(&msr.input, "", Request::Nothing);
+        let msr_design = answer
+            .design
+            .zip(answer.flight)
+            .ok_or_else(|| fault(msr_file, "has no design".to_string()))?;
         Ok(Bench {
             library,
             constant,
             msr_case,
             msr,
             msr_body,
+            msr_design,
             galahad,
         })
     }

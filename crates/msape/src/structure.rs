@@ -11,6 +11,8 @@
 //!
 //! Deliberately absent: nonlinear buckling, the fillings' stiffness (they are mass), torsion.
 
+pub mod analysis;
+pub mod carrier;
 pub mod element;
 pub mod mesh;
 pub mod model;

@@ -7,8 +7,8 @@ use crate::quantity::trajectory::columns;
 use crate::quantity::{Job, outputs};
 use serde_json::{Map, Value, json as value};
 
-/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes` and, where a
-/// time history was asked for, `trajectory`.
+/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
+/// `structure` and, where a time history was asked for, `trajectory`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let mut object = Map::new();
     object.insert("name".to_string(), value!(answer.name));
@@ -18,6 +18,9 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     object.insert("findings".to_string(), value!(answer.findings));
     object.insert("adjustments".to_string(), value!(answer.adjustments));
     object.insert("passes".to_string(), value!(answer.passes));
+    if let Some(structural) = answer.design.as_ref().and_then(|d| d.structural.as_ref()) {
+        object.insert("structure".to_string(), value!(structural));
+    }
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
         let history = columns()
             .iter()
@@ -37,7 +40,7 @@ pub fn text(answer: &Answer, job: Job) -> String {
     let members = object
         .iter()
         .map(|(key, member)| match (key.as_str(), member) {
-            ("trajectory", Value::Object(history)) => lines(
+            ("trajectory" | "structure", Value::Object(history)) => lines(
                 history
                     .iter()
                     .map(|(column, values)| format!("{}: {values}", quoted(column))),

@@ -2,6 +2,7 @@
 
 mod design;
 mod flight;
+mod structure;
 
 use crate::answer::Answer;
 use crate::units::{Dimension, Unit, canonical};
@@ -138,11 +139,11 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: &[Output] = match job {
-        Job::Fly => &[],
-        Job::Design => design::OUTPUTS,
+    let of_design: [&[Output]; 2] = match job {
+        Job::Fly => [&[], &[]],
+        Job::Design => [design::OUTPUTS, structure::OUTPUTS],
     };
-    of_design.iter().chain(flight::OUTPUTS)
+    of_design.into_iter().flatten().chain(flight::OUTPUTS)
 }
 
 /// The output with this key.

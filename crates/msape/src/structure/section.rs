@@ -71,6 +71,28 @@ pub struct Resultants {
     pub shear_n_m: [f64; 2],
 }
 
+impl Resultants {
+    /// N_s, N_θ, N_sθ, M_s, M_θ, M_sθ, Q_s, Q_θ.
+    pub fn rows(&self) -> [f64; 8] {
+        let ([a, b, c], [d, e, f], [g, h]) = (self.membrane_n_m, self.bending_n, self.shear_n_m);
+        [a, b, c, d, e, f, g, h]
+    }
+
+    /// Those of two harmonics together, each times its factors for cos nθ and sin nθ at one place on the circle.
+    pub fn at_angle(parts: [(&Self, [f64; 2]); 2]) -> Self {
+        let mut sum = Self::default();
+        for (part, [cos, sin]) in parts {
+            for (i, factor) in [cos, cos, sin].into_iter().enumerate() {
+                sum.membrane_n_m[i] += factor * part.membrane_n_m[i];
+                sum.bending_n[i] += factor * part.bending_n[i];
+            }
+            sum.shear_n_m[0] += cos * part.shear_n_m[0];
+            sum.shear_n_m[1] += sin * part.shear_n_m[1];
+        }
+        sum
+    }
+}
+
 /// Stress in a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
