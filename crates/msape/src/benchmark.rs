@@ -3,8 +3,8 @@
 
 pub mod kernel;
 
-use crate::design::{Design, coupling};
 use crate::design::structural::Structural;
+use crate::design::{Design, coupling};
 use crate::flight::mission::Body;
 use crate::flight::{self, Flight, Request};
 use crate::library::{DataError, Library, data_file};

@@ -2,11 +2,12 @@
 //!
 //! ```text
 //! margin of safety = strength / (factor · stress) − 1
-//! entry   pressure and the inertia that balances it, free in space
+//! entry   pressure and the inertia that balances it, free in space; p₀ ← p₀ max(1, M a_flight / F(p₀))
 //! launch  each corner (lateral, axial) of the load factors, held at the foot of the lid
 //! ```
 //!
-//! with stress after von Mises in Pa, at the limit load; in the core of a sandwich the transverse shear stress. The foot of
+//! with stress after von Mises in Pa, at the limit load; in the core of a sandwich the transverse shear stress. Where the
+//! flight decelerates the mass M more than Newtonian pressure does, the pressure is raised to it. The foot of
 //! the lid is where the attached structure holds the vehicle on its way up; the frequencies are those of the vehicle
 //! held there, as a launcher asks for them.
 //!
@@ -83,6 +84,8 @@ pub struct Distributions {
 pub struct CarrierAnalysis {
     /// Number of elements.
     pub elements: u32,
+    /// Factor by which Newtonian pressure was raised to the deceleration of the flight.
+    pub pressure_factor: f64,
     /// Force of the pressure along the axis, N.
     pub pressure_force_n: f64,
     /// Deceleration that balances it, Earth g.
@@ -103,7 +106,13 @@ impl CarrierAnalysis {
     /// The lowest frequency of all.
     pub fn first_frequency(&self) -> Option<Frequency> {
         let all = self.frequencies.iter().copied();
-        all.reduce(|a, b| if b.frequency_hz < a.frequency_hz { b } else { a })
+        all.reduce(|a, b| {
+            if b.frequency_hz < a.frequency_hz {
+                b
+            } else {
+                a
+            }
+        })
     }
 }
 
@@ -112,6 +121,8 @@ impl CarrierAnalysis {
 pub struct AnalysisLoads {
     /// Peak stagnation pressure, Pa.
     pub stagnation_pressure_pa: f64,
+    /// Peak deceleration, Earth g.
+    pub deceleration_earth_g: f64,
     /// Factor of safety and launch load factors.
     pub structure: StructureLoads,
 }
@@ -170,28 +181,40 @@ impl CarrierModel {
         }
         // p = p₀ sin² δ (1 + k₁ d)(1 + k₂ d), along −n = (s, −c)
         let d = self.depth_m;
-        let spread = (1.0 + d * at.meridional_curvature_per_m) * (1.0 + d * at.hoop_curvature_per_m);
+        let spread =
+            (1.0 + d * at.meridional_curvature_per_m) * (1.0 + d * at.hoop_curvature_per_m);
         let p = stagnation_pa * s * s * spread;
         [s * p, -c * p]
     }
 
     fn areal_mass_kg_m2(&self, element: &Element) -> f64 {
-        self.model.wall(element).map_or(0.0, |wall| wall.areal.mass_kg_m2)
+        self.model
+            .wall(element)
+            .map_or(0.0, |wall| wall.areal.mass_kg_m2)
     }
 
     /// Stress, displacement, frequencies; `None` when the model cannot be solved.
     pub fn analyze(&self, loads: &AnalysisLoads) -> Option<CarrierAnalysis> {
         let free = Freedoms::new(&self.model, 0, &[(self.foot, Held::Axially)]);
-        let stagnation_pa = loads.stagnation_pressure_pa;
-        // Σ of the consistent forces is the whole force, per radian
-        let force_n = 2.0 * PI * axial(&load(&self.model, &free, |element, at| {
-            let [p_x, _] = self.flow(element, at, stagnation_pa);
+        let newtonian = load(&self.model, &free, |element, at| {
+            let [p_x, _] = self.flow(element, at, loads.stagnation_pressure_pa);
             [p_x, 0.0, 0.0]
-        }).by_element);
-        let acceleration_m_s2 = force_n / self.mass_kg();
+        });
+        // Σ of the consistent forces is the whole force, per radian
+        let newtonian_n = 2.0 * PI * axial(&newtonian.by_element);
+        let mass_kg = self.mass_kg();
+        let flown_n = mass_kg * loads.deceleration_earth_g * EARTH_G_M_S2;
+        let pressure_factor = (flown_n / newtonian_n.max(f64::MIN_POSITIVE)).max(1.0);
+        let stagnation_pa = pressure_factor * loads.stagnation_pressure_pa;
+        let force_n = pressure_factor * newtonian_n;
+        let acceleration_m_s2 = force_n / mass_kg;
         let entry_loads = load(&self.model, &free, |element, at| {
             let [p_x, p_r] = self.flow(element, at, stagnation_pa);
-            [p_x - self.areal_mass_kg_m2(element) * acceleration_m_s2, p_r, 0.0]
+            [
+                p_x - self.areal_mass_kg_m2(element) * acceleration_m_s2,
+                p_r,
+                0.0,
+            ]
         });
         let imbalance = 2.0 * PI * axial(&entry_loads.by_element) / force_n.max(f64::MIN_POSITIVE);
         let entry = solve(&free, &self.model.stiffness(&free).factor()?, entry_loads);
@@ -220,12 +243,17 @@ impl CarrierModel {
         let entry = entry.samples(&self.model);
         let launch = self.launch(
             &loads.structure.launch,
-            [&axial_g.samples(&self.model), &lateral_g.samples(&self.model)],
+            [
+                &axial_g.samples(&self.model),
+                &lateral_g.samples(&self.model),
+            ],
         );
         let factor = loads.structure.safety_factor;
-        let entry_stress: Vec<Stressed> = entry.iter().map(|sample| self.stressed(sample)).collect();
+        let entry_stress: Vec<Stressed> =
+            entry.iter().map(|sample| self.stressed(sample)).collect();
         Some(CarrierAnalysis {
             elements: self.model.mesh.elements.len() as u32,
+            pressure_factor,
             pressure_force_n: force_n,
             deceleration_earth_g: acceleration_m_s2 / EARTH_G_M_S2,
             imbalance,
@@ -239,7 +267,9 @@ impl CarrierModel {
     fn stress(&self, sample: &Sample, forces: &Resultants, moved_m: f64) -> Stressed {
         let part = self.part(sample.element);
         let wall = self.model.walls.get(part as usize);
-        let stress = wall.map(|wall| wall.section.stress(forces)).unwrap_or_default();
+        let stress = wall
+            .map(|wall| wall.section.stress(forces))
+            .unwrap_or_default();
         Stressed {
             part,
             at: sample.point,
@@ -283,36 +313,146 @@ impl CarrierModel {
 
     fn case(&self, places: &[Stressed], factor: f64) -> CaseStress {
         let walls = Part::ALL.into_iter().zip(&self.carriers);
-        let parts = walls.filter(|(part, _)| *part != Part::Edge).map(|(part, carrier)| {
-            let here = || places.iter().filter(|place| place.part == part);
-            let most = |value: fn(&Stressed) -> f64| {
-                here().fold((0.0, Point::default()), |(most, at), place| match value(place) {
-                    v if v > most => (v, place.at),
-                    _ => (most, at),
-                })
-            };
-            let (stress_pa, at) = most(|place| place.stress_pa);
-            let (shear_pa, shear_at) = most(|place| place.shear_pa);
-            let margin = |strength: f64, stress: f64| strength / (factor * stress).max(1.0) - 1.0;
-            PartStress {
-                part,
-                stress_pa,
-                at,
-                margin: margin(carrier.strength_pa, stress_pa),
-                shear_pa,
-                shear_at,
-                core_margin: match carrier.construction {
-                    Construction::Solid { .. } => None,
-                    Construction::Sandwich {
-                        core_shear_strength_pa,
-                        ..
-                    } => Some(margin(core_shear_strength_pa, shear_pa)),
-                },
-            }
-        });
+        let parts = walls
+            .filter(|(part, _)| *part != Part::Edge)
+            .map(|(part, carrier)| {
+                let here = || places.iter().filter(|place| place.part == part);
+                let most = |value: fn(&Stressed) -> f64| {
+                    here().fold((0.0, Point::default()), |(most, at), place| {
+                        match value(place) {
+                            v if v > most => (v, place.at),
+                            _ => (most, at),
+                        }
+                    })
+                };
+                let (stress_pa, at) = most(|place| place.stress_pa);
+                let (shear_pa, shear_at) = most(|place| place.shear_pa);
+                let margin =
+                    |strength: f64, stress: f64| strength / (factor * stress).max(1.0) - 1.0;
+                PartStress {
+                    part,
+                    stress_pa,
+                    at,
+                    margin: margin(carrier.strength_pa, stress_pa),
+                    shear_pa,
+                    shear_at,
+                    core_margin: match carrier.construction {
+                        Construction::Solid { .. } => None,
+                        Construction::Sandwich {
+                            core_shear_strength_pa,
+                            ..
+                        } => Some(margin(core_shear_strength_pa, shear_pa)),
+                    },
+                }
+            });
         CaseStress {
             parts: parts.collect(),
             largest_displacement_m: places.iter().map(|place| place.moved_m).fold(0.0, f64::max),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::benchmark::Bench;
+    use crate::vehicle::{Loads, VehicleInput};
+
+    /// The MSR vehicle of the benchmark, its elements so much finer, its materials so much stiffer.
+    fn msr(refinement: f64, stiffer: f64) -> (CarrierModel, AnalysisLoads, f64) {
+        let bench = Bench::new().unwrap();
+        let (design, flight) = &bench.msr_design;
+        let mut input: VehicleInput = bench.msr.input.vehicle.clone();
+        input.loads = Loads {
+            entry_load_earth_g: flight.peak_deceleration_earth_g.value,
+            ..input.loads
+        };
+        for carrier in [
+            &mut input.forebody.carrier,
+            &mut input.aftbody_carrier,
+            &mut input.primary_carrier,
+        ] {
+            carrier.elastic_modulus_pa *= stiffer;
+            if let Construction::Sandwich {
+                core_shear_modulus_pa,
+                ..
+            } = &mut carrier.construction
+            {
+                *core_shear_modulus_pa *= stiffer;
+            }
+        }
+        let loads = AnalysisLoads {
+            stagnation_pressure_pa: flight.peak_stagnation_pressure_pa.value,
+            deceleration_earth_g: flight.peak_deceleration_earth_g.value,
+            structure: input.structure_loads,
+        };
+        let model = CarrierModel::new(&input, &design.vehicle, refinement).unwrap();
+        (model, loads, design.vehicle.mass.mass_kg)
+    }
+
+    #[test]
+    fn model_weighs_what_the_vehicle_weighs_and_its_loads_are_in_balance() {
+        let (model, loads, mass_kg) = msr(1.0, 1.0);
+        assert!((model.mass_kg() / mass_kg - 1.0).abs() < 1e-12);
+        let found = model.analyze(&loads).unwrap();
+        assert!(found.imbalance.abs() < 1e-12, "{}", found.imbalance);
+        let force = mass_kg * found.deceleration_earth_g * EARTH_G_M_S2;
+        assert!((found.pressure_force_n / force - 1.0).abs() < 1e-12);
+        assert!(found.deceleration_earth_g >= loads.deceleration_earth_g * (1.0 - 1e-12));
+    }
+
+    #[test]
+    fn four_times_finer_elements_change_little() {
+        let [usual, fine] = [1.0, 4.0].map(|refinement| {
+            let (model, loads, _) = msr(refinement, 1.0);
+            model.analyze(&loads).unwrap()
+        });
+        assert!(fine.elements > 3 * usual.elements);
+        for (a, b) in usual.frequencies.iter().zip(&fine.frequencies) {
+            let off = a.frequency_hz / b.frequency_hz - 1.0;
+            assert!(off.abs() < 5e-3, "n = {}: {off:+.1e}", a.harmonic);
+        }
+        let cases = |found: &CarrierAnalysis| [found.entry.clone(), found.launch.clone()];
+        for (a, b) in cases(&usual).iter().zip(&cases(&fine)) {
+            for (a, b) in a.parts.iter().zip(&b.parts) {
+                let off = a.stress_pa / b.stress_pa - 1.0;
+                // peaks stand where walls meet, at the ends of elements
+                assert!(off.abs() < 0.03, "{:?}: {off:+.1e}", b.part);
+            }
+            let off = a.largest_displacement_m / b.largest_displacement_m - 1.0;
+            assert!(off.abs() < 5e-3, "{off}");
+        }
+    }
+
+    #[test]
+    fn four_times_stiffer_walls_vibrate_twice_as_fast_and_move_a_quarter() {
+        let [soft, stiff] = [1.0, 4.0].map(|stiffer| {
+            let (model, loads, _) = msr(1.0, stiffer);
+            model.analyze(&loads).unwrap()
+        });
+        for (a, b) in soft.frequencies.iter().zip(&stiff.frequencies) {
+            assert!((b.frequency_hz / a.frequency_hz / 2.0 - 1.0).abs() < 1e-6);
+        }
+        let ratio = soft.entry.largest_displacement_m / stiff.entry.largest_displacement_m;
+        assert!((ratio / 4.0 - 1.0).abs() < 1e-6, "{ratio}");
+        let stress = |found: &CarrierAnalysis| found.entry.parts[2].stress_pa;
+        assert!((stress(&soft) / stress(&stiff) - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn half_of_the_loads_make_half_of_the_stress() {
+        let (model, loads, _) = msr(1.0, 1.0);
+        let half = AnalysisLoads {
+            stagnation_pressure_pa: 0.5 * loads.stagnation_pressure_pa,
+            deceleration_earth_g: 0.5 * loads.deceleration_earth_g,
+            ..loads
+        };
+        let [whole, half] = [loads, half].map(|loads| model.analyze(&loads).unwrap());
+        for (a, b) in whole.entry.parts.iter().zip(&half.entry.parts) {
+            assert!((a.stress_pa / b.stress_pa / 2.0 - 1.0).abs() < 1e-9);
+            // strength / (1.4 stress) − 1
+            assert!(((b.margin + 1.0) / (a.margin + 1.0) / 2.0 - 1.0).abs() < 1e-9);
+        }
+        assert_eq!(whole.launch, half.launch);
     }
 }

@@ -173,11 +173,17 @@ impl CarrierModel {
                 .collect(),
         };
         let masses = masses(vehicle, &areas_m2(&model));
-        for (wall, (mass_kg_m2, (_, built))) in model.walls.iter_mut().zip(masses.into_iter().zip(all)) {
+        for (wall, (mass_kg_m2, (_, built))) in
+            model.walls.iter_mut().zip(masses.into_iter().zip(all))
+        {
             let h = built.thickness_m;
             wall.areal = ArealMass {
                 mass_kg_m2,
-                rotary_kg: if mass_kg_m2 > 0.0 { built.density_kg_m3 * h * h * h / 12.0 } else { 0.0 },
+                rotary_kg: if mass_kg_m2 > 0.0 {
+                    built.density_kg_m3 * h * h * h / 12.0
+                } else {
+                    0.0
+                },
             };
         }
         Some(Self {
@@ -252,4 +258,100 @@ fn masses(vehicle: &Vehicle, areas: &[f64; 6]) -> [f64; 6] {
         aft,
         aft + over(of(&[LidInsulation]), lid),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::benchmark::Bench;
+    use crate::structure::analysis::AnalysisLoads;
+    use crate::vehicle::{Concept, PayloadSize, build};
+
+    /// Spreads evenly over 0 to 1, another sequence for each `step`.
+    fn spread(i: u32, step: f64) -> f64 {
+        ((f64::from(i) + 0.5) * step).fract()
+    }
+
+    /// Vehicles over the trade space of the report, both concepts.
+    fn vehicles(count: u32) -> impl Iterator<Item = (VehicleInput, Vehicle)> {
+        let bench = Bench::new().unwrap();
+        let inputs = [&bench.msr.input.vehicle, &bench.galahad.input.vehicle].map(Clone::clone);
+        (0..count).filter_map(move |i| {
+            let mut input = inputs[(i % 2) as usize].clone();
+            let at = |step, low: f64, high: f64| low + (high - low) * spread(i, step);
+            input.concept = [Concept::Msr, Concept::NonMsr][(i % 2) as usize];
+            input.diameter_m = at(0.754_877_666, 0.5, 2.0);
+            input.nose_radius_ratio = at(0.569_840_290, 0.25, 0.9);
+            input.shoulder_radius_ratio = at(0.430_159_709, 0.02, 0.1);
+            input.payload_mass_kg = at(0.324_717_957, 5.0, 30.0);
+            input.payload_size = PayloadSize::DensityKgM3(at(0.245_122_333, 1000.0, 6000.0));
+            input.forebody.tps_thickness_m = at(0.618_033_988, 0.005, 0.08);
+            let vehicle = build(&input).ok()?;
+            Some((input, vehicle))
+        })
+    }
+
+    #[test]
+    fn every_vehicle_that_closes_has_a_model_in_balance() {
+        let mut count = 0;
+        for (input, vehicle) in vehicles(120) {
+            let model = CarrierModel::new(&input, &vehicle, 1.0).unwrap();
+            assert!((model.mass_kg() / vehicle.mass.mass_kg - 1.0).abs() < 1e-12);
+            let found = model.analyze(&AnalysisLoads {
+                stagnation_pressure_pa: 1e5,
+                deceleration_earth_g: 0.0,
+                structure: input.structure_loads,
+            });
+            let found = found.unwrap();
+            assert!(found.imbalance.abs() < 1e-12);
+            assert_eq!(found.frequencies.len(), 5);
+            for frequency in &found.frequencies {
+                // a stiff vehicle of metres: tens to thousands of hertz
+                assert!(
+                    (5.0..5000.0).contains(&frequency.frequency_hz),
+                    "{frequency:?}"
+                );
+            }
+            // a pressure of 1 bar makes tens of MPa in a shell of a metre
+            let peak = found
+                .entry
+                .parts
+                .iter()
+                .map(|p| p.stress_pa)
+                .fold(0.0, f64::max);
+            assert!((1e6..2e9).contains(&peak), "{peak}");
+            assert!(model.longest_element_m() <= 0.0601 * vehicle.dimensions.diameter_m);
+            assert_eq!(model.part(0), Part::Nose);
+            count += 1;
+        }
+        assert!(count > 60, "{count}");
+    }
+
+    #[test]
+    fn newtonian_pressure_on_the_middle_surface_has_the_force_of_the_outer_surface() {
+        let (input, vehicle) = vehicles(1).next().unwrap();
+        let model = CarrierModel::new(&input, &vehicle, 4.0).unwrap();
+        let found = model.analyze(&AnalysisLoads {
+            stagnation_pressure_pa: 1e5,
+            deceleration_earth_g: 0.0,
+            structure: input.structure_loads,
+        });
+        // ∫ p₀ sin² δ 2π r dr over nose and cone: sin² δ = 1 − (r/Rₙ)² on the nose, sin² θ on the cone
+        let forebody = &vehicle.layout.outline.forebody;
+        let (sin, _) = forebody.sin_cos();
+        let (nose_r, cone_r) = (
+            forebody.nose_tangent(0.0).r_m,
+            forebody.shoulder_tangent(0.0).r_m,
+        );
+        let over = nose_r / forebody.nose_radius_m;
+        let nose = PI * nose_r * nose_r * (1.0 - 0.5 * over * over);
+        let cone = PI * (cone_r * cone_r - nose_r * nose_r) * sin * sin;
+        let rim = PI * (forebody.diameter_m * forebody.diameter_m / 4.0 - cone_r * cone_r);
+        let force = found.unwrap().pressure_force_n / 1e5;
+        // the shoulder adds less than its area times sin² θ, and loses what the carrier does not reach under it
+        assert!(
+            force > (nose + cone) * 0.93 && force < nose + cone + rim,
+            "{force} {nose} {cone} {rim}"
+        );
+    }
 }

@@ -177,7 +177,12 @@ fn forces_of(wall: &Stiffness, b: &Strains) -> Strains {
 }
 
 /// Forces in the wall at a place, amplitudes of the harmonic, from the freedoms of the element.
-pub fn resultants(at: &Station, wall: &Stiffness, harmonic: u32, freedoms: &[f64; FREEDOMS]) -> Resultants {
+pub fn resultants(
+    at: &Station,
+    wall: &Stiffness,
+    harmonic: u32,
+    freedoms: &[f64; FREEDOMS],
+) -> Resultants {
     let strain = strains(at, harmonic).map(|row| numerics::linear::dot(&row, freedoms));
     let Stiffness {
         membrane_n_m: a,

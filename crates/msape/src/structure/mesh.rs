@@ -133,7 +133,7 @@ impl Mesh {
                     None => self.node(point_at(segment, part(2 * piece + 2))),
                 };
                 let nodes = [at, middle, end];
-                if self.turns(nodes) {
+                if number + piece > 0 && self.turns(nodes) {
                     twist = self.twist(at);
                 }
                 let twists = [twist, self.twist(middle), self.twist(end)];
@@ -163,9 +163,8 @@ impl Mesh {
         let Some(before) = self.elements.last().filter(|e| e.nodes[2] == nodes[0]) else {
             return false;
         };
-        let direction = |nodes: [usize; 3], xi| {
-            station(&nodes.map(|node| self.point(node)), xi).direction
-        };
+        let direction =
+            |nodes: [usize; 3], xi| station(&nodes.map(|node| self.point(node)), xi).direction;
         let ([a, b], [c, d]) = (direction(before.nodes, 1.0), direction(nodes, -1.0));
         (a * d - b * c).abs() > ANGLE_RAD || a * c + b * d < 0.0
     }
@@ -219,7 +218,7 @@ mod tests {
         let meridian = |segments, first| Meridian {
             segments,
             wall: 0,
-            target_m: 2.0,
+            target_m: 3.0,
             first,
             last: None,
         };

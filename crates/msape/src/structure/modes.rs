@@ -28,7 +28,11 @@ pub struct Frequency {
 }
 
 /// The lowest frequency of the harmonic of `freedoms`, for a factored stiffness.
-pub fn first_frequency(model: &Model, freedoms: &Freedoms, stiffness: &Factor) -> Option<Frequency> {
+pub fn first_frequency(
+    model: &Model,
+    freedoms: &Freedoms,
+    stiffness: &Factor,
+) -> Option<Frequency> {
     let value = lowest_eigenvalue(stiffness, &model.mass(freedoms), Options::default())?;
     Some(Frequency {
         harmonic: freedoms.harmonic,

@@ -126,7 +126,11 @@ impl Solution {
             let n = self.freedoms.harmonic;
             let best = stations.map(|at| resultants(&at, wall, n, &a));
             // the forces with which its neighbours hold the element: Σ Bᵀ F − f
-            let mut balance = self.loads.by_element.get(number).map_or([0.0; FREEDOMS], |f| f.map(|f| -f));
+            let mut balance = self
+                .loads
+                .by_element
+                .get(number)
+                .map_or([0.0; FREEDOMS], |f| f.map(|f| -f));
             for (at, forces) in stations.iter().zip(&best) {
                 let weight = at.scale_m * at.point.r_m;
                 let rows = forces.rows();
@@ -147,7 +151,15 @@ impl Solution {
                     forces: if xi.abs() < 1.0 || at.point.r_m <= 0.0 {
                         inside
                     } else {
-                        End { at: &at, xi, harmonic: n, wall, freedoms: &a, balance: &balance }.forces(inside)
+                        End {
+                            at: &at,
+                            xi,
+                            harmonic: n,
+                            wall,
+                            freedoms: &a,
+                            balance: &balance,
+                        }
+                        .forces(inside)
                     },
                     displacement_m,
                 });
@@ -176,7 +188,11 @@ impl End<'_> {
             core::array::from_fn(|k| self.xi * self.balance[from + k] / self.at.point.r_m);
         let [_, u_r, v, beta, phi]: [f64; NODE_FREEDOMS] =
             core::array::from_fn(|k| self.freedoms[from + k]);
-        let ([c, s], r, n) = (self.at.direction, self.at.point.r_m, f64::from(self.harmonic));
+        let ([c, s], r, n) = (
+            self.at.direction,
+            self.at.point.r_m,
+            f64::from(self.harmonic),
+        );
         let Stiffness {
             membrane_n_m: a,
             bending_nm: d,

@@ -199,7 +199,11 @@ impl Carrier {
                     membrane_n_m * plane * cell_size_m * cell_size_m
                         / (4.0 * self.elastic_modulus_pa),
                 );
-                Some(face_thickness_m.max(membrane_n_m / (2.0 * allowed)).max(dimpling))
+                Some(
+                    face_thickness_m
+                        .max(membrane_n_m / (2.0 * allowed))
+                        .max(dimpling),
+                )
             }
         }
     }

@@ -79,7 +79,12 @@ impl Skyline {
 
     /// First row and entries of each column.
     fn columns(&self) -> impl DoubleEndedIterator<Item = (usize, &[f64])> + ExactSizeIterator {
-        (0..self.first.len()).map(|j| (self.first[j], &self.values[self.start[j]..self.start[j + 1]]))
+        (0..self.first.len()).map(|j| {
+            (
+                self.first[j],
+                &self.values[self.start[j]..self.start[j + 1]],
+            )
+        })
     }
 
     /// y ← K x.
@@ -147,7 +152,10 @@ impl Factor {
     /// Replaces the right-hand side `b` by the solution of K x = b.
     pub fn solve(&self, b: &mut [f64]) {
         for (j, (first, column)) in self.matrix.columns().enumerate() {
-            let sum = dot(column.split_last().map_or(&[], |(_, above)| above), b.get(first..j).unwrap_or_default());
+            let sum = dot(
+                column.split_last().map_or(&[], |(_, above)| above),
+                b.get(first..j).unwrap_or_default(),
+            );
             if let Some(bj) = b.get_mut(j) {
                 *bj -= sum;
             }

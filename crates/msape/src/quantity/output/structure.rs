@@ -20,7 +20,10 @@ fn critical(answer: &Answer, wall: WallPlace) -> Option<f64> {
 }
 
 fn largest_stress_pa(case: &CaseStress) -> Option<f64> {
-    case.parts.iter().map(|part| part.stress_pa).reduce(f64::max)
+    case.parts
+        .iter()
+        .map(|part| part.stress_pa)
+        .reduce(f64::max)
 }
 
 fn largest_shear_pa(case: &CaseStress) -> Option<f64> {
@@ -30,7 +33,8 @@ fn largest_shear_pa(case: &CaseStress) -> Option<f64> {
 
 fn frequency_hz(shell: &CarrierAnalysis, harmonic: u32) -> Option<f64> {
     let mut list = shell.frequencies.iter();
-    list.find(|f| f.harmonic == harmonic).map(|f| f.frequency_hz)
+    list.find(|f| f.harmonic == harmonic)
+        .map(|f| f.frequency_hz)
 }
 
 const RULES: &str = "NASA/TM-2014-218507, section 3.1.6; NASA SP-8007, SP-8019, SP-8032";

@@ -114,7 +114,12 @@ struct Built<'a> {
 type Figures = (&'static str, f64, f64, Option<f64>);
 
 impl Built<'_> {
-    fn add(&mut self, rule: Rule, load_case: LoadCase, (unit, demand, capacity, thickness): Figures) {
+    fn add(
+        &mut self,
+        rule: Rule,
+        load_case: LoadCase,
+        (unit, demand, capacity, thickness): Figures,
+    ) {
         // a rule that asks for nothing is no check
         if demand > 0.0 && capacity.is_finite() {
             self.list.push(Check {
@@ -133,18 +138,42 @@ impl Built<'_> {
 
     /// Of the force N in the wall: strength, and the faces of a sandwich.
     fn membrane(&mut self, load_case: LoadCase, n_m: f64) {
-        let (carrier, h, t_f) = (self.carrier, self.wall.thickness_m, self.wall.face_thickness_m);
+        let (carrier, h, t_f) = (
+            self.carrier,
+            self.wall.thickness_m,
+            self.wall.face_thickness_m,
+        );
         let sandwich = matches!(carrier.construction, Construction::Sandwich { .. });
         let area = if sandwich { 2.0 * t_f } else { h };
         let (stress, strength) = (n_m / area, carrier.strength_pa);
         let faces = |allowed: f64| Some(n_m / allowed);
-        self.add(Rule::Strength, load_case, ("Pa", stress, strength, faces(strength)));
+        self.add(
+            Rule::Strength,
+            load_case,
+            ("Pa", stress, strength, faces(strength)),
+        );
         let wrinkling = carrier.wrinkling_stress_pa();
-        self.add(Rule::FaceWrinkling, load_case, ("Pa", stress, wrinkling, faces(wrinkling)));
+        self.add(
+            Rule::FaceWrinkling,
+            load_case,
+            ("Pa", stress, wrinkling, faces(wrinkling)),
+        );
         let honeycomb = carrier.honeycomb_wrinkling_stress_pa(h, t_f);
-        self.add(Rule::HoneycombWrinkling, load_case, ("Pa", stress, honeycomb, None));
-        self.add(Rule::Dimpling, load_case, ("Pa", stress, carrier.dimpling_stress_pa(t_f), None));
-        self.add(Rule::ShearCrimping, load_case, ("N/m", n_m, carrier.crimping_n_m(h, t_f), None));
+        self.add(
+            Rule::HoneycombWrinkling,
+            load_case,
+            ("Pa", stress, honeycomb, None),
+        );
+        self.add(
+            Rule::Dimpling,
+            load_case,
+            ("Pa", stress, carrier.dimpling_stress_pa(t_f), None),
+        );
+        self.add(
+            Rule::ShearCrimping,
+            load_case,
+            ("N/m", n_m, carrier.crimping_n_m(h, t_f), None),
+        );
     }
 
     fn gauge(&mut self) {
@@ -195,10 +224,18 @@ impl Built<'_> {
             let rho = shell.ring_curvature_radius_m;
             let d = self.wall.thickness_m - self.wall.face_thickness_m;
             let needed = Some(carrier.ring_shear_thickness_m(p, rho, n_m));
-            let figures = ("Pa", carrier.ring_shear_pa(p, rho, d), core_shear_strength_pa, needed);
+            let figures = (
+                "Pa",
+                carrier.ring_shear_pa(p, rho, d),
+                core_shear_strength_pa,
+                needed,
+            );
             self.add(Rule::CoreShear, entry, figures);
         }
-        self.membrane(LoadCase::Launch(launch), shell.launch_pressure_pa * shell.membrane_radius_m());
+        self.membrane(
+            LoadCase::Launch(launch),
+            shell.launch_pressure_pa * shell.membrane_radius_m(),
+        );
         self.list
     }
 
@@ -206,7 +243,9 @@ impl Built<'_> {
     fn axial(mut self, loads: &AxialLoads) -> Vec<Check> {
         self.gauge();
         let (carrier, wall, radius_m) = (self.carrier, self.equivalent(), loads.radius_m);
-        let launch = loads.launch.map(|(corner, n)| (LoadCase::Launch(corner), n));
+        let launch = loads
+            .launch
+            .map(|(corner, n)| (LoadCase::Launch(corner), n));
         for (load_case, load_n) in [(LoadCase::EntryDeceleration, loads.entry_n)]
             .into_iter()
             .chain(launch)
@@ -230,18 +269,38 @@ pub fn checks(input: &VehicleInput, loads: &WallLoads, structure: &Structure) ->
         list: Vec::new(),
     };
     let strongest = |a: LaunchLoad, b: &LaunchLoad| {
-        if b.axial_earth_g.abs() > a.axial_earth_g.abs() { *b } else { a }
+        if b.axial_earth_g.abs() > a.axial_earth_g.abs() {
+            *b
+        } else {
+            a
+        }
     };
-    let launch = input.structure_loads.launch.iter().fold(LaunchLoad::default(), strongest);
-    let mut all = built(WallPlace::Forebody, &input.forebody.carrier, &structure.forebody)
-        .pressure(&loads.forebody, launch);
+    let launch = input
+        .structure_loads
+        .launch
+        .iter()
+        .fold(LaunchLoad::default(), strongest);
+    let mut all = built(
+        WallPlace::Forebody,
+        &input.forebody.carrier,
+        &structure.forebody,
+    )
+    .pressure(&loads.forebody, launch);
     all.extend(
-        built(WallPlace::Aftbody, &input.aftbody_carrier, &structure.aftbody)
-            .pressure(&loads.aftbody, launch),
+        built(
+            WallPlace::Aftbody,
+            &input.aftbody_carrier,
+            &structure.aftbody,
+        )
+        .pressure(&loads.aftbody, launch),
     );
     all.extend(
-        built(WallPlace::Primary, &input.primary_carrier, &structure.primary)
-            .axial(&loads.primary),
+        built(
+            WallPlace::Primary,
+            &input.primary_carrier,
+            &structure.primary,
+        )
+        .axial(&loads.primary),
     );
     all
 }

@@ -75,7 +75,14 @@ impl Carrier {
             Construction::Solid { .. } => (thickness_m, e),
             Construction::Sandwich { .. } => {
                 let t = 3.0_f64.sqrt() * (thickness_m - face_thickness_m).max(0.0);
-                (t, if t > 0.0 { 2.0 * e * face_thickness_m / t } else { 0.0 })
+                (
+                    t,
+                    if t > 0.0 {
+                        2.0 * e * face_thickness_m / t
+                    } else {
+                        0.0
+                    },
+                )
             }
         }
     }
@@ -113,7 +120,12 @@ impl Carrier {
     }
 
     /// Thickness at which a cone carries the axial load `load_n`, m.
-    pub fn cone_axial_thickness_m(&self, half_angle_rad: f64, load_n: f64, membrane_n_m: f64) -> f64 {
+    pub fn cone_axial_thickness_m(
+        &self,
+        half_angle_rad: f64,
+        load_n: f64,
+        membrane_n_m: f64,
+    ) -> f64 {
         let cos = numerics::math::cos(half_angle_rad);
         let over_k = load_n * self.root() / (CONE_AXIAL_KNOCKDOWN * 2.0 * PI * cos * cos);
         self.thickness_for(over_k, 2.0, membrane_n_m)
@@ -277,7 +289,11 @@ mod tests {
     };
 
     /// Each rule at the thickness that it asks for carries exactly its demand.
-    fn reversed(thickness: impl Fn(&Carrier) -> f64, capacity: impl Fn(&Carrier, (f64, f64)) -> f64, demand: f64) {
+    fn reversed(
+        thickness: impl Fn(&Carrier) -> f64,
+        capacity: impl Fn(&Carrier, (f64, f64)) -> f64,
+        demand: f64,
+    ) {
         for carrier in [solid(), sandwich()] {
             let t = thickness(&carrier);
             let wall = carrier.equivalent(t, carrier.face_thickness_m(0.0).unwrap_or(0.0));
@@ -288,11 +304,31 @@ mod tests {
 
     #[test]
     fn every_thickness_carries_exactly_what_it_was_asked_for() {
-        reversed(|c| c.cone_thickness_m(&CONE, 2e5, 0.0), |_, wall| Carrier::cone_pressure_pa(&CONE, wall), 2e5);
-        reversed(|c| c.cap_thickness_m(&NOSE, 1e5, 0.0), |c, wall| c.cap_pressure_pa(&NOSE, wall), 1e5);
-        reversed(|c| c.cap_thickness_m(&NOSE, 1e8, 0.0), |c, wall| c.cap_pressure_pa(&NOSE, wall), 1e8);
-        reversed(|c| c.cylinder_thickness_m(0.2, 5e4, 0.0), |c, wall| c.cylinder_load_n(0.2, wall), 5e4);
-        reversed(|c| c.cone_axial_thickness_m(1.0, 5e4, 0.0), |c, wall| c.cone_axial_load_n(1.0, wall), 5e4);
+        reversed(
+            |c| c.cone_thickness_m(&CONE, 2e5, 0.0),
+            |_, wall| Carrier::cone_pressure_pa(&CONE, wall),
+            2e5,
+        );
+        reversed(
+            |c| c.cap_thickness_m(&NOSE, 1e5, 0.0),
+            |c, wall| c.cap_pressure_pa(&NOSE, wall),
+            1e5,
+        );
+        reversed(
+            |c| c.cap_thickness_m(&NOSE, 1e8, 0.0),
+            |c, wall| c.cap_pressure_pa(&NOSE, wall),
+            1e8,
+        );
+        reversed(
+            |c| c.cylinder_thickness_m(0.2, 5e4, 0.0),
+            |c, wall| c.cylinder_load_n(0.2, wall),
+            5e4,
+        );
+        reversed(
+            |c| c.cone_axial_thickness_m(1.0, 5e4, 0.0),
+            |c, wall| c.cone_axial_load_n(1.0, wall),
+            5e4,
+        );
     }
 
     #[test]

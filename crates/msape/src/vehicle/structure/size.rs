@@ -79,7 +79,10 @@ impl PressureShell {
 impl AxialLoads {
     /// Largest load, N.
     pub fn largest_n(&self) -> f64 {
-        self.launch.iter().map(|(_, n)| *n).fold(self.entry_n, f64::max)
+        self.launch
+            .iter()
+            .map(|(_, n)| *n)
+            .fold(self.entry_n, f64::max)
     }
 }
 
@@ -89,14 +92,22 @@ impl Carrier {
         let p = shell.pressure_pa;
         let membrane_n_m = p.max(shell.launch_pressure_pa) * shell.membrane_radius_m();
         let cone = shell.cone.map_or(0.0, |cone| {
-            let axial = self.cone_axial_thickness_m(cone.half_angle_rad, shell.launch_axial_n, membrane_n_m);
+            let axial = self.cone_axial_thickness_m(
+                cone.half_angle_rad,
+                shell.launch_axial_n,
+                membrane_n_m,
+            );
             self.cone_thickness_m(&cone, p, membrane_n_m).max(axial)
         });
         self.wall(&Needs {
             membrane_n_m,
             buckling_m: cone,
             cap_buckling_m: self.cap_thickness_m(&shell.cap, p, membrane_n_m),
-            core_shear_m: self.ring_shear_thickness_m(p, shell.ring_curvature_radius_m, membrane_n_m),
+            core_shear_m: self.ring_shear_thickness_m(
+                p,
+                shell.ring_curvature_radius_m,
+                membrane_n_m,
+            ),
         })
     }
 
@@ -140,7 +151,11 @@ pub fn loads(
     use ComponentKind::{AftbodyCarrier, AftbodyTps, Bond, ForebodyCarrier, ForebodyTps};
     let forebody_kg = of(&[ForebodyTps, Bond, ForebodyCarrier]);
     let aftbody_kg = of(&[AftbodyTps, AftbodyCarrier]);
-    let axial_g = load.launch.iter().map(|c| c.axial_earth_g.abs()).fold(0.0, f64::max);
+    let axial_g = load
+        .launch
+        .iter()
+        .map(|c| c.axial_earth_g.abs())
+        .fold(0.0, f64::max);
     let launch_m_s2 = factor * axial_g * EARTH_G_M_S2;
     let slant_length_m = (outer_r - inner_r) / theta_sin;
     let fore_shell = PressureShell {
