@@ -33,6 +33,8 @@
 //! 4. [`soak`]: temperature of the payload.
 //! 5. [`tps`]: thickness of both heat shields, from which the next pass starts.
 //!
+//! When the passes are done, [`structure`]: the carrier structure as a shell, beside the rules of [`vehicle::structure`].
+//!
 //! Beside them:
 //!
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
