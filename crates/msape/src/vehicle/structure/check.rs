@@ -96,7 +96,8 @@ pub struct Check {
     pub capacity: f64,
     /// Capacity over demand less one.
     pub margin: f64,
-    /// Thickness that this rule alone asks for, m; absent where a thicker wall does not help.
+    /// Thickness that this rule alone asks for, m, of a rule for faces that of both together; absent where a thicker wall
+    /// does not help.
     pub required_thickness_m: Option<f64>,
     /// Where the rule comes from.
     pub source: String,
