@@ -156,7 +156,7 @@ const PURE: [&str; 16] = [
 ];
 
 /// Printed coefficients, which keep the letter of the source; the equation beside them states the units.
-const PRINTED: [&str; 24] = [
+const PRINTED: [&str; 27] = [
     "a",
     "b",
     "c",
@@ -176,6 +176,9 @@ const PRINTED: [&str; 24] = [
     "alpha",
     "alpha_min",
     "alpha_max",
+    "s_number",
+    "s_number_min",
+    "s_number_max",
     "offset",
     "diffusion_b",
     "largest_x",

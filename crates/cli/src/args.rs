@@ -76,7 +76,7 @@ pub struct Run {
 #[derive(Args, Clone, Copy)]
 #[group(multiple = false)]
 pub struct Form {
-    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory
+    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory, landing
     #[arg(long)]
     pub json: bool,
     /// CSV with the report's column names and units

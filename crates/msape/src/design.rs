@@ -13,6 +13,7 @@ pub mod structural;
 use crate::design::structural::Structural;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
+use crate::vehicle::impact::landing::Landing;
 use serde::{Deserialize, Serialize};
 
 /// A designed vehicle and what was sized for it.
@@ -20,6 +21,8 @@ use serde::{Deserialize, Serialize};
 pub struct Design {
     /// Geometry, mass, impact, structure.
     pub vehicle: Vehicle,
+    /// Landing on the chosen ground and on a rigid surface.
+    pub landing: Landing,
     /// Heat shield of the forebody.
     pub forebody_tps: Sizing,
     /// Heat shield of the aftbody.

@@ -80,6 +80,8 @@ pub struct Flight {
     pub final_altitude_m: f64,
     /// Speed relative to the planet at the end, m/s.
     pub final_speed_m_s: f64,
+    /// Angle of that velocity against the geodetic horizon, negative down, rad.
+    pub final_flight_path_angle_rad: f64,
     /// Geodetic latitude at the end, rad.
     pub final_latitude_rad: f64,
     /// Longitude at the end, rad.

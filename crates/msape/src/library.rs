@@ -19,6 +19,7 @@ use crate::tps::concept::Concept;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::impact::Ground;
+use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::VehicleData;
 use std::sync::Arc;
 use thiserror::Error;
@@ -79,6 +80,8 @@ pub struct Library {
     pub vehicle: VehicleData,
     /// Grounds by name.
     pub grounds: Named<Ground>,
+    /// How impact foam crushes.
+    pub impact_foam: FoamKind,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
 }
@@ -126,6 +129,7 @@ impl Library {
             fit_space: parsed("tps/mer-fit-space.toml", FitSpace::parse)?,
             vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
             grounds: folder("grounds", Ground::parse)?,
+            impact_foam: parsed("foams/pmi.toml", FoamKind::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
         })
     }

@@ -4,9 +4,11 @@
 //!
 //! - [`input`]: what a person may ask for, with allowed range, usual range and default.
 //! - [`output`]: what an answer holds, with the report's own column name where it has one.
+//! - [`landing`]: the columns of a landing's history.
 //! - [`trajectory`]: the columns of a time history.
 
 pub mod input;
+pub mod landing;
 pub mod output;
 pub mod schema;
 pub mod trajectory;

@@ -34,6 +34,7 @@ pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
 use crate::vehicle::close::{Closed, close, close_from};
+use crate::vehicle::impact::ground::Striker;
 use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
 use crate::vehicle::layout::{Layout, Misfit};
 use crate::vehicle::profile::Profile;
@@ -171,15 +172,12 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         },
     };
     let (diameter_m, closed) = smallest_that_closes(input, foam)?;
-    let nose_diameter_m = 2.0 * closed.layout.outline.forebody.nose_radius_m;
     let mass_kg = closed.mass.mass_kg;
-    let p = &input.impact.ground.penetration;
-    let load = |alpha| impact::penetration_load_earth_g(alpha, nose_diameter_m, v, mass_kg);
+    let striker = Striker::new(&closed.layout.outline.forebody, mass_kg, v);
     let impact = Impact {
-        ground_penetration_load_earth_g: load(p.alpha),
-        ground_penetration_range_earth_g: (load(p.alpha_min), load(p.alpha_max)),
+        ground_penetration: input.impact.ground.rigid_body_load(&striker),
         crush_load_limit_earth_g: input.impact.crush_load_limit_earth_g,
-        nose_diameter_m,
+        nose_diameter_m: striker.nose_diameter_m,
         required_stroke_m: stroke_m,
         required_foam_thickness_m: required_foam_m,
         foam_strength_pa,

@@ -13,6 +13,7 @@ use std::{
 use anyhow::{Context, Result, bail};
 
 use crate::{
+    licences,
     project::{Project, announce, files_below, run},
     setup, sizes,
 };
@@ -40,7 +41,10 @@ pub fn dist(project: &Project) -> Result<usize> {
         with_code_in(&named, &page, &code)?,
     )?;
     fs::rename(&code, project.dist.join(&named))?;
-    sizes::print(&project.dist)
+    let compressed_bytes = sizes::print(&project.dist)?;
+    // not counted: a browser gets it when somebody asks for it
+    licences::write(project)?;
+    Ok(compressed_bytes)
 }
 
 /// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.

@@ -1,6 +1,7 @@
 //! The commands of the project that are more than one line: `cargo xtask help`.
 
 mod build;
+mod licences;
 mod project;
 mod serve;
 mod setup;

@@ -3,12 +3,13 @@
 //! What did not occur, and what is not a finite number, is `null`.
 
 use super::Answer;
+use crate::quantity::landing;
 use crate::quantity::trajectory::columns;
 use crate::quantity::{Job, outputs};
 use serde_json::{Map, Value, json as value};
 
 /// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
-/// `structure` and, where a time history was asked for, `trajectory`.
+/// `structure` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let mut object = Map::new();
     object.insert("name".to_string(), value!(answer.name));
@@ -28,6 +29,11 @@ pub fn json(answer: &Answer, job: Job) -> Value {
             .map(|(column, values)| (column.key.to_string(), value!(values)))
             .collect();
         object.insert("trajectory".to_string(), Value::Object(history));
+        if let Some(design) = &answer.design {
+            let history =
+                landing::keyed(&design.landing).map(|(key, values)| (key, value!(values)));
+            object.insert("landing".to_string(), Value::Object(history.collect()));
+        }
     }
     Value::Object(object)
 }
@@ -40,7 +46,7 @@ pub fn text(answer: &Answer, job: Job) -> String {
     let members = object
         .iter()
         .map(|(key, member)| match (key.as_str(), member) {
-            ("trajectory" | "structure", Value::Object(history)) => lines(
+            ("trajectory" | "landing" | "structure", Value::Object(history)) => lines(
                 history
                     .iter()
                     .map(|(column, values)| format!("{}: {values}", quoted(column))),

@@ -58,6 +58,7 @@ pub fn flight() -> Answer {
             time_of_flight_s: 4.0,
             final_altitude_m: 0.0,
             final_speed_m_s: 31.05,
+            final_flight_path_angle_rad: -1.5,
             final_latitude_rad: 0.5,
             final_longitude_rad: -3.0,
             final_density_kg_m3: 1.225,

@@ -19,13 +19,16 @@
 use super::Design;
 use super::inputs::DesignInput;
 use crate::answer::{Answer, Outcome, Pass};
-use crate::finding::{Finding, Severity};
+use crate::finding::Finding;
 use crate::flight::mission::{Body, Model};
 use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
 use crate::soak::SoakInput;
 use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Side, limits};
+use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
+use crate::vehicle::impact::remarks;
 use crate::vehicle::{self, Vehicle, VehicleInput};
+use numerics::math::FRAC_PI_2;
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
@@ -264,7 +267,13 @@ struct Finished<'a> {
 
 impl Finished<'_> {
     fn answer(self) -> Answer {
-        let findings = self.findings();
+        let mut findings = self.findings();
+        let landing = self.landing();
+        findings.extend(remarks::findings(
+            &self.vehicle,
+            &landing,
+            &self.input.vehicle.impact.ground,
+        ));
         let Finished {
             input,
             name,
@@ -316,6 +325,7 @@ impl Finished<'_> {
             structural: None,
             passes: passes.len() as u32,
             mass_residual_kg: last.and_then(|pass| pass.mass_change_kg),
+            landing,
             vehicle,
         };
         Answer {
@@ -328,6 +338,20 @@ impl Finished<'_> {
             findings,
             passes,
         }
+    }
+
+    fn landing(&self) -> Landing {
+        let flown = &self.flown;
+        // the closed form keeps its angle to the ground: only the integrated flight knows where it comes down from
+        let integrated = flown.flight.model == "three-dof";
+        let angle_rad = match flown.outcome {
+            Outcome::Landed | Outcome::Stopped if integrated => {
+                flown.flight.final_flight_path_angle_rad
+            }
+            _ => -FRAC_PI_2,
+        };
+        let velocity = TouchdownVelocity::new(flown.impact_speed_m_s, angle_rad);
+        Landing::new(&self.input.vehicle, &self.vehicle, velocity)
     }
 
     fn findings(&self) -> Vec<Finding> {
@@ -360,20 +384,6 @@ impl Finished<'_> {
         findings.extend(input.shoulder.findings(shoulder_ratio));
         findings.extend(input.soak.findings(&sized.soak));
         findings.extend(vehicle.findings.iter().cloned());
-        let load = vehicle.impact.ground_penetration_load_earth_g;
-        let limit = vehicle.impact.crush_load_limit_earth_g;
-        if load > limit {
-            findings.push(Finding {
-                severity: Severity::Exceeded,
-                model: "impact".to_string(),
-                key: "estimated_impact_load_earth_g".to_string(),
-                value: Some(load),
-                valid: (None, Some(limit)),
-                message: format!("Ground penetration gives {load:.0} g, above the crush load limit of {limit:.0} g."),
-                source: "NASA/TM-2014-218507, equation 1".to_string(),
-                field: Some("design.crush_load_limit_earth_g".to_string()),
-            });
-        }
         findings
     }
 }

@@ -325,6 +325,7 @@ impl<'a> Sum<'a> {
             time_of_flight_s: self.time_s,
             final_altitude_m: place.altitude_m,
             final_speed_m_s,
+            final_flight_path_angle_rad: sample::flight_path_angle_rad(mission, &end),
             final_latitude_rad: place.latitude_rad,
             final_longitude_rad: place.longitude_rad,
             final_density_kg_m3: mission.atmosphere.density_kg_m3(place.altitude_m),

@@ -40,6 +40,13 @@ pub fn loads(equations: &Equations, y: &[f64; STATES]) -> Loads {
     }
 }
 
+/// Angle of the relative velocity against the geodetic horizon at one state, rad.
+pub fn flight_path_angle_rad(mission: &Mission, y: &[f64; STATES]) -> f64 {
+    let [x, y, z, v_x, v_y, v_z, ..] = *y;
+    let horizon = mission.planet.horizon([x, y, z]);
+    horizon.velocity([v_x, v_y, v_z]).flight_path_angle_rad
+}
+
 /// Pressure at the stagnation point at one state, Pa.
 pub fn stagnation_pressure(equations: &Equations, y: &[f64; STATES]) -> f64 {
     let around = equations.surroundings(y);

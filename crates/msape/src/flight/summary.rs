@@ -49,6 +49,7 @@ pub fn summarize(mission: &Mission, body: &Body, record: &Record, request: Reque
         time_of_flight_s: t_end,
         final_altitude_m: end.altitude_m,
         final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
+        final_flight_path_angle_rad: sample::flight_path_angle_rad(mission, &y_end),
         final_latitude_rad: end.latitude_rad,
         final_longitude_rad: end.longitude_rad,
         final_density_kg_m3: flight

@@ -5,7 +5,7 @@ use crate::case::Reader;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::tps::material::TpsMaterial;
-use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::impact::{CrushingMass, ImpactInput};
 use crate::vehicle::rules::WallPlace;
 use crate::vehicle::structure::{Carrier, Construction};
 use crate::vehicle::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
@@ -35,6 +35,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
     let aft_name = aftbody_material(reader, library);
     let ground_name = choice(reader, "design.ground", &library.grounds);
+    let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
     let aero_name = choice(reader, "design.aerodynamics", &library.aerodynamics);
     let numbers = [
         "cone_half_angle_deg",
@@ -102,6 +103,11 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             crush_load_limit_earth_g: crush_limit?,
             stroke_efficiency: efficiency?,
             ground: named(&library.grounds, ground_name?)?.clone(),
+            foam: library.impact_foam.clone(),
+            crushing_mass: match crushing_mass? {
+                "impact-sphere" => CrushingMass::ImpactSphere,
+                _ => CrushingMass::Payload,
+            },
         },
         foam_grades: library.vehicle.foam.clone(),
         rules: library.vehicle.rules().ok()?,

@@ -2,6 +2,7 @@
 
 mod design;
 mod flight;
+mod landing;
 mod structure;
 
 use crate::answer::Answer;
@@ -139,9 +140,9 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: [&[Output]; 2] = match job {
-        Job::Fly => [&[], &[]],
-        Job::Design => [design::OUTPUTS, structure::OUTPUTS],
+    let of_design: [&[Output]; 3] = match job {
+        Job::Fly => [&[]; 3],
+        Job::Design => [design::OUTPUTS, structure::OUTPUTS, landing::OUTPUTS],
     };
     of_design.into_iter().flatten().chain(flight::OUTPUTS)
 }

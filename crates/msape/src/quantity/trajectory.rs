@@ -17,7 +17,7 @@ pub struct Column {
     pub help: &'static str,
 }
 
-const fn column(
+pub(super) const fn column(
     key: &'static str,
     label: &'static str,
     dimension: Dimension,

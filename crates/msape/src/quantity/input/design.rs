@@ -91,7 +91,15 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Fraction of the foam thickness that can be crushed; 0.5 to 0.6 agrees with the geometry of Table 9.", ASSUMED),
     Input::new("design.ground", "Ground", Group::Impact, Kind::Choice(Choices::Grounds))
         .preset(Preset::Name("uttr-clay"))
-        .help("Ground on which the vehicle lands, for the penetration load.", IMPACT),
+        .help("Ground on which the vehicle lands; the load on a rigid surface is shown beside it.", IMPACT),
+    Input::new(
+        "design.crushing_mass",
+        "Crushing Mass",
+        Group::Impact,
+        Kind::Choice(Choices::Fixed(&[("payload", "Payload"), ("impact-sphere", "Impact sphere with payload")])),
+    )
+    .preset(Preset::Name("payload"))
+    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept.", IMPACT),
     Input::number("design.terminal_drag_coefficient", "Terminal Drag Coefficient", Group::Models, Dimension::One, Range::above(0.0, 5.0))
         .usual(0.5, 1.1)
         .preset(Preset::Number(0.73))

@@ -5,10 +5,16 @@ use crate::answer::Answer;
 use crate::design::Design;
 use crate::units::Dimension;
 use crate::vehicle::ComponentKind;
+use crate::vehicle::impact::RigidBodyLoad;
 use numerics::math::RADIANS_PER_DEGREE;
 
 fn design(answer: &Answer, get: impl Fn(&Design) -> f64) -> Option<f64> {
     answer.design.as_ref().map(get)
+}
+
+fn penetration(answer: &Answer, get: impl Fn(&RigidBodyLoad) -> f64) -> Option<f64> {
+    let load = answer.design.as_ref()?.vehicle.impact.ground_penetration;
+    load.as_ref().map(get)
 }
 
 pub(super) static OUTPUTS: &[Output] = &[
@@ -187,16 +193,16 @@ pub(super) static OUTPUTS: &[Output] = &[
         .unit(Dimension::Density, "kg/m^3")
         .help("Density of the aftbody heat shield.", "NASA/TM-2014-218507, Table 1")
         .report(),
-    Output::new("estimated_impact_load_earth_g", "Estimated Impact Load", Module::Impact, |a| design(a, |d| d.vehicle.impact.ground_penetration_load_earth_g))
+    Output::new("estimated_impact_load_earth_g", "Estimated Impact Load", Module::Impact, |a| penetration(a, |p| p.load_earth_g))
         .unit(Dimension::Load, "g's")
-        .help("Peak deceleration in soft ground, equation 1 with the nose diameter twice the nose radius.", "NASA/TM-2014-218507, equation 1")
+        .help("Peak deceleration of a rigid vehicle that penetrates the chosen ground: equation 1 with the nose diameter twice the nose radius, or Young's equation; absent on rigid ground.", "NASA/TM-2014-218507, equation 1")
         .report(),
-    Output::new("estimated_impact_load_min_earth_g", "Estimated Impact Load, Least", Module::Impact, |a| design(a, |d| d.vehicle.impact.ground_penetration_range_earth_g.0))
+    Output::new("estimated_impact_load_min_earth_g", "Estimated Impact Load, Least", Module::Impact, |a| penetration(a, |p| p.least_earth_g))
         .unit(Dimension::Load, "g's")
-        .help("The same with the least constant measured.", "NASA/TM-2014-218507, equation 1"),
-    Output::new("estimated_impact_load_max_earth_g", "Estimated Impact Load, Largest", Module::Impact, |a| design(a, |d| d.vehicle.impact.ground_penetration_range_earth_g.1))
+        .help("The same at the soft end of the ground's range.", "NASA/TM-2014-218507, equation 1"),
+    Output::new("estimated_impact_load_max_earth_g", "Estimated Impact Load, Largest", Module::Impact, |a| penetration(a, |p| p.largest_earth_g))
         .unit(Dimension::Load, "g's")
-        .help("The same with the largest constant measured.", "NASA/TM-2014-218507, equation 1"),
+        .help("The same at the hard end of the ground's range.", "NASA/TM-2014-218507, equation 1"),
     Output::new("crush_load_limit_earth_g", "Crush Load Limit", Module::Impact, |a| design(a, |d| d.vehicle.impact.crush_load_limit_earth_g))
         .unit(Dimension::Load, "g's")
         .help("Design load of the payload on a rigid surface.", "NASA/TM-2014-218507, equation 4")

@@ -1,0 +1,182 @@
+//! The landing of a designed vehicle, on the chosen ground and on a rigid surface.
+//!
+//! ```text
+//! m₁ = M_PL                                 the payload alone, as in equations 4 and 6
+//! m₁ = M_PL + (foam + shell) (1 + margin)   MSR, on request: the impact sphere with the payload
+//! m₂ = M − m₁
+//! ```
+//!
+//! with masses in kg, m₁ the mass that crushes the foam, m₂ the rest, M the entry mass. The plateau of the foam is what its grade
+//! offers: the strength of equation 6 unless a density is given.
+//!
+//! # Valid
+//! As [`super::crush`]. With the payload alone the rest of the impact sphere is taken to carry itself: neither the mass of its foam
+//! and panels nor the strength of its panels counts. With the whole sphere its mass counts and the panels' strength does not,
+//! which is the severe side. Crush of carrier and heat shield, which would help, is left out.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.5.
+
+use crate::vehicle::impact::absorber::{Absorber, Shape};
+use crate::vehicle::impact::crush::{Pulse, Touchdown, pulse};
+use crate::vehicle::impact::ground::Striker;
+use crate::vehicle::impact::soil::Soil;
+use crate::vehicle::impact::{CrushingMass, foam_density_kg_m3};
+use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::remarks::foam_strength_at_pa;
+use crate::vehicle::{ComponentKind, Vehicle};
+use numerics::math::{self, PI};
+use serde::{Deserialize, Serialize};
+
+/// Velocity at touchdown, relative to the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TouchdownVelocity {
+    /// Speed, m/s.
+    pub speed_m_s: f64,
+    /// Horizontal part, m/s.
+    pub horizontal_m_s: f64,
+}
+
+/// Landing of a designed vehicle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Landing {
+    /// Velocity at touchdown.
+    pub velocity: TouchdownVelocity,
+    /// Mass that crushes the foam, kg.
+    pub payload_side_kg: f64,
+    /// The foam.
+    pub absorber: Absorber,
+    /// Pulse on a rigid surface.
+    pub rigid_surface: Pulse,
+    /// Pulse on the chosen ground.
+    pub ground: Pulse,
+    /// Depth of a rigid vehicle in the chosen ground, m; zero on rigid ground.
+    pub rigid_body_depth_m: f64,
+    /// Foam of this strength that would stay on its plateau on a rigid surface, m; absent beyond ten metres.
+    pub foam_needed_m: Option<f64>,
+    /// Strength with which the foam would stay on its plateau on a rigid surface, Pa.
+    pub strength_needed_pa: f64,
+}
+
+impl TouchdownVelocity {
+    /// Of a flight that ends with a speed, m/s, at an angle against the horizon, rad.
+    pub fn new(speed_m_s: f64, flight_path_angle_rad: f64) -> TouchdownVelocity {
+        TouchdownVelocity {
+            speed_m_s,
+            horizontal_m_s: speed_m_s * math::cos(flight_path_angle_rad).abs(),
+        }
+    }
+
+    /// Downward part, m/s.
+    pub fn vertical_m_s(&self) -> f64 {
+        let (v, h) = (self.speed_m_s, self.horizontal_m_s);
+        (v * v - h * h).max(0.0).sqrt()
+    }
+
+    /// Angle between velocity and vertical, rad.
+    pub fn off_axis_rad(&self) -> f64 {
+        math::atan2(self.horizontal_m_s, self.vertical_m_s())
+    }
+}
+
+impl Landing {
+    /// The landing of a vehicle built from an input.
+    pub fn new(input: &VehicleInput, vehicle: &Vehicle, velocity: TouchdownVelocity) -> Landing {
+        let speed_m_s = velocity.speed_m_s;
+        let mass_kg = vehicle.mass.mass_kg;
+        let payload_side_kg = payload_side_kg(input, vehicle).min(mass_kg);
+        let absorber = absorber(input, vehicle);
+        let striker = Striker::new(&vehicle.layout.outline.forebody, mass_kg, speed_m_s);
+        let soil = input.impact.ground.soil(&striker);
+        let on = |soil| {
+            pulse(&Touchdown {
+                payload_side_kg,
+                vehicle_side_kg: mass_kg - payload_side_kg,
+                speed_m_s,
+                absorber,
+                soil,
+            })
+        };
+        let rigid_surface = on(Soil::Rigid);
+        let ground = match soil {
+            Soil::Rigid => rigid_surface.clone(),
+            softer => on(softer),
+        };
+        let energy_j = 0.5 * payload_side_kg * speed_m_s * speed_m_s;
+        Landing {
+            velocity,
+            payload_side_kg,
+            absorber,
+            rigid_surface,
+            ground,
+            rigid_body_depth_m: soil.rigid_body_depth_m(&striker),
+            foam_needed_m: absorber.thickness_needed_m(energy_j),
+            strength_needed_pa: absorber.plateau_needed_pa(energy_j),
+        }
+    }
+
+    /// Part of the plateau that a rigid surface leaves: negative where the foam densifies.
+    pub fn densification_margin(&self) -> f64 {
+        1.0 - self.rigid_surface.stroke_m / self.absorber.plateau_crush_m()
+    }
+}
+
+/// Payload and what moves with it, kg.
+fn payload_side_kg(input: &VehicleInput, vehicle: &Vehicle) -> f64 {
+    let with_payload: &[ComponentKind] = match (vehicle.concept, input.impact.crushing_mass) {
+        (Concept::Msr, CrushingMass::ImpactSphere) => &[
+            ComponentKind::Payload,
+            ComponentKind::ImpactFoam,
+            ComponentKind::ImpactShell,
+        ],
+        _ => &[ComponentKind::Payload],
+    };
+    with_payload
+        .iter()
+        .filter_map(|kind| vehicle.component(*kind))
+        .map(|component| component.mass_with_margin_kg)
+        .sum()
+}
+
+/// The foam as built.
+fn absorber(input: &VehicleInput, vehicle: &Vehicle) -> Absorber {
+    let asked_pa = vehicle.impact.foam_strength_pa;
+    let graded = foam_density_kg_m3(&input.foam_grades, asked_pa).unwrap_or(0.0);
+    let weakest_pa = input
+        .foam_grades
+        .first()
+        .map_or(0.0, |grade| grade.compressive_strength_pa);
+    let (density_kg_m3, plateau_pa) = match input.densities.impact_foam_kg_m3 {
+        None => (graded, asked_pa.max(weakest_pa)),
+        Some(given) => match foam_strength_at_pa(&input.foam_grades, given) {
+            Some(strength_pa) => (given, strength_pa),
+            None => (graded, asked_pa.max(weakest_pa)),
+        },
+    };
+    let payload_radius_m = vehicle.dimensions.payload_diameter_m / 2.0;
+    Absorber {
+        shape: match vehicle.concept {
+            Concept::Msr => Shape::Sphere { payload_radius_m },
+            Concept::NonMsr => Shape::Column {
+                area_m2: PI * payload_radius_m * payload_radius_m,
+            },
+        },
+        thickness_m: vehicle.dimensions.foam_thickness_m,
+        law: input.impact.foam.law(density_kg_m3, plateau_pa),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numerics::math::RADIANS_PER_DEGREE;
+
+    #[test]
+    fn thirty_metres_per_second_at_60_deg_below_the_horizon_are_15_sideways() {
+        let velocity = TouchdownVelocity::new(30.0, -60.0 * RADIANS_PER_DEGREE);
+        assert!((velocity.horizontal_m_s - 15.0).abs() < 1e-12);
+        assert!((velocity.off_axis_rad() / RADIANS_PER_DEGREE - 30.0).abs() < 1e-12);
+        // 30 cos 30°
+        assert!((velocity.vertical_m_s() - 25.980_762).abs() < 1e-6);
+    }
+}

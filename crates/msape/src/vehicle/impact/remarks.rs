@@ -1,0 +1,205 @@
+//! What is said beside a landing.
+//!
+//! ```text
+//! sin² δ > 1 %       share of the kinetic energy that is not vertical, δ between velocity and vertical
+//! z > Rₙ (1 − sin θ)  equation 1: deeper than the spherical nose
+//! z < 3 D            Young's equation: shallower than three diameters
+//! ```
+//!
+//! with z the depth of a rigid vehicle, Rₙ, θ, D nose radius, cone half-angle and diameter; lengths in m.
+//!
+//! # Valid
+//! One per cent of the energy is an assumption of ours: about 6 deg.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.5; \[young-1997\].
+
+use crate::finding::{Finding, Severity};
+use crate::vehicle::Vehicle;
+use crate::vehicle::impact::crush::PulseEnd;
+use crate::vehicle::impact::ground::{Ground, Striker};
+use crate::vehicle::impact::landing::Landing;
+use numerics::math::{PI, RADIANS_PER_DEGREE};
+
+/// Loads up to this part over the limit are rounding and elastic ringing.
+const LOAD_TOLERANCE: f64 = 0.01;
+/// Share of the kinetic energy that may be sideways.
+const SIDEWAYS_SHARE: f64 = 0.01;
+/// Depth in diameters from which Young's equation holds.
+const YOUNG_DIAMETERS: f64 = 3.0;
+const REPORT: &str = "NASA/TM-2014-218507, section 3.1.5";
+
+/// Findings of a landing.
+pub fn findings(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Vec<Finding> {
+    let mut list = Vec::new();
+    list.extend(rigid_body(vehicle, ground));
+    list.extend(range_of_ground(vehicle, landing, ground));
+    list.extend(densified(vehicle, landing));
+    list.extend(over_limit(
+        vehicle,
+        "rigid_surface_peak_load_earth_g",
+        landing.rigid_surface.peak_load_earth_g,
+        "a rigid surface",
+    ));
+    if ground.penetration.is_some() || ground.young.is_some() {
+        list.extend(over_limit(
+            vehicle,
+            "peak_impact_deceleration_earth_g",
+            landing.ground.peak_load_earth_g,
+            "the chosen ground",
+        ));
+    }
+    list.extend(off_axis(landing));
+    list.extend(unfinished(landing));
+    list
+}
+
+fn over_limit(vehicle: &Vehicle, key: &str, load: f64, place: &str) -> Option<Finding> {
+    let limit = vehicle.impact.crush_load_limit_earth_g;
+    (load > limit * (1.0 + LOAD_TOLERANCE)).then(|| Finding {
+        severity: Severity::Exceeded,
+        model: "crush dynamics".to_string(),
+        key: key.to_string(),
+        value: Some(load),
+        valid: (None, Some(limit)),
+        message: format!(
+            "On {place} the payload feels {load:.0} g, above the crush load limit of {limit:.0} g."
+        ),
+        source: REPORT.to_string(),
+        field: Some("design.stroke_efficiency".to_string()),
+    })
+}
+
+/// The load of a rigid vehicle against the limit.
+fn rigid_body(vehicle: &Vehicle, ground: &Ground) -> Option<Finding> {
+    let load = vehicle.impact.ground_penetration?.load_earth_g;
+    let limit = vehicle.impact.crush_load_limit_earth_g;
+    (load > limit).then(|| Finding {
+        severity: Severity::Exceeded,
+        model: "impact".to_string(),
+        key: "estimated_impact_load_earth_g".to_string(),
+        value: Some(load),
+        valid: (None, Some(limit)),
+        message: format!(
+            "Ground penetration gives {load:.0} g, above the crush load limit of {limit:.0} g."
+        ),
+        source: ground.law_source().to_string(),
+        field: Some("design.crush_load_limit_earth_g".to_string()),
+    })
+}
+
+/// Depth outside the range of the ground's law.
+fn range_of_ground(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Option<Finding> {
+    let striker = Striker::new(
+        &vehicle.layout.outline.forebody,
+        vehicle.mass.mass_kg,
+        landing.velocity.speed_m_s,
+    );
+    let depth = landing.rigid_body_depth_m;
+    let nose = striker.footprint.nose_depth_m();
+    let least = YOUNG_DIAMETERS * vehicle.dimensions.diameter_m;
+    let finding = |valid, message| Finding {
+        severity: Severity::Extrapolated,
+        model: "ground penetration".to_string(),
+        key: "estimated_penetration_depth_m".to_string(),
+        value: Some(depth),
+        valid,
+        message,
+        source: ground.law_source().to_string(),
+        field: Some("design.ground".to_string()),
+    };
+    if ground.penetration.is_some() && depth > nose {
+        return Some(finding(
+            (None, Some(nose)),
+            format!(
+                "Equation 1 is of spherical penetrometers: with its mean resistance the vehicle goes in by {:.0} mm, its spherical nose ends at {:.0} mm, and behind it the ground meets more than the nose diameter.",
+                depth * 1e3,
+                nose * 1e3
+            ),
+        ));
+    }
+    (ground.young.is_some() && depth < least).then(|| {
+        finding(
+            (Some(least), None),
+            format!(
+                "Young's equation is for bodies that go in by three diameters or more; here it is {:.2} diameters.",
+                depth / vehicle.dimensions.diameter_m
+            ),
+        )
+    })
+}
+
+/// Foam that leaves its plateau.
+fn densified(vehicle: &Vehicle, landing: &Landing) -> Option<Finding> {
+    let margin = landing.densification_margin();
+    let absorber = &landing.absorber;
+    let plateau_m = absorber.plateau_crush_m();
+    let foam = match landing.foam_needed_m {
+        Some(foam_m) => format!("{:.0} mm of it", foam_m * 1e3),
+        None => "no thickness of it".to_string(),
+    };
+    let radius_m = vehicle.dimensions.payload_diameter_m / 2.0;
+    let share = absorber.area_m2(plateau_m) / (PI * radius_m * radius_m);
+    let footprint = if share < 1.0 {
+        format!(
+            " Equation 6 counts the whole cross-section of the payload, the flattened sphere has up to {:.0} % of it.",
+            share * 100.0
+        )
+    } else {
+        String::new()
+    };
+    (margin < 0.0).then(|| Finding {
+        severity: Severity::Note,
+        model: "crush dynamics".to_string(),
+        key: "foam_densification_margin".to_string(),
+        value: Some(margin),
+        valid: (Some(0.0), None),
+        message: format!(
+            "On a rigid surface {:.0} mm of the {:.0} mm of foam are crushed, its plateau ends at {:.0} mm: {foam} or a crush strength of {:.2} MPa instead of {:.2} MPa would keep to it.{footprint}",
+            landing.rigid_surface.stroke_m * 1e3,
+            absorber.thickness_m * 1e3,
+            plateau_m * 1e3,
+            landing.strength_needed_pa / 1e6,
+            absorber.law.plateau_pa / 1e6,
+        ),
+        source: "Gibson and Ashby, Cellular Solids; strain where densification begins".to_string(),
+        field: Some("design.stroke_efficiency".to_string()),
+    })
+}
+
+/// A velocity that is not vertical.
+fn off_axis(landing: &Landing) -> Option<Finding> {
+    let velocity = &landing.velocity;
+    let (h, v) = (velocity.horizontal_m_s, velocity.speed_m_s);
+    let share = h * h / (v * v);
+    let angle_deg = velocity.off_axis_rad() / RADIANS_PER_DEGREE;
+    (share > SIDEWAYS_SHARE).then(|| Finding {
+        severity: Severity::Extrapolated,
+        model: "crush dynamics".to_string(),
+        key: "impact_off_axis_angle_deg".to_string(),
+        value: Some(angle_deg),
+        valid: (Some(0.0), None),
+        message: format!(
+            "The vehicle touches down {angle_deg:.1} deg off the vertical, with {h:.1} m/s sideways and {:.1} m/s down; {:.1} % of its energy is sideways, and the models of the landing are vertical.",
+            velocity.vertical_m_s(),
+            share * 100.0
+        ),
+        source: REPORT.to_string(),
+        field: None,
+    })
+}
+
+fn unfinished(landing: &Landing) -> Option<Finding> {
+    let pulses = [&landing.rigid_surface, &landing.ground];
+    let given_up = pulses.iter().any(|p| p.end == PulseEnd::Unfinished);
+    (given_up && landing.velocity.speed_m_s > 0.0).then(|| Finding {
+        severity: Severity::Extrapolated,
+        model: "crush dynamics".to_string(),
+        key: "impact_pulse_duration_s".to_string(),
+        value: None,
+        valid: (None, None),
+        message: "The landing was not followed to the stop of the payload: its numbers are those up to there.".to_string(),
+        source: "convention of this program".to_string(),
+        field: None,
+    })
+}
