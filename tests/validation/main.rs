@@ -2,10 +2,12 @@
 //!
 //! - [`published`]: every documented case that ships with the program.
 //! - [`accuracy`]: methods and tolerances of integration against one another.
+//! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
 
 mod accuracy;
 mod aerodynamics;
 mod outcomes;
 mod published;
+mod shell;
 mod six_dof;
