@@ -1,6 +1,7 @@
 //! Against published and independent figures, and against itself at greater effort.
 //!
 //! - [`published`]: every documented case that ships with the program.
+//! - [`aerodynamics`]: coefficients against exact, computed and published ones.
 //! - [`accuracy`]: methods and tolerances of integration against one another.
 //! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
@@ -8,6 +9,7 @@
 mod accuracy;
 mod aerodynamics;
 mod outcomes;
+mod outlines;
 mod published;
 mod shell;
 mod six_dof;

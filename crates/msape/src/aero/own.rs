@@ -19,8 +19,9 @@ use serde::{Deserialize, Serialize};
 
 mod check;
 pub mod csv;
+mod row;
 
-pub use check::Row;
+pub use row::Row;
 
 /// What holds beyond a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

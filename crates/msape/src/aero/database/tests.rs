@@ -1,3 +1,15 @@
+//! A database against its table, its symmetry and the integrals it interpolates.
+//!
+//! ```text
+//! |C(α between nodes) − ∫| small
+//! ```
+//!
+//! # Valid
+//! The report's 60 deg shape with a flat back.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.3.
+
 use super::*;
 use crate::aero::AxialForce;
 use crate::aero::damping::{DampingData, Reading};
@@ -100,13 +112,10 @@ fn between_the_nodes_it_agrees_with_the_integral() {
             .max((got.cm - k * newton.cm).abs());
         let got = database.coefficients(mach, 20.0, alpha);
         for (g, w) in [(got.ca, free.ca), (got.cn, free.cn), (got.cm, free.cm)] {
-            if (g - w).abs() > worst[1] {
-                worst[1] = (g - w).abs();
-                println!("{alpha} {speed_ratio}: {g} {w}");
-            }
+            worst[1] = worst[1].max((g - w).abs());
         }
     }
-    println!("{worst:?}");
-    // 2.5 deg between nodes at corners of the curves (where the cone or the base turns to lee): Δ/8 of the change of slope
-    assert!(worst[0] < 1e-3 && worst[1] < 1e-2, "{worst:?}");
+    // Impact theory has no corners here. Thermal motion is as wide as 1/S, 2 deg at S = 25: within that of an angle at which
+    // a flat side turns to lee, interpolation in α and in 1/S loses a few thousandths of coefficients of order one.
+    assert!(worst[0] < 5e-5 && worst[1] < 5e-3, "{worst:?}");
 }

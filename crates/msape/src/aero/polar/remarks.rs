@@ -79,18 +79,18 @@ pub fn remarks(polar: &Polar, theory: &Theory, database: &Database) -> Vec<Findi
         finding.severity = Severity::Extrapolated;
         findings.push(finding);
     }
-    if let Damping::Report { data, .. } = database.damping() {
-        if data.blend(mach) > 0.0 {
-            let message = format!(
-                "Pitch damping above Mach 0.5 is a placeholder, assumed. {}",
-                data.placeholder_note()
-            );
-            findings.push(note(
-                message,
-                "assumed",
-                Some("vehicle.aerodynamics.damping_table"),
-            ));
-        }
+    if let Damping::Report { data, .. } = database.damping()
+        && data.blend(mach) > 0.0
+    {
+        let message = format!(
+            "Pitch damping above Mach 0.5 is a placeholder, assumed. {}",
+            data.placeholder_note()
+        );
+        findings.push(note(
+            message,
+            "assumed",
+            Some("vehicle.aerodynamics.damping_table"),
+        ));
     }
     findings
 }

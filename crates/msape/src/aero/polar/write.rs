@@ -15,8 +15,11 @@ use crate::finding::Finding;
 use crate::table::number::shortest;
 use serde_json::{Map, Value, json};
 
-/// Names of the coefficients, and how each is taken from a row.
-pub const COLUMNS: [(&str, fn(&Row) -> Option<f64>); 8] = [
+/// A column: its name, and how its number is taken from a row.
+pub type Column = (&'static str, fn(&Row) -> Option<f64>);
+
+/// The columns of a polar.
+pub const COLUMNS: [Column; 8] = [
     ("alpha_deg", |row| Some(row.alpha_deg)),
     ("ca", |row| Some(row.ca)),
     ("cn", |row| Some(row.cn)),
