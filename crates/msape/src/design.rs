@@ -4,10 +4,12 @@
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
+//! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
 
 pub mod coupling;
 pub mod crossings;
 pub mod inputs;
+pub mod misfit;
 pub mod structural;
 
 use crate::design::structural::Structural;

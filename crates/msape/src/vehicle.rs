@@ -25,7 +25,6 @@ pub mod layout;
 pub mod mass;
 pub mod mass_tree;
 pub mod material;
-pub mod misfit;
 pub mod msr;
 pub mod non_msr;
 pub mod outline;

@@ -18,6 +18,7 @@
 
 use super::Design;
 use super::inputs::DesignInput;
+use super::misfit;
 use crate::answer::{Answer, Outcome, Pass};
 use crate::finding::Finding;
 use crate::flight::mission::{Body, Model};
@@ -27,7 +28,7 @@ use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Side, limits};
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
-use crate::vehicle::{self, Vehicle, VehicleInput, misfit};
+use crate::vehicle::{self, Vehicle, VehicleInput};
 use numerics::math::FRAC_PI_2;
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
