@@ -25,11 +25,11 @@ use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
 
 /// Mach numbers of the grid: from, to, intervals.
-const MACH: ([f64; 2], usize) = ([0.05, 60.0], 160);
+const MACH: ([f64; 2], usize) = ([0.05, 60.0], 120);
 /// Intervals of the Knudsen number, whose ends are those of the bridging.
-const KNUDSEN_INTERVALS: usize = 32;
+const KNUDSEN_INTERVALS: usize = 24;
 /// Step of the search for trim, deg.
-const STEP_DEG: f64 = 1.0;
+const STEP_DEG: f64 = 5.0;
 
 /// Coefficients at trim.
 #[derive(Clone, Debug, PartialEq)]
