@@ -4,7 +4,6 @@ use crate::failure::Failure;
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
 use clap::{Args, ValueEnum};
-use msape::Library;
 use msape::aero::database::{Database, GAMMA};
 use msape::aero::free_molecular::Gas;
 use msape::aero::own::Extrapolation;
@@ -12,11 +11,14 @@ use msape::aero::polar::write::COLUMNS;
 use msape::aero::polar::{self, Polar, Theory, remarks};
 use msape::aero::standard::AeroBody;
 use msape::finding::Finding;
+use msape::{Case, Library};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Speed ratio of free-molecular flow when neither it nor a Mach number is given.
 const SPEED_RATIO: f64 = 25.0;
+const WALL: &str = "vehicle.aerodynamics.wall_temperature_ratio";
+const ACCOMMODATION: &str = "vehicle.aerodynamics.accommodation";
 /// Decimals that are shown; files have all of them.
 const DECIMALS: usize = 5;
 /// More angles than this are no question.
@@ -90,16 +92,15 @@ pub fn run(arguments: &Aero) -> Done {
     let (mut case, mut faults) = read::case(&arguments.case, &arguments.set)?;
     let library = Library::builtin()?;
     let angles = angles(&arguments.alpha, &mut faults);
-    let (wall, accommodation) = (arguments.wall_temperature_ratio, arguments.accommodation);
     for (key, value) in [
-        ("vehicle.aerodynamics.wall_temperature_ratio", wall),
-        ("vehicle.aerodynamics.accommodation", accommodation),
+        (WALL, arguments.wall_temperature_ratio),
+        (ACCOMMODATION, arguments.accommodation),
     ] {
         if let Some(value) = value {
             case.set(key, &value.to_string());
         }
     }
-    let theory = theory(arguments, &mut faults);
+    let theory = theory(arguments, &case, &mut faults);
     let found = msape::problem::aero(&case, &library);
     let (body, database) = match found {
         Ok(found) if faults.is_empty() => found,
@@ -130,7 +131,7 @@ pub fn run(arguments: &Aero) -> Done {
     Ok(ExitCode::SUCCESS)
 }
 
-fn theory(arguments: &Aero, faults: &mut Vec<String>) -> Theory {
+fn theory(arguments: &Aero, case: &Case, faults: &mut Vec<String>) -> Theory {
     let mut within = |name: &str, value: Option<f64>, low: f64, high: f64| {
         if let Some(value) = value
             && !(low..=high).contains(&value)
@@ -167,10 +168,15 @@ fn theory(arguments: &Aero, faults: &mut Vec<String>) -> Theory {
         Regime::FreeMolecular => {
             let of_mach = arguments.mach.map(|mach| mach * (0.5 * GAMMA).sqrt());
             let speed_ratio = arguments.speed_ratio.or(of_mach).unwrap_or(SPEED_RATIO);
-            let accommodation = arguments.accommodation.unwrap_or(1.0);
+            // What is no number there is a fault that the check of the case finds.
+            let of_case = |key: &str| {
+                let text = case.text(key);
+                text.and_then(|text| text.parse().ok()).unwrap_or(1.0)
+            };
+            let accommodation = of_case(ACCOMMODATION);
             Theory::FreeMolecular(Gas {
                 speed_ratio: speed_ratio.max(0.01),
-                wall_temperature_ratio: arguments.wall_temperature_ratio.unwrap_or(1.0),
+                wall_temperature_ratio: of_case(WALL),
                 normal_accommodation: accommodation,
                 tangential_accommodation: accommodation,
             })

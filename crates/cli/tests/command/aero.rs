@@ -38,6 +38,22 @@ fn arrays_as_long_as_the_list_of_angles_and_no_moment_without_a_centre_of_gravit
     let free = object(&["--regime", "free-molecular", "--alpha", "0,90"], &cg);
     // C_m about 0.2 diameters at 90 deg: −0.02065
     assert!((array(&free, "cm_cg")[1] + 0.02065).abs() < 1e-3);
+    // specular in a cold limit, a disc of the same outline would have 4; half as accommodated lies above full
+    let wall = object(
+        &[
+            "--regime",
+            "free-molecular",
+            "--alpha",
+            "0",
+            "--accommodation",
+            "0.5",
+        ],
+        &cg,
+    );
+    let of_case = format!("{cg}aerodynamics.accommodation = 0.5\n");
+    let same = object(&["--regime", "free-molecular", "--alpha", "0"], &of_case);
+    assert_eq!(array(&wall, "ca"), array(&same, "ca"));
+    assert!(array(&wall, "ca")[0] > array(&free, "ca")[0]);
     let halved = object(
         &[
             "--regime",
