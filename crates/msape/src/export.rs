@@ -5,7 +5,7 @@
 //! - [`chain`]: a profile cleaned for export: joined, without its pieces on the axis, run so that its outside is known.
 //! - [`mesh`]: triangles of a profile turned about the axis.
 //! - [`step`](mod@step): solids; [`iges`](mod@iges): surfaces; [`stl`](mod@stl) and [`gltf`](mod@gltf): triangles.
-//! - [`dxf`](mod@dxf) and [`table`]: the half-section.
+//! - [`dxf`](mod@dxf) and [`table`]: the half-section; [`svg`](mod@svg): a drawing of it.
 //! - [`format`](mod@format): the list of them.
 
 pub mod chain;
@@ -17,6 +17,7 @@ pub mod mesh;
 pub mod model;
 pub mod step;
 pub mod stl;
+pub mod svg;
 pub mod table;
 
 pub use format::Format;

@@ -35,6 +35,7 @@
 //!
 //! Beside them:
 //!
+//! - [`export`]: the vehicle as CAD, mesh and drawing files.
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.

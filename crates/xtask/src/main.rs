@@ -1,6 +1,7 @@
 //! The commands of the project that are more than one line: `cargo xtask help`.
 
 mod build;
+mod cad;
 mod project;
 mod serve;
 mod setup;
@@ -18,7 +19,8 @@ Usage: cargo xtask COMMAND
 
   serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
-  test [STAGE...]    sets up what is missing, runs all checks or the stages named: fmt clippy native browser e2e
+  test [STAGE...]    sets up what is missing, runs all checks or the stages named:
+                     fmt clippy native cad browser e2e
   setup              sets up everything that the above need, and nothing else
 ";
 

@@ -4,6 +4,7 @@ use std::{fs, path::PathBuf, process::Command};
 
 use anyhow::{Context, Result, bail};
 
+use crate::cad;
 use crate::project::{Project, announce, line, output, run};
 
 /// The target that the browser runs.
@@ -46,6 +47,13 @@ pub fn for_end_to_end(project: &Project) -> Result<()> {
     node_packages(project)
 }
 
+/// What reading the exported files back needs.
+pub fn for_cad(project: &Project) -> Result<()> {
+    debian_packages(project, &[PYTHON, NODE, NPM])?;
+    node_packages(project)?;
+    cad::set_up(project)
+}
+
 /// A program that Debian has, and why it is needed.
 struct Needed {
     program: &'static str,
@@ -62,6 +70,11 @@ const CHROMEDRIVER: Needed = Needed {
     program: "chromedriver",
     package: "chromium-driver",
     reason: "it starts tests in Chromium",
+};
+const PYTHON: Needed = Needed {
+    program: "python3",
+    package: "python3-venv",
+    reason: "it reads the exported CAD files back",
 };
 const NODE: Needed = Needed {
     program: "node",

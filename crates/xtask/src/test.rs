@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 
 use crate::{
-    build,
+    build, cad,
     project::{Project, announce, files_below, run},
     serve,
     setup::{self, WASM},
@@ -20,7 +20,7 @@ struct Stage {
 
 type Step = fn(&Project) -> Result<()>;
 
-const STAGES: [Stage; 5] = [
+const STAGES: [Stage; 6] = [
     Stage {
         name: "fmt",
         set_up: setup::for_lints,
@@ -35,6 +35,11 @@ const STAGES: [Stage; 5] = [
         name: "native",
         set_up: |_| Ok(()),
         check: native,
+    },
+    Stage {
+        name: "cad",
+        set_up: setup::for_cad,
+        check: cad::check,
     },
     Stage {
         name: "browser",

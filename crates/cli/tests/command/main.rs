@@ -2,6 +2,7 @@
 
 mod answers;
 mod bad_input;
+mod export;
 mod schema;
 
 use std::io::Write;

@@ -1,7 +1,7 @@
 //! The formats, declared once: name, file name ending, media type, help, writer.
 
 use crate::export::model::Model;
-use crate::export::{Info, dxf, gltf, iges, step, stl, table};
+use crate::export::{Info, dxf, gltf, iges, step, stl, svg, table};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,11 +20,13 @@ pub enum Format {
     Dxf,
     /// The same as a table.
     Csv,
+    /// The section as a drawing.
+    Svg,
 }
 
 impl Format {
     /// All of them, in the order in which they are offered.
-    pub const ALL: [Format; 7] = [
+    pub const ALL: [Format; 8] = [
         Format::Step,
         Format::Iges,
         Format::Stl,
@@ -32,6 +34,7 @@ impl Format {
         Format::Glb,
         Format::Dxf,
         Format::Csv,
+        Format::Svg,
     ];
 
     /// Name, as typed; also the ending of its files.
@@ -44,6 +47,7 @@ impl Format {
             Format::Glb => "glb",
             Format::Dxf => "dxf",
             Format::Csv => "csv",
+            Format::Svg => "svg",
         }
     }
 
@@ -61,6 +65,7 @@ impl Format {
                 "lines and arcs of the half-section, one layer a component (AutoCAD 2000, mm)"
             }
             Format::Csv => "the same as a table (mm)",
+            Format::Svg => "drawing of the section, to scale, with dimensions and legend",
         }
     }
 
@@ -74,6 +79,7 @@ impl Format {
             Format::Glb => "model/gltf-binary",
             Format::Dxf => "image/vnd.dxf",
             Format::Csv => "text/csv",
+            Format::Svg => "image/svg+xml",
         }
     }
 
@@ -102,6 +108,7 @@ impl Format {
             Format::Glb => gltf::glb(model, info),
             Format::Dxf => dxf::dxf(model).into_bytes(),
             Format::Csv => table::csv(model).into_bytes(),
+            Format::Svg => svg::svg(model, info).into_bytes(),
         }
     }
 }
