@@ -37,21 +37,21 @@ pub struct Body {
     pub axial_force: Option<String>,
 }
 
-/// The built-in database: the shape of the report with the report's axial force.
-const BUILT_IN: (&str, &str) = ("mmeev-60", "sphere-cone-60");
+/// Name of the built-in database: of its shape and of its axial force.
+const BUILT_IN: &str = "mmeev-60";
 
 /// All bodies: the built-in database, the present design, the outlines of the library.
 pub fn bodies(state: State) -> Vec<Body> {
-    let outlines = entries(state);
-    let (force, shape) = BUILT_IN;
-    let built_in = outlines.iter().find(|entry| entry.id() == shape).cloned();
+    let is_built_in = |entry: &Entry| entry.id() == BUILT_IN;
+    let (built_in, outlines): (Vec<Entry>, Vec<Entry>) =
+        entries(state).into_iter().partition(is_built_in);
     let named = state.case.with(|case| case.text("design.aerodynamics"));
     let mut bodies = vec![
         Body {
-            id: force.to_string(),
+            id: BUILT_IN.to_string(),
             title: "MMEEV, 60 deg (built-in database)".to_string(),
-            outline: built_in,
-            axial_force: Some(force.to_string()),
+            outline: built_in.into_iter().next(),
+            axial_force: Some(BUILT_IN.to_string()),
         },
         Body {
             id: DESIGN.to_string(),

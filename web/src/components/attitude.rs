@@ -242,7 +242,7 @@ fn RigidFlight() -> impl IntoView {
     let span = RwSignal::new(Span::Entry);
     view! {
         <Inputs />
-        <ul class="notes" role="status">{faults}</ul>
+        <div role="status"><ul class="notes">{faults}</ul></div>
         <Show when=move || is_flown.get() fallback=|| view! { <p class="quiet" role="status">"The rigid body has not flown yet."</p> }>
             <div class:stale-figure=stale>
                 <Numbers />

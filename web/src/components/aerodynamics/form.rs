@@ -111,7 +111,7 @@ pub fn DatabaseForm() -> impl IntoView {
                 <FlightField input fields=view.fields faults=view.faults typed />
             }).collect_view()}
         </div>
-        <ul class="notes" role="status">{others}</ul>
+        <div role="status"><ul class="notes">{others}</ul></div>
     }
 }
 

@@ -79,8 +79,7 @@ pub fn Sources() -> impl IntoView {
             <tbody>
                 {move || regimes().into_iter().map(|regime| view! {
                     <tr>
-                        <th scope="row">{regime.name()}</th>
-                        <td class="words">{reach(regime)}</td>
+                        <th scope="row">{regime.name()}<br /><span class="quiet">{reach(regime)}</span></th>
                         <td class="words">{regime.provenance()}</td>
                     </tr>
                 }).collect_view()}

@@ -90,8 +90,8 @@ pub fn Scene() -> impl IntoView {
         }
     };
     view! {
-        <Stage subject parts by_scale=Signal::stored(false) summary name id="attitude" attitude camera overlay />
         <p class="reading" aria-live=move || if view.playing.get() { "off" } else { "polite" }>{reading}</p>
+        <Stage subject parts by_scale=Signal::stored(false) summary name id="attitude" attitude camera overlay />
     }
 }
 
