@@ -36,9 +36,10 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// The moment about a point `x` diameters aft of the apex and `z` off the axis.
+    /// The moment about a point `x` diameters aft of the apex and `z` below the axis, as axes of the body have it: axial force
+    /// passes above a point below the axis and lifts the nose.
     pub fn cm_about(&self, x: f64, z: f64) -> f64 {
-        self.cm + self.cn * x - self.ca * z
+        self.cm + self.cn * x + self.ca * z
     }
 
     /// Drag coefficient.
@@ -350,4 +351,20 @@ fn adaptive<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], effort: Effor
         }
     }
     total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axial_force_above_a_point_below_the_axis_lifts_the_nose() {
+        let loads = Loads {
+            ca: 1.5,
+            cn: 0.0,
+            cm: 0.0,
+        };
+        // 1.5 · 0.02
+        assert!((loads.cm_about(0.3, 0.02) - 0.03).abs() < 1e-15);
+    }
 }
