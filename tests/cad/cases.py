@@ -38,8 +38,10 @@ def _shape(**keys):
     return "schema = \"msape/1\"\n[outline]\n" + "\n".join(lines) + "\n"
 
 
+PRESETS = ["apollo", "genesis", "hayabusa", "sphere-cone-45", "sphere-cone-60", "sphere-cone-70", "stardust"]
+
 OUTLINES = {
-    "stardust": _shape(preset="stardust"),
+    **{name: _shape(preset=name) for name in PRESETS},
     "sphere-cone-flat": _shape(
         cone_half_angle_deg=60.0, diameter_m=1.0, nose_radius_m=0.25, shoulder_radius_m=0.05, aft="flat"
     ),

@@ -256,3 +256,82 @@ fn ten_thousand_vehicles_close_or_say_why() {
     // four in five find a diameter up to 2 m
     assert!(closed > SAMPLES * 4 / 5, "{closed}");
 }
+
+/// Whether the lines p-q and s-t cross, by the sides on which their ends stand: another way than the program's.
+fn cross(p: [f64; 2], q: [f64; 2], s: [f64; 2], t: [f64; 2]) -> bool {
+    let side = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    side(p, q, s) * side(p, q, t) < 0.0 && side(s, t, p) * side(s, t, q) < 0.0
+}
+
+#[test]
+fn points_make_an_outline_just_when_no_two_lines_cross() {
+    let mut sequence = Sequence(7);
+    let (mut taken, mut refused) = (0, 0);
+    for _ in 0..5_000 {
+        let inner = 1 + (6.0 * sequence.next()) as usize;
+        let mut points = vec![[0.0, 0.0]];
+        points
+            .extend((0..inner).map(|_| [sequence.between(0.0, 3.0), sequence.between(0.05, 2.0)]));
+        points.push([sequence.between(1.0, 4.0), 0.0]);
+        let lines: Vec<_> = points.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let crosses = lines
+            .iter()
+            .enumerate()
+            .any(|(i, (p, q))| lines.iter().skip(i + 2).any(|(s, t)| cross(*p, *q, *s, *t)));
+        let rows: Vec<Vec<f64>> = points.iter().map(|p| p.to_vec()).collect();
+        match vehicle::body::from_rows("x", &rows) {
+            Ok(body) => {
+                taken += 1;
+                assert!(!crosses, "{points:?}");
+                let facts = body.facts();
+                assert!(facts.volume_m3 > 0.0 && facts.wetted_area_m2 > 0.0);
+                assert!(facts.forebody_area_m2 <= facts.wetted_area_m2 * (1.0 + 1e-12));
+            }
+            Err(faults) => {
+                refused += 1;
+                assert!(crosses, "{points:?}: {faults:?}");
+                assert!(
+                    faults
+                        .iter()
+                        .any(|fault| fault.to_string().contains(" crosses segment "))
+                );
+            }
+        }
+    }
+    println!("{taken} outlines, {refused} with crossings");
+    assert!(taken > 500 && refused > 500);
+}
+
+#[test]
+fn spoiled_files_of_outlines_give_rows_or_faults() {
+    let csv = "# cone\nx (mm);r (mm);bulge\n0;0;-0,2\n400;500;0\n400;0;0\n";
+    let dxf = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nARC\n10\n5\n20\n0\n40\n2\n50\n90\n51\n180\n0\n\
+               LWPOLYLINE\n90\n2\n70\n0\n10\n5\n20\n2\n42\n0.1\n10\n7\n20\n0\n0\nENDSEC\n0\nEOF\n";
+    let mut sequence = Sequence(11);
+    let letters: Vec<char> = "0123456789.,;-eE\n\t \"#xrnaninf\u{e9}\u{0}"
+        .chars()
+        .collect();
+    for (name, text) in [("a.csv", csv), ("a.dxf", dxf)] {
+        let whole = vehicle::body::import::read(name, text, None).unwrap();
+        assert!(vehicle::body::from_rows(name, &whole).is_ok());
+        for _ in 0..3_000 {
+            let mut spoiled: Vec<char> = text.chars().collect();
+            for _ in 0..=(3.0 * sequence.next()) as usize {
+                let place = (sequence.next() * spoiled.len() as f64) as usize;
+                let letter = letters[(sequence.next() * letters.len() as f64) as usize];
+                match (3.0 * sequence.next()) as u32 {
+                    0 => spoiled[place] = letter,
+                    1 => spoiled.insert(place, letter),
+                    _ => drop(spoiled.remove(place)),
+                }
+            }
+            let spoiled: String = spoiled.into_iter().collect();
+            match vehicle::body::import::read(name, &spoiled, None) {
+                Ok(rows) => drop(vehicle::body::from_rows(name, &rows)),
+                Err(faults) => assert!(faults.iter().all(|fault| !fault.to_string().is_empty())),
+            }
+        }
+    }
+}

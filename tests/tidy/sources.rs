@@ -31,13 +31,14 @@ const PHYSICS: [&str; 7] = [
 ];
 
 /// Files of these folders that hold no equation: lists of parts, input, assembly.
-const NO_EQUATION: [&str; 18] = [
+const NO_EQUATION: [&str; 19] = [
     "flight.rs",
     "flight/freedom.rs",
     "flight/mission.rs",
     "flight/sample.rs",
     "flight/six_dof/rigid.rs",
     "flight/six_dof/tests.rs",
+    "flight/six_dof/tests/flights.rs",
     "flight/summary.rs",
     "flight/trajectory.rs",
     "heating.rs",

@@ -157,7 +157,7 @@ fn sphere_cones_by_their_closed_form() {
 fn a_sphere_in_both_limits_to_a_millionth_at_every_angle() {
     for alpha in [0.0, 1e-3, 20.0, 89.9, 90.0, 133.0, 180.0] {
         let rad = alpha * RADIANS_PER_DEGREE;
-        let mut check = |got: Loads, want: f64| {
+        let check = |got: Loads, want: f64| {
             assert!((got.cd(rad) - want).abs() < 1e-6, "{alpha}: {got:?}");
             // lift, and moment about the centre, half a diameter aft of x = 0
             assert!(got.cl(rad).abs() < 1e-6, "{alpha}: {got:?}");

@@ -3,6 +3,7 @@
 //! - [`published`]: every documented case that ships with the program.
 //! - [`aerodynamics`]: coefficients against exact, computed and published ones.
 //! - [`accuracy`]: methods and tolerances of integration against one another.
+//! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
 
 mod accuracy;
@@ -10,4 +11,5 @@ mod aerodynamics;
 mod outcomes;
 mod outlines;
 mod published;
+mod shell;
 mod six_dof;

@@ -3,8 +3,10 @@
 
 pub mod kernel;
 
+use crate::design::structural::Structural;
+use crate::design::{Design, coupling};
 use crate::flight::mission::Body;
-use crate::flight::{self, Request};
+use crate::flight::{self, Flight, Request};
 use crate::library::{DataError, Library, data_file};
 use crate::problem::{DesignProblem, FlightProblem};
 use crate::{Case, InputError, vehicle};
@@ -25,6 +27,8 @@ pub struct Bench {
     pub msr_body: Body,
     /// Where everything stands in it before the first pass.
     pub msr_layout: vehicle::layout::Layout,
+    /// It designed, and its flight.
+    pub msr_design: (Design, Flight),
     /// A vehicle of another concept.
     pub galahad: DesignProblem,
     /// A spinning entry in six degrees of freedom with the database of its outline.
@@ -43,7 +47,7 @@ pub struct Job {
 }
 
 /// What is measured; the first is the reference.
-pub static JOBS: [Job; 14] = [
+pub static JOBS: [Job; 15] = [
     Job {
         name: "bare kernel: order 5, exponential air, no results",
         run: |bench| {
@@ -97,6 +101,13 @@ pub static JOBS: [Job; 14] = [
             let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
             let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
             black_box(volume);
+        },
+    },
+    Job {
+        name: "structure: rules and shell model (MSR)",
+        run: |bench| {
+            let (design, flight) = &bench.msr_design;
+            drop(black_box(Structural::new(&bench.msr.input, design, flight)));
         },
     },
     Job {
@@ -163,6 +174,11 @@ impl Bench {
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
         let msr_body = msr.input.body(&built);
+        let answer = coupling::solve(&msr.input, "", Request::Nothing);
+        let msr_design = answer
+            .design
+            .zip(answer.flight)
+            .ok_or_else(|| fault(msr_file, "has no design".to_string()))?;
         Ok(Bench {
             library,
             constant,
@@ -170,6 +186,7 @@ impl Bench {
             msr,
             msr_body,
             msr_layout: built.layout,
+            msr_design,
             galahad,
             spinning,
             spinning_case,

@@ -2,6 +2,7 @@
 //!
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
 //! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
 
@@ -9,7 +10,9 @@ pub mod coupling;
 pub mod crossings;
 pub mod inputs;
 pub mod misfit;
+pub mod structural;
 
+use crate::design::structural::Structural;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::landing::Landing;
@@ -50,6 +53,8 @@ pub struct Design {
     pub cone_half_angle_rad: f64,
     /// Mass of the payload, kg.
     pub payload_mass_kg: f64,
+    /// Structural rules and shell model, computed once when the passes are done; absent where a study leaves it out.
+    pub structural: Option<Structural>,
     /// Number of passes.
     pub passes: u32,
     /// Change of the entry mass in the last pass, kg.

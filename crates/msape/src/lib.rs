@@ -33,8 +33,11 @@
 //! 4. [`soak`]: temperature of the payload.
 //! 5. [`tps`]: thickness of both heat shields, from which the next pass starts.
 //!
+//! When the passes are done, [`structure`]: the carrier structure as a shell, beside the rules of [`vehicle::structure`].
+//!
 //! Beside them:
 //!
+//! - [`export`]: the vehicle as CAD, mesh and drawing files.
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
@@ -67,6 +70,7 @@ pub mod planet;
 pub mod problem;
 pub mod quantity;
 pub mod soak;
+pub mod structure;
 pub mod table;
 pub mod tps;
 pub mod units;

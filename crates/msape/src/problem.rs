@@ -18,6 +18,7 @@ use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
 use crate::design::coupling;
 use crate::design::inputs::DesignInput;
+use crate::design::structural::Structural;
 use crate::finding::Finding;
 use crate::flight::Request;
 use crate::flight::freedom::Freedom;
@@ -120,6 +121,12 @@ impl DesignProblem {
     /// Solves it.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
         let mut answer = coupling::solve(&self.input, name, request);
+        if let (Some(design), Some(flight)) = (&mut answer.design, &answer.flight) {
+            let structural = Structural::new(&self.input, design, flight);
+            let findings = structural.findings(&design.vehicle.structure, flight);
+            answer.findings.extend(findings);
+            design.structural = Some(structural);
+        }
         answer.findings.extend(self.findings.iter().cloned());
         answer
     }

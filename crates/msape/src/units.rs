@@ -50,6 +50,8 @@ pub enum Dimension {
     Inertia,
     /// Gravitational parameter, m³/s².
     GravitationalParameter,
+    /// Frequency, Hz.
+    Frequency,
 }
 
 /// A unit: `canonical = value * factor + offset`.
@@ -181,6 +183,7 @@ pub static UNITS: &[Unit] = &[
     unit("slug-ft^2", Dimension::Inertia, 1.3558179483314004),
     unit("m^3/s^2", Dimension::GravitationalParameter, 1.0),
     unit("km^3/s^2", Dimension::GravitationalParameter, 1e9),
+    unit("Hz", Dimension::Frequency, 1.0),
 ];
 
 /// Units of one dimension, the canonical one first.

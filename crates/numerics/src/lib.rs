@@ -5,12 +5,14 @@
 //! - [`ode`]: adaptive Runge-Kutta of order 5(4) and 8(5,3), classical RK4, dense output, located events.
 //! - [`root`]: bracketed roots and one-dimensional extrema.
 //! - [`interp`]: linear, log-linear and Hermite interpolation in one variable.
+//! - [`linear`]: symmetric matrices under their skyline, lowest eigenvalue.
 //! - [`quadrature`]: Gauss-Legendre integration.
 //! - [`stats`]: mean, deviation, percentiles.
 //!
 //! Deliberately absent: files, clocks, threads, random sources, global state.
 
 pub mod interp;
+pub mod linear;
 pub mod math;
 pub mod ode;
 pub mod quadrature;

@@ -274,3 +274,33 @@ fn an_outline_file_is_found_beside_the_case_and_flies_like_its_points() {
     ]);
     assert_eq!(unit.code, Some(0), "{}", unit.err);
 }
+
+#[test]
+fn the_facts_of_an_outline_and_a_mass_tree_are_printed() {
+    let case = b"schema = \"msape/1\"\n[outline]\ncone_half_angle_deg = 60.0\ndiameter_m = 1.0\nnose_radius_m = 0.375\nshoulder_radius_m = 0.025\n";
+    let facts = msape_with(&["outline", "-", "--json"], case);
+    assert_eq!((facts.code, facts.err.as_str()), (Some(0), ""));
+    let facts: serde_json::Value = serde_json::from_str(&facts.out).unwrap();
+    // printed to eight decimals, hence half a unit of the last
+    let area = facts["outline"]["forebody_area_m2"].as_f64().unwrap();
+    assert!((area - 0.934_500_31).abs() < 5.001e-9, "{area}");
+    let none = msape(&["outline", M2]);
+    assert_eq!(none.code, Some(2));
+    assert!(none.err.contains("outline: missing"), "{}", none.err);
+    let tree = msape(&["design", "cases/galahad.toml", "--mass-tree"]);
+    assert_eq!((tree.code, tree.err.as_str()), (Some(0), ""));
+    let mut reader = csv::Reader::from_reader(tree.out.as_bytes());
+    let place = |headers: &csv::StringRecord, name| headers.iter().position(|h| h == name).unwrap();
+    let mass = place(reader.headers().unwrap(), "mass_kg");
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let of = |name: &str| {
+        let row = rows.iter().find(|row| &row[0] == name).unwrap();
+        row[mass].parse::<f64>().unwrap()
+    };
+    let parts = rows
+        .iter()
+        .take_while(|row| &row[0] != "Sum without margin");
+    let sum: f64 = parts.map(|row| row[mass].parse::<f64>().unwrap()).sum();
+    assert_eq!(sum, of("Sum without margin"));
+    assert_eq!(sum + of("Margin"), of("Total at entry"));
+}

@@ -36,9 +36,10 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// The moment about a point `x` diameters aft of the apex and `z` off the axis.
+    /// The moment about a point `x` diameters aft of the apex and `z` below the axis, as axes of the body have it: axial force
+    /// passes above a point below the axis and lifts the nose.
     pub fn cm_about(&self, x: f64, z: f64) -> f64 {
-        self.cm + self.cn * x - self.ca * z
+        self.cm + self.cn * x + self.ca * z
     }
 
     /// Drag coefficient.
@@ -81,6 +82,8 @@ pub struct Effort {
     pub depth: u32,
     /// Pieces shorter than this, in diameters, are one panel.
     pub short: f64,
+    /// Widths of the thermal motion that one panel of azimuths spans.
+    pub thermal_panel: f64,
 }
 
 impl Effort {
@@ -89,12 +92,14 @@ impl Effort {
         tolerance: 1e-8,
         depth: 14,
         short: 0.0,
+        thermal_panel: 1.5,
     };
-    /// For tables, which are interpolated anyway: 1e-5 in a panel.
+    /// For tables, which are interpolated anyway: 5e-5 between a panel and its halves.
     pub const TABLE: Effort = Effort {
-        tolerance: 1e-5,
-        depth: 8,
+        tolerance: 5e-5,
+        depth: 6,
         short: 0.02,
+        thermal_panel: 4.6,
     };
 }
 
@@ -116,6 +121,7 @@ pub fn loads<const K: usize>(
             own,
             wind,
             laws,
+            thermal_panel: effort.thermal_panel,
             last: None,
         };
         let length = piece.length();
@@ -144,6 +150,7 @@ struct Circle<'a, const K: usize> {
     own: usize,
     wind: Wind,
     laws: &'a [Law; K],
+    thermal_panel: f64,
     last: Option<([f64; 2], Lit, [Sums; K])>,
 }
 
@@ -153,7 +160,7 @@ impl<const K: usize> Circle<'_, K> {
         let facing = windward(&station, self.wind);
         let mut lit = facing;
         if self.surface.bulge() == Bulge::Concave {
-            cast(&mut lit, self.surface.pieces(), self.own, t, self.wind);
+            cast(&mut lit, self.surface, self.own, t, self.wind);
         }
         let normal = [station.normal_x, station.normal_r];
         let sums = match self.last {
@@ -188,7 +195,7 @@ impl<const K: usize> Circle<'_, K> {
             }
             Law::FreeMolecular(gas) => {
                 for interval in thermal(facing, lit, [p, q], gas.zone()).intervals() {
-                    molecular(&mut sums, &gas, [p, q], *interval);
+                    molecular(&mut sums, &gas, [p, q], *interval, self.thermal_panel);
                 }
             }
         }
@@ -259,7 +266,13 @@ fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
 }
 
 /// Adds the integrals of the free-molecular loads over an interval of cos φ.
-fn molecular(sums: &mut Sums, gas: &Gas, [p, q]: [f64; 2], [low, high]: [f64; 2]) {
+fn molecular(
+    sums: &mut Sums,
+    gas: &Gas,
+    [p, q]: [f64; 2],
+    [low, high]: [f64; 2],
+    thermal_panel: f64,
+) {
     let zone = gas.zone();
     let cut = |s: f64| {
         if q == 0.0 { f64::NAN } else { (s - p) / q }
@@ -282,9 +295,10 @@ fn molecular(sums: &mut Sums, gas: &Gas, [p, q]: [f64; 2], [low, high]: [f64; 2]
             polynomial(sums, [p, q], gas.far(), [a, b]);
         } else if middle > -zone {
             let azimuths = [acos(b.clamp(-1.0, 1.0)), acos(a.clamp(-1.0, 1.0))];
-            // s changes by |q| an azimuth of 1 rad at most; e^(−S²s²) has the width 1/S
-            let width = (azimuths[1] - azimuths[0]) * q.abs() * gas.speed_ratio;
-            let panels = (width / 2.5).ceil().clamp(1.0, 40.0) as u32;
+            // e^(−S²s²) has the width 1/S; on the axis s is level, but cos φ bends
+            let widths = (b - a) * q.abs() * gas.speed_ratio / thermal_panel;
+            let bends = (azimuths[1] - azimuths[0]) / 1.2;
+            let panels = widths.max(bends).ceil().clamp(1.0, 40.0) as u32;
             let panel = (azimuths[1] - azimuths[0]) / f64::from(panels);
             for n in 0..panels {
                 let from = azimuths[0] + panel * f64::from(n);
@@ -337,4 +351,20 @@ fn adaptive<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], effort: Effor
         }
     }
     total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axial_force_above_a_point_below_the_axis_lifts_the_nose() {
+        let loads = Loads {
+            ca: 1.5,
+            cn: 0.0,
+            cm: 0.0,
+        };
+        // 1.5 · 0.02
+        assert!((loads.cm_about(0.3, 0.02) - 0.03).abs() < 1e-15);
+    }
 }

@@ -16,17 +16,15 @@
 //! # References
 //! - Intersection of a line with a circle about the axis.
 
-use super::surface::{Piece, Station};
+use super::surface::{Piece, SAMPLE_STEPS, Samples, Station, Surface};
 use numerics::root;
 
 /// Nearest that the axis and the plane normal to it are approached, rad.
 const NUDGE_RAD: f64 = 1e-9;
-/// Steps between samples on an arc.
-const SAMPLES: u32 = 8;
 /// A sample as far as this beyond 1 may hide an extremum within.
 const STEEP: f64 = 1.0;
 /// Accuracy of the place of an extremum, of an arc.
-const CLOSE: f64 = 1e-6;
+const CLOSE: f64 = 1e-5;
 /// Nearer than this to the circle itself, of an arc, the ray leaves along the surface.
 const BESIDE: f64 = 1e-7;
 /// Most intervals that are kept.
@@ -94,6 +92,14 @@ impl Lit {
         }
     }
 
+    /// From the least to the largest cosine; `None` in the dark.
+    fn hull(&self) -> Option<[f64; 2]> {
+        match (self.intervals().first(), self.intervals().last()) {
+            (Some([low, _]), Some([_, high])) => Some([*low, *high]),
+            _ => None,
+        }
+    }
+
     /// Takes an interval away.
     fn shade(&mut self, low: f64, high: f64) {
         let before = *self;
@@ -124,8 +130,8 @@ pub fn windward(station: &Station, wind: Wind) -> Lit {
 }
 
 /// Takes the shadows of the body on the circle of latitude at `t` of the piece `own` away from `lit`.
-pub fn cast(lit: &mut Lit, pieces: &[Piece], own: usize, t: f64, wind: Wind) {
-    let Some(station) = pieces.get(own).map(|piece| piece.at(t)) else {
+pub fn cast(lit: &mut Lit, surface: &Surface, own: usize, t: f64, wind: Wind) {
+    let Some(station) = surface.pieces().get(own).map(|piece| piece.at(t)) else {
         return;
     };
     let eye = Eye {
@@ -133,14 +139,14 @@ pub fn cast(lit: &mut Lit, pieces: &[Piece], own: usize, t: f64, wind: Wind) {
         r: station.r,
         tangent: wind.tangent(),
     };
-    for (n, piece) in pieces.iter().enumerate() {
-        if lit.count == 0 {
-            return;
-        }
+    for (n, (piece, samples)) in surface.pieces().iter().zip(surface.samples()).enumerate() {
+        let Some(hull) = lit.hull() else { return };
         let range = if n == own {
-            eye.own(piece, &station, t)
+            eye.own(piece, &station, t, hull)
+        } else if eye.may_shade(samples, hull) {
+            eye.other(piece, samples, hull)
         } else {
-            eye.other(piece)
+            None
         };
         if let Some([low, high]) = range {
             lit.shade(low, high);
@@ -176,7 +182,7 @@ impl Eye {
     }
 
     /// Range of h over the piece on which the circle lies.
-    fn own(&self, piece: &Piece, station: &Station, t: f64) -> Option<[f64; 2]> {
+    fn own(&self, piece: &Piece, station: &Station, t: f64, hull: [f64; 2]) -> Option<[f64; 2]> {
         // The ray that leaves along the surface.
         let along = -station.normal_x / station.normal_r / self.tangent;
         let ends = [0.0, 1.0].map(|end| (end, self.tau(piece.position(end)[0])));
@@ -199,16 +205,47 @@ impl Eye {
                             self.h(piece.position(t_on))
                         }
                     };
-                    include_arc(&mut range, h, [t, end]);
+                    include_arc(&mut range, h, [t, end], hull);
                 }
             }
         }
         range
     }
 
+    /// Whether h can meet the cosines of `hull` anywhere between the ends of a piece, which is monotone in x and in r.
+    fn may_shade(&self, samples: &Samples, [low, high]: [f64; 2]) -> bool {
+        let [[x0, r0], .., [x1, r1]] = *samples;
+        let (ta, tb) = (self.tau(x0), self.tau(x1));
+        let (near, far) = (ta.min(tb).max(0.0), ta.max(tb));
+        if far <= 0.0 {
+            return false;
+        }
+        let excess = |r: f64| (self.r - r) * (self.r + r);
+        let h = |excess: f64, tau: f64| (excess / tau + tau) / (2.0 * self.r);
+        // h falls with r: from below by the largest r, from above by the smallest
+        let (outer, inner) = (excess(r0.max(r1)), excess(r0.min(r1)));
+        let least = if outer > 0.0 {
+            h(outer, outer.sqrt().clamp(near, far))
+        } else if near > 0.0 {
+            h(outer, near)
+        } else {
+            f64::NEG_INFINITY
+        };
+        let most = if near > 0.0 {
+            h(inner, near).max(h(inner, far))
+        } else if inner > 0.0 {
+            f64::INFINITY
+        } else {
+            h(inner, far)
+        };
+        // Not a number: let the closer look decide.
+        !(least > high || most < low)
+    }
+
     /// Range of h over the upstream part of another piece.
-    fn other(&self, piece: &Piece) -> Option<[f64; 2]> {
-        let ends = [piece.position(0.0), piece.position(1.0)];
+    fn other(&self, piece: &Piece, samples: &Samples, hull: [f64; 2]) -> Option<[f64; 2]> {
+        let [first, .., last] = *samples;
+        let ends = [first, last];
         let taus = ends.map(|[x, _]| self.tau(x));
         if taus[0] <= 0.0 && taus[1] <= 0.0 {
             return None;
@@ -260,7 +297,11 @@ impl Eye {
                         self.beside(point[1])
                     }
                 };
-                include_arc(&mut range, h, [from, to]);
+                if straddles {
+                    include_arc(&mut range, h, [from, to], hull);
+                } else {
+                    include_samples(&mut range, &samples.map(|point| self.h(point)), h, hull);
+                }
             }
         }
         range
@@ -292,12 +333,28 @@ fn include(range: &mut Option<[f64; 2]>, value: f64) {
     });
 }
 
-/// Takes in the range of h over an arc: samples, and where one of them is extreme, the extremum beside it.
-fn include_arc(range: &mut Option<[f64; 2]>, h: impl Fn(f64) -> f64, [from, to]: [f64; 2]) {
-    let at = |n: u32| from + (to - from) * (f64::from(n) / f64::from(SAMPLES));
+/// Takes in the range of h over a part of an arc.
+fn include_arc(
+    range: &mut Option<[f64; 2]>,
+    h: impl Fn(f64) -> f64,
+    [from, to]: [f64; 2],
+    hull: [f64; 2],
+) {
+    let of_part = |u: f64| h(from + (to - from) * u);
+    let steps = f64::from(SAMPLE_STEPS);
+    let values = core::array::from_fn(|n| of_part(n as f64 / steps));
+    include_samples(range, &values, of_part, hull);
+}
+
+/// Takes in samples of h at even steps of 0…1, and where one of them is extreme, the extremum beside it.
+fn include_samples(
+    range: &mut Option<[f64; 2]>,
+    values: &[f64; SAMPLE_STEPS as usize + 1],
+    h: impl Fn(f64) -> f64,
+    [low, high]: [f64; 2],
+) {
     let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
-    for n in 0..=SAMPLES {
-        let value = h(at(n));
+    for (n, value) in values.iter().copied().enumerate() {
         include(range, value);
         if value < least.1 {
             least = (n, value);
@@ -306,13 +363,17 @@ fn include_arc(range: &mut Option<[f64; 2]>, h: impl Fn(f64) -> f64, [from, to]:
             most = (n, value);
         }
     }
-    // Only extrema between -1 and 1 are cosines.
-    let beside = |n: u32| (at(n.saturating_sub(1)), at((n + 1).min(SAMPLES)));
-    if least.1 > -1.0 && least.1 < 1.0 + STEEP {
+    let steps = f64::from(SAMPLE_STEPS);
+    let beside = |n: usize| {
+        let at = n as f64;
+        ((at - 1.0).max(0.0) / steps, (at + 1.0).min(steps) / steps)
+    };
+    // Only an extremum among the lit cosines moves a shadow.
+    if least.1 > low && least.1 < high + STEEP {
         let (a, b) = beside(least.0);
         include(range, -root::maximum(|t| -h(t), a, b, CLOSE).1);
     }
-    if most.1 < 1.0 && most.1 > -1.0 - STEEP {
+    if most.1 < high && most.1 > low - STEEP {
         let (a, b) = beside(most.0);
         include(range, root::maximum(h, a, b, CLOSE).1);
     }
@@ -343,11 +404,12 @@ mod tests {
             line([0.01, 0.5], [0.01, 0.1]),
             line([0.01, 0.1], [2.01, 0.1]),
         ];
+        let body = Surface::of_pieces(pieces.to_vec(), 1.0);
         let wind = Wind::new(45.0 * RADIANS_PER_DEGREE);
         let at = |x: f64| {
             let t = (x - 0.01) / 2.0;
             let mut lit = windward(&pieces[3].at(t), wind);
-            cast(&mut lit, &pieces, 3, t, wind);
+            cast(&mut lit, &body, 3, t, wind);
             lit
         };
         // the windward line φ = π is y = −0.1; its ray reaches the disc's plane x = 0.01 at −0.1 − (x − 0.01) and
@@ -369,13 +431,14 @@ mod tests {
         let pieces: Vec<Piece> = [4.0, 3.0, 2.0, 1.0]
             .map(|n| arc(0.25 * n * numerics::math::PI))
             .to_vec();
+        let body = Surface::of_pieces(pieces.clone(), 1.0);
         for degrees in [0.0, 1e-4, 17.0, 45.0, 89.9, 90.0, 90.1, 133.0, 179.0, 180.0] {
             let wind = Wind::new(degrees * RADIANS_PER_DEGREE);
             for own in 0..4 {
                 for t in [0.05, 0.4, 0.9] {
                     let before = windward(&pieces[own].at(t), wind);
                     let mut after = before;
-                    cast(&mut after, &pieces, own, t, wind);
+                    cast(&mut after, &body, own, t, wind);
                     for (a, b) in before.intervals().iter().zip(after.intervals()) {
                         assert!(
                             (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6,
@@ -398,17 +461,18 @@ mod tests {
             line([0.2, 0.49], [0.0, 0.49]),
             line([0.0, 0.49], [0.0, 0.0]),
         ];
+        let body = Surface::of_pieces(pieces.to_vec(), 1.0);
         let wind = Wind::new(135.0 * RADIANS_PER_DEGREE);
         let t = 0.5; // r = 0.245 on the bottom
         let mut lit = windward(&pieces[4].at(t), wind);
         assert_eq!(lit, Lit::new(-1.0, 1.0));
-        cast(&mut lit, &pieces, 4, t, wind);
+        cast(&mut lit, &body, 4, t, wind);
         // at the rim's plane the ray from y = 0.245 cos φ is at y − 0.2: |(0.245 cos φ − 0.2, 0.245 sin φ)| < 0.49 is
         // 0.245² + 0.04 − 2·0.2·0.245 cos φ < 0.2401, cos φ > −1.43: all lit
         assert!(reached(&lit, -0.999));
         let t = 0.1; // r = 0.441: 0.194481 + 0.04 − 0.1764 cos φ < 0.2401 where cos φ > −0.03185
         let mut lit = windward(&pieces[4].at(t), wind);
-        cast(&mut lit, &pieces, 4, t, wind);
+        cast(&mut lit, &body, 4, t, wind);
         assert!(reached(&lit, -0.0318) && !reached(&lit, -0.0320), "{lit:?}");
     }
 }

@@ -75,8 +75,14 @@ mod tests {
         let rows = stored.lines().filter(|line| !line.starts_with('#'));
         let made = csv(&database);
         assert_eq!(made.lines().count(), 1 + PLACES.len() * 37);
+        // panels of a table are integrated to 5e-5, so its recipe may be computed in another order without a new file
         for (stored, made) in rows.zip(made.lines()) {
-            assert_eq!(stored, made);
+            for (stored, made) in stored.split(',').zip(made.split(',')) {
+                match (stored.parse::<f64>(), made.parse::<f64>()) {
+                    (Ok(stored), Ok(made)) => assert!((stored - made).abs() < 1e-4),
+                    _ => assert_eq!(stored, made),
+                }
+            }
         }
     }
 }

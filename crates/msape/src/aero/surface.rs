@@ -114,6 +114,12 @@ impl Piece {
     }
 }
 
+/// Steps between the samples of a piece.
+pub const SAMPLE_STEPS: u32 = 8;
+
+/// Positions at even steps along a piece, both ends included, diameters.
+pub type Samples = [[f64; 2]; SAMPLE_STEPS as usize + 1];
+
 /// Whether a body can shade itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bulge {
@@ -127,6 +133,7 @@ pub enum Bulge {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     pieces: Vec<Piece>,
+    samples: Vec<Samples>,
     diameter_m: f64,
     bulge: Bulge,
 }
@@ -174,8 +181,17 @@ impl Surface {
         for segment in &run.segments {
             add(&mut pieces, segment, diameter_m, apex_x_m);
         }
+        Surface::of_pieces(pieces, diameter_m)
+    }
+
+    /// The surface of pieces in order, lengths in diameters.
+    pub fn of_pieces(pieces: Vec<Piece>, diameter_m: f64) -> Surface {
+        let samples = |piece: &Piece| {
+            core::array::from_fn(|n| piece.position(n as f64 / f64::from(SAMPLE_STEPS)))
+        };
         Surface {
             bulge: bulge(&pieces),
+            samples: pieces.iter().map(samples).collect(),
             pieces,
             diameter_m,
         }
@@ -184,6 +200,11 @@ impl Surface {
     /// The pieces, in order from the nose.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// Positions along each piece.
+    pub fn samples(&self) -> &[Samples] {
+        &self.samples
     }
 
     /// Whether it can shade itself.

@@ -8,7 +8,7 @@ use crate::quantity::{Job, outputs};
 use serde_json::{Map, Value, json as value};
 
 /// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
-/// `mass_tree` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
+/// `mass_tree` and `structure` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let mut object = Map::new();
     object.insert("name".to_string(), value!(answer.name));
@@ -21,6 +21,9 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     if let Some(design) = &answer.design {
         let tree = design.vehicle.mass_tree();
         object.insert("mass_tree".to_string(), value!(tree));
+    }
+    if let Some(structural) = answer.design.as_ref().and_then(|d| d.structural.as_ref()) {
+        object.insert("structure".to_string(), value!(structural));
     }
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
         let history = trajectory
@@ -45,7 +48,7 @@ pub fn text(answer: &Answer, job: Job) -> String {
     let members = object
         .iter()
         .map(|(key, member)| match (key.as_str(), member) {
-            ("trajectory" | "landing", Value::Object(history)) => lines(
+            ("trajectory" | "landing" | "structure", Value::Object(history)) => lines(
                 history
                     .iter()
                     .map(|(column, values)| format!("{}: {values}", quoted(column))),

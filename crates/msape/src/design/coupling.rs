@@ -327,6 +327,7 @@ impl Finished<'_> {
             terminal_speed_m_s: flown.terminal_speed_m_s,
             cone_half_angle_rad: input.vehicle.cone_half_angle_rad,
             payload_mass_kg: input.vehicle.payload_mass_kg,
+            structural: None,
             passes: passes.len() as u32,
             mass_residual_kg: last.and_then(|pass| pass.mass_change_kg),
             landing,

@@ -39,21 +39,13 @@ pub fn dxf(model: &Model) -> String {
             draw(&part.key, profile, &mut handles);
         }
     }
-    let [from, to] = extent_m(&model.outline);
+    let [from, to, _] = model.extent_m();
     let axis = Segment::Line {
         start: Point::on_axis(from),
         end: Point::on_axis(to),
     };
     entities.push_str(&entity(&axis, "axis", &mut handles));
     frame::drawing(&layers, &entities, handles)
-}
-
-/// Least and largest axial position of the joints of a profile, m.
-fn extent_m(profile: &Profile) -> [f64; 2] {
-    let points = profile.segments.iter().map(|s| s.start().x_m);
-    points.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
-        [least.min(x), most.max(x)]
-    })
 }
 
 fn entity(segment: &Segment, layer: &str, handles: &mut Handles) -> String {

@@ -42,7 +42,7 @@ pub fn glb(model: &Model, info: &Info) -> Vec<u8> {
     let buffer = json!([{ "byteLength": data.len() }]);
     document.insert("buffers".to_owned(), buffer);
     let mut text = Value::Object(document).to_string().into_bytes();
-    while text.len() % 4 > 0 {
+    while !text.len().is_multiple_of(4) {
         text.push(b' ');
     }
     let length = 12 + 8 + text.len() + 8 + data.len();

@@ -27,7 +27,8 @@ const DEFINITION: &str = "00000200";
 /// The model as the text of an IGES file.
 pub fn iges(model: &Model, info: &Info) -> String {
     let mut file = File::default();
-    let far_mm = extent_m(model) * MM_PER_M;
+    let [nose, aft, widest] = model.extent_m();
+    let far_mm = widest.max(aft).max(-nose) * MM_PER_M;
     let axis = file.add(Entity {
         kind: 110,
         status: DEPENDENT,
@@ -78,11 +79,6 @@ pub fn iges(model: &Model, info: &Info) -> String {
         &format!("{}: surfaces of revolution, mm", model.name),
         &global,
     )
-}
-
-fn extent_m(model: &Model) -> f64 {
-    let points = model.outline.segments.iter().map(Segment::end);
-    points.fold(0.0, |far: f64, p| far.max(p.x_m).max(p.r_m))
 }
 
 /// Adds a part: its surfaces, as one group.

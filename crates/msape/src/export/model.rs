@@ -3,6 +3,7 @@
 use crate::vehicle::body::RigidBody;
 use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
+use crate::vehicle::segment::Segment;
 use crate::vehicle::{DensityBasis, Vehicle};
 
 /// A body of revolution or several, in one frame: x along the axis, aft positive.
@@ -124,6 +125,17 @@ impl Model {
             outline: outline.clone(),
             measures,
         }
+    }
+}
+
+impl Model {
+    /// Least and largest axial position, largest distance from the axis, m.
+    pub fn extent_m(&self) -> [f64; 3] {
+        let bounds = self.outline.segments.iter().map(Segment::bounds_m);
+        bounds.fold(
+            [f64::INFINITY, f64::NEG_INFINITY, 0.0],
+            |[nose, aft, widest], [x0, x1, _, r1]| [nose.min(x0), aft.max(x1), widest.max(r1)],
+        )
     }
 }
 

@@ -13,8 +13,8 @@ const MM_PER_M: f32 = 1000.0;
 
 /// Largest distance of chords from their circles for a model, m.
 pub fn chord_error_m(model: &Model) -> f64 {
-    let ends = model.outline.segments.iter().map(|s| s.end().r_m);
-    2.0 * CHORD_ERROR * ends.fold(0.0, f64::max)
+    let [_, _, widest] = model.extent_m();
+    2.0 * CHORD_ERROR * widest
 }
 
 /// The model as the bytes of an STL file.
@@ -70,6 +70,8 @@ mod tests {
         let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
         assert_eq!(bytes.len(), 84 + 50 * count);
         assert_eq!(&bytes[..16], b"Units: mm. Ball ");
+        // chords of 4 asin √(1e-4) = 0.04 rad: 158 round, 79 from pole to pole
+        assert_eq!(count, 2 * 158 * (79 - 1));
         let (mut edges, mut volume) = (BTreeMap::new(), 0.0);
         for triangle in bytes[84..].chunks(50) {
             let number =

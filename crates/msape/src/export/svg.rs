@@ -84,7 +84,7 @@ pub fn svg(model: &Model, info: &Info) -> String {
 
 /// Where the section stands: as large as a plain scale allows, in the middle of its box.
 fn view(model: &Model) -> View {
-    let [nose, aft, widest] = path::extent_m(&model.outline);
+    let [nose, aft, widest] = model.extent_m();
     let [left, top, width, height] = BOX;
     let needed = (1000.0 * (aft - nose) / width).max(2000.0 * widest / height);
     let decades = [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0];
@@ -104,7 +104,7 @@ fn view(model: &Model) -> View {
 
 /// Dimension lines, callouts, axis and centre of gravity.
 fn dimensions(model: &Model, view: &View) -> String {
-    let [nose, aft, widest] = path::extent_m(&model.outline);
+    let [nose, aft, widest] = model.extent_m();
     let at = |x_m, r_m| view.at(Point { x_m, r_m }, 1.0);
     let ([left, axis], [right, _]) = (at(nose, 0.0), at(aft, 0.0));
     let [wide_x, top] = view.at(path::widest(&model.outline), 1.0);

@@ -116,7 +116,8 @@ mod tests {
     fn every_region_of_an_outline_is_met_from_the_nose_to_the_lid() {
         let (heating, answer) = heated();
         let outline = answer.design.unwrap().vehicle.outline;
-        let outside = outline.segments.iter().filter(|s| s.swept_area_m2() > 0.0);
+        // joints of rounding sweep next to nothing, the closing line on the axis nothing
+        let outside = outline.segments.iter().filter(|s| s.swept_area_m2() > 1e-9);
         let regions: Vec<Region> = outside.map(|s| heating.region(s)).collect();
         let count = |region| regions.iter().filter(|r| **r == region).count();
         // nose, cone; shoulder; wing, annulus, lid

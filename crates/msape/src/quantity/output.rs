@@ -5,6 +5,7 @@ mod design;
 mod flight;
 mod landing;
 mod mass;
+mod structure;
 
 use crate::answer::Answer;
 use crate::units::{Dimension, Unit, canonical};
@@ -141,9 +142,14 @@ pub enum Job {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: [&[Output]; 3] = match job {
-        Job::Fly => [&[]; 3],
-        Job::Design => [design::OUTPUTS, mass::OUTPUTS, landing::OUTPUTS],
+    let of_design: [&[Output]; 4] = match job {
+        Job::Fly => [&[]; 4],
+        Job::Design => [
+            design::OUTPUTS,
+            mass::OUTPUTS,
+            structure::OUTPUTS,
+            landing::OUTPUTS,
+        ],
     };
     of_design
         .into_iter()

@@ -56,7 +56,12 @@ pub fn schema(library: &Library) -> Value {
     schema.insert("required".to_string(), json!(["schema", "entry"]));
     schema.insert(
         "anyOf".to_string(),
-        json!([{ "required": ["vehicle"] }, { "required": ["design"] }]),
+        // An outline has the nose that a vehicle without one must be given.
+        json!([
+            { "required": ["vehicle"], "properties": { "vehicle": { "required": ["nose_radius_m"] } } },
+            { "required": ["vehicle", "outline"] },
+            { "required": ["design"] },
+        ]),
     );
     Value::Object(schema)
 }

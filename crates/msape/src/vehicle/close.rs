@@ -13,16 +13,13 @@
 //! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it).
 
 use crate::vehicle::forebody::Forebody;
-use crate::vehicle::impact::{EARTH_G_M_S2, Foam};
+use crate::vehicle::impact::Foam;
 use crate::vehicle::input::{Concept, VehicleInput};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
-use crate::vehicle::mass::{
-    Component, ComponentKind, Densities, MassProperties, components, total,
-};
+use crate::vehicle::mass::{Component, Densities, MassProperties, components, total};
 use crate::vehicle::material::found_foam;
-use crate::vehicle::structure::{PressureShell, Structure, Wall};
+use crate::vehicle::structure::{Structure, Wall, size};
 use crate::vehicle::{msr, non_msr};
-use numerics::math::PI;
 
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
@@ -143,7 +140,7 @@ pub fn close_from(
             },
         );
         let mass = total(&components);
-        let sized = size_walls(input, &layout, &components, &mass);
+        let sized = size::walls(input, &size::loads(input, &layout, &components, &mass));
         let foot_x_m = layout.outline.attached_structure_x_m;
         moved = (mass.cg_x_m - cg_x_m).abs();
         let settled = moved < rules.convergence_m
@@ -204,6 +201,7 @@ fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
 fn sized_labels(used: Structure, sized: Structure) -> Structure {
     let label = |used: Wall, sized: Wall| Wall {
         thickness_m: used.thickness_m,
+        face_thickness_m: used.face_thickness_m,
         density_kg_m3: used.density_kg_m3,
         ..sized
     };
@@ -211,66 +209,6 @@ fn sized_labels(used: Structure, sized: Structure) -> Structure {
         forebody: label(used.forebody, sized.forebody),
         aftbody: label(used.aftbody, sized.aftbody),
         primary: label(used.primary, sized.primary),
-    }
-}
-
-/// Walls for the loads that these masses make.
-fn size_walls(
-    input: &VehicleInput,
-    layout: &Layout,
-    components: &[Component],
-    mass: &MassProperties,
-) -> Structure {
-    let outline = &layout.outline;
-    let forebody = &outline.forebody;
-    let load = &input.structure_loads;
-    let entry_g = input.loads.entry_load_earth_g;
-    let area_m2 = PI * forebody.diameter_m * forebody.diameter_m / 4.0;
-    let inertial_pa = mass.mass_kg * entry_g * EARTH_G_M_S2 / area_m2;
-    let pressure_pa = load.safety_factor * inertial_pa.max(input.loads.peak_stagnation_pressure_pa);
-    let (theta_sin, theta_cos) = forebody.sin_cos();
-    let (inner_r, outer_r) = (
-        layout.primary_outer_r_m(),
-        forebody.shoulder_tangent(0.0).r_m,
-    );
-    let fore_shell = PressureShell {
-        pressure_pa,
-        slant_length_m: ((outer_r - inner_r) / theta_sin).max(0.0),
-        cone_curvature_radius_m: (inner_r + outer_r) / 2.0 / theta_cos,
-        largest_curvature_radius_m: outer_r / theta_cos,
-        cap_radius_m: forebody.nose_radius_m,
-    };
-    let aft_pa = load.aftbody_pressure_fraction * pressure_pa;
-    let aft_shell = PressureShell {
-        pressure_pa: aft_pa,
-        slant_length_m: 0.0,
-        cone_curvature_radius_m: 0.0,
-        largest_curvature_radius_m: 0.0,
-        cap_radius_m: outline.lid_radius_m,
-    };
-    // in entry the forebody carries itself; the rest hangs on the primary structure
-    let carried_kg: f64 = components
-        .iter()
-        .filter(|c| {
-            !matches!(
-                c.kind,
-                ComponentKind::ForebodyTps | ComponentKind::Bond | ComponentKind::ForebodyCarrier
-            )
-        })
-        .map(|c| c.mass_with_margin_kg)
-        .sum();
-    let axial_n = load.safety_factor
-        * EARTH_G_M_S2
-        * (carried_kg * entry_g).max(mass.mass_kg * load.launch_axial_load_earth_g);
-    Structure {
-        forebody: match input.forebody.carrier_thickness_m {
-            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
-            None => input.forebody.carrier.pressure_wall(&fore_shell),
-        },
-        aftbody: input.aftbody_carrier.pressure_wall(&aft_shell),
-        primary: input
-            .primary_carrier
-            .axial_wall(layout.primary_inner_r_m(), axial_n),
     }
 }
 

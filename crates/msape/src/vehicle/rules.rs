@@ -2,7 +2,7 @@
 
 use crate::vehicle::input::ComponentDensities;
 use crate::vehicle::material::{DensityBasis, Material};
-use crate::vehicle::structure::{Carrier, Construction, StructureLoads};
+use crate::vehicle::structure::{Carrier, Construction, LaunchLoad, StructureLoads};
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -143,6 +143,20 @@ pub struct FoamGrade {
     pub source: String,
 }
 
+/// A corner of the load factors at launch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LaunchCorner {
+    /// Across the axis, Earth g.
+    pub lateral_earth_g: f64,
+    /// Along the axis, Earth g.
+    pub axial_earth_g: f64,
+    /// Key in the list of references.
+    pub source: String,
+    /// Where in the source.
+    pub place: String,
+}
+
 /// A file of `data/vehicles`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -161,6 +175,8 @@ pub struct VehicleData {
     pub carrier: BTreeMap<String, CarrierMaterial>,
     /// Factors of the structural rules, by name.
     pub loads: BTreeMap<String, Datum>,
+    /// Corners of the load factors at launch.
+    pub launch: [LaunchCorner; 4],
     /// Foam grades by rising density.
     pub foam: Vec<FoamGrade>,
 }
@@ -228,10 +244,13 @@ impl VehicleData {
     /// Factors of the structural rules.
     pub fn structure_loads(&self) -> Result<StructureLoads, String> {
         let get = |key| value(&self.loads, key);
-        count(&self.loads, 3, "loads")?;
+        count(&self.loads, 2, "loads")?;
         Ok(StructureLoads {
             safety_factor: get("safety_factor")?,
-            launch_axial_load_earth_g: get("launch_axial_load_earth_g")?,
+            launch: core::array::from_fn(|i| LaunchLoad {
+                lateral_earth_g: self.launch[i].lateral_earth_g,
+                axial_earth_g: self.launch[i].axial_earth_g,
+            }),
             aftbody_pressure_fraction: get("aftbody_pressure_fraction")?,
         })
     }

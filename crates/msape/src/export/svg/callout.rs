@@ -38,7 +38,8 @@ pub fn callouts(model: &Model) -> Vec<Callout> {
     segments
         .filter_map(|segment| {
             let at = middle(segment);
-            let side = if at.x_m < widest.x_m {
+            // what runs outwards faces forward, also where the wing stands ahead of the shoulder
+            let side = if segment.end().r_m > segment.start().r_m {
                 Side::Fore
             } else {
                 Side::Aft

@@ -86,15 +86,6 @@ fn is_arc(segment: &Segment) -> bool {
     matches!(segment, Segment::Arc { .. })
 }
 
-/// Least and largest axial position, largest distance from the axis, m.
-pub fn extent_m(profile: &Profile) -> [f64; 3] {
-    let bounds = profile.segments.iter().map(Segment::bounds_m);
-    bounds.fold(
-        [f64::INFINITY, f64::NEG_INFINITY, 0.0],
-        |[nose, aft, widest], [x0, x1, _, r1]| [nose.min(x0), aft.max(x1), widest.max(r1)],
-    )
-}
-
 /// A point of the largest distance from the axis.
 pub fn widest(profile: &Profile) -> Point {
     let points = profile.segments.iter().flat_map(|segment| {

@@ -15,6 +15,7 @@
 pub mod chain;
 pub mod csv;
 pub mod dxf;
+pub mod half_section;
 
 use thiserror::Error;
 
@@ -156,6 +157,7 @@ pub fn read(
     let ending = name.rsplit('.').next().unwrap_or("").to_lowercase();
     match ending.as_str() {
         "dxf" => dxf::read(text, unit),
+        "csv" if half_section::is_half_section(text) => half_section::read(text),
         "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit),
         _ => Err(vec![ImportFault::UnknownKind(shown(name))]),
     }

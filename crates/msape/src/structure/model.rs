@@ -1,0 +1,237 @@
+//! A shell of revolution with walls and supports: degrees of freedom of a harmonic, stiffness and mass.
+//!
+//! ```text
+//! K = Σ ∫ Bᵀ D B r ds        M = Σ ∫ Nᵀ m N r ds
+//! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all nought
+//! ```
+//!
+//! with K in N/m and M in kg, per radian.
+//!
+//! # Valid
+//! Any branched shell of revolution; in the harmonic 0 without torsion.
+//!
+//! # References
+//! - \[zienkiewicz-1977\]; conditions on the axis: displacements and rotations have one value there.
+
+use super::element::{ArealMass, FREEDOMS, NODE_FREEDOMS, mass, stiffness};
+use super::mesh::{Element, Mesh};
+use super::section::Section;
+use numerics::linear::skyline::Skyline;
+
+/// A wall and the mass that moves with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Build and material.
+    pub section: Section,
+    /// Its own mass and what lies on it.
+    pub areal: ArealMass,
+}
+
+/// How a node is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// Not along the axis.
+    Axially,
+    /// Not across the axis, free to move along it and to turn.
+    ByDiaphragm,
+    /// Not at all to move, free to turn about the circle.
+    ByHinge,
+    /// Neither to move nor to turn.
+    Clamped,
+    /// As by its mirror image in a plane normal to the axis.
+    BySymmetry,
+}
+
+impl Held {
+    /// Which of U_x, U_r, V, β, φ are nought.
+    fn freedoms(self) -> [bool; NODE_FREEDOMS] {
+        match self {
+            Self::Axially => [true, false, false, false, false],
+            Self::ByDiaphragm => [false, true, true, false, true],
+            Self::ByHinge => [true, true, true, false, true],
+            Self::Clamped => [true; NODE_FREEDOMS],
+            Self::BySymmetry => [true, false, false, true, false],
+        }
+    }
+}
+
+/// A node and how it is held.
+pub type Support = (usize, Held);
+
+/// A shell of revolution.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// Nodes and elements.
+    pub mesh: Mesh,
+    /// Walls.
+    pub walls: Vec<Wall>,
+}
+
+/// An unknown, and the sign with which it stands for a freedom; `None` where the freedom is nought.
+type Slot = Option<(usize, f64)>;
+
+/// The unknowns of a harmonic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Freedoms {
+    /// Harmonic.
+    pub harmonic: u32,
+    /// Unknowns of each element.
+    slots: Vec<[Slot; FREEDOMS]>,
+    /// First row of each column of the matrices.
+    first: Vec<usize>,
+}
+
+impl Freedoms {
+    /// Numbers the unknowns in the order of the elements.
+    pub fn new(model: &Model, harmonic: u32, supports: &[Support]) -> Self {
+        let mesh = &model.mesh;
+        let mut of_node: Vec<Option<[Slot; 4]>> = vec![None; mesh.nodes.len()];
+        let mut of_twist: Vec<Option<Slot>> = vec![None; mesh.twists.len()];
+        let mut count = 0;
+        let mut new = |held: bool| {
+            (!held).then(|| {
+                count += 1;
+                (count - 1, 1.0)
+            })
+        };
+        let minus = |slot: Slot| slot.map(|(unknown, sign)| (unknown, -sign));
+        let mut slots = Vec::with_capacity(mesh.elements.len());
+        for element in &mesh.elements {
+            let mut all = [None; FREEDOMS];
+            for (place, (&node, &twist)) in element.nodes.iter().zip(&element.twists).enumerate() {
+                let held = held(supports, node, harmonic);
+                let on_axis = mesh.point(node).r_m <= 0.0;
+                let [u_x, u_r, v, beta] = match of_node.get(node).copied().flatten() {
+                    Some(known) => known,
+                    None if !on_axis => core::array::from_fn(|k| new(held[k])),
+                    None => match harmonic {
+                        0 => [new(held[0]), None, None, None],
+                        1 => {
+                            let (u_r, beta) = (new(held[1]), new(held[3]));
+                            [None, u_r, minus(u_r), beta]
+                        }
+                        _ => [None; 4],
+                    },
+                };
+                let phi = match of_twist.get(twist).copied().flatten() {
+                    Some(known) => known,
+                    None if on_axis && harmonic == 1 => minus(beta),
+                    None => new(held[4] || on_axis),
+                };
+                if let Some(entry) = of_node.get_mut(node) {
+                    *entry = Some([u_x, u_r, v, beta]);
+                }
+                if let Some(entry) = of_twist.get_mut(twist) {
+                    *entry = Some(phi);
+                }
+                for (k, slot) in [u_x, u_r, v, beta, phi].into_iter().enumerate() {
+                    all[place * NODE_FREEDOMS + k] = slot;
+                }
+            }
+            slots.push(all);
+        }
+        let mut first: Vec<usize> = (0..count).collect();
+        for all in &slots {
+            let used = || all.iter().flatten().map(|&(unknown, _)| unknown);
+            let least = used().min().unwrap_or(0);
+            for unknown in used() {
+                first[unknown] = first[unknown].min(least);
+            }
+        }
+        Self {
+            harmonic,
+            slots,
+            first,
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn count(&self) -> usize {
+        self.first.len()
+    }
+
+    /// Unknowns of an element.
+    pub fn of_element(&self, number: usize) -> &[Slot; FREEDOMS] {
+        const NONE: &[Slot; FREEDOMS] = &[None; FREEDOMS];
+        self.slots.get(number).unwrap_or(NONE)
+    }
+
+    /// Freedoms of an element taken out of the unknowns.
+    pub fn gather(&self, number: usize, unknowns: &[f64]) -> [f64; FREEDOMS] {
+        self.of_element(number).map(|slot| {
+            slot.and_then(|(unknown, sign)| unknowns.get(unknown).map(|value| sign * value))
+                .unwrap_or(0.0)
+        })
+    }
+
+    /// A matrix of noughts over the unknowns.
+    pub fn matrix(&self) -> Skyline {
+        Skyline::new(&self.first)
+    }
+}
+
+/// Which freedoms of a node are nought; in the harmonic 0 those of torsion.
+fn held(supports: &[Support], node: usize, harmonic: u32) -> [bool; NODE_FREEDOMS] {
+    let torsion = harmonic == 0;
+    let mut all = [false, false, torsion, false, torsion];
+    for (_, held) in supports.iter().filter(|(at, _)| *at == node) {
+        for (sum, one) in all.iter_mut().zip(held.freedoms()) {
+            *sum |= one;
+        }
+    }
+    all
+}
+
+impl Model {
+    /// Wall of an element.
+    pub fn wall(&self, element: &Element) -> Option<&Wall> {
+        self.walls.get(element.wall)
+    }
+
+    /// Stiffness over the unknowns.
+    pub fn stiffness(&self, freedoms: &Freedoms) -> Skyline {
+        let mut matrix = freedoms.matrix();
+        let walls: Vec<_> = self.walls.iter().map(|w| w.section.stiffness()).collect();
+        for (number, element) in self.mesh.elements.iter().enumerate() {
+            let Some(wall) = walls.get(element.wall) else {
+                continue;
+            };
+            let k = stiffness(&self.mesh.points(element), wall, freedoms.harmonic);
+            let slots = freedoms.of_element(number);
+            for (i, row) in k.iter().enumerate() {
+                let Some((gi, si)) = slots[i] else { continue };
+                for (j, entry) in row.iter().enumerate().skip(i) {
+                    let Some((gj, sj)) = slots[j] else { continue };
+                    // two freedoms that are one unknown: the entry and its mirror
+                    let times = if i != j && gi == gj { 2.0 } else { 1.0 };
+                    matrix.add(gi, gj, times * si * sj * entry);
+                }
+            }
+        }
+        matrix
+    }
+
+    /// Mass over the unknowns.
+    pub fn mass(&self, freedoms: &Freedoms) -> Skyline {
+        let mut matrix = freedoms.matrix();
+        for (number, element) in self.mesh.elements.iter().enumerate() {
+            let Some(wall) = self.wall(element) else {
+                continue;
+            };
+            let m = mass(&self.mesh.points(element), &wall.areal);
+            let slots = freedoms.of_element(number);
+            for (a, row) in m.iter().enumerate() {
+                for (b, [moving, turning]) in row.iter().enumerate().skip(a) {
+                    for k in 0..NODE_FREEDOMS {
+                        let (at, to) = (a * NODE_FREEDOMS + k, b * NODE_FREEDOMS + k);
+                        if let (Some((gi, si)), Some((gj, sj))) = (slots[at], slots[to]) {
+                            let value = if k < 3 { moving } else { turning };
+                            matrix.add(gi, gj, si * sj * value);
+                        }
+                    }
+                }
+            }
+        }
+        matrix
+    }
+}

@@ -1,0 +1,276 @@
+//! Loads on the walls of a vehicle, and the walls that carry them.
+//!
+//! ```text
+//! entry     p = f max(p₀, M a / A)          forebody; a fraction of it on the lid
+//!           N = p ρ_max or p R / 2          P = f m a on the primary structure, m what hangs on it
+//! launch    N = f M g (|n_a| / 2πR + n_l h / πR²)    primary structure, at each corner (n_l, n_a)
+//!           p = f |n_a| g m / A             carriers: their own inertia; P = f |n_a| g m at the inner end of the cone
+//! ```
+//!
+//! with pressures in Pa, forces in N, N in N/m; f the safety factor, p₀ the peak stagnation pressure, M a the entry mass
+//! times its deceleration, A the frontal area, h the distance of the centre of gravity from the attached structure, R the
+//! radius of the primary structure, m. On the primary structure lateral bending is counted as if its largest force went
+//! round the whole circle: it buckles at a smaller stress under axial load than in bending, so that this is safe.
+//!
+//! # Valid
+//! The aft side of the wing is a dish that the wing's filling backs: it follows the lid.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.1.6; \[spacex-falcon-guide\] Figure 4-1; \[nasa-std-5001\]. Which load goes where is a choice.
+
+use super::rules::{Cap, Cone};
+use super::{Carrier, LaunchLoad, Needs, Structure, Wall};
+use crate::vehicle::impact::EARTH_G_M_S2;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::layout::Layout;
+use crate::vehicle::mass::{Component, ComponentKind, MassProperties};
+use numerics::math::{FRAC_PI_2, PI, atan2};
+
+/// A cone between two rings under external pressure with its spherical cap, or a cap alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PressureShell {
+    /// Design pressure, factor included, Pa.
+    pub pressure_pa: f64,
+    /// Whether the deceleration of the whole mass is more than the stagnation pressure.
+    pub from_deceleration: bool,
+    /// Cone; `None` when there is none.
+    pub cone: Option<Cone>,
+    /// Largest normal radius of curvature of the cone, m.
+    pub largest_curvature_radius_m: f64,
+    /// Normal radius of curvature at the ring, m.
+    pub ring_curvature_radius_m: f64,
+    /// Cap.
+    pub cap: Cap,
+    /// Pressure by which its own inertia loads it at launch, factor included, Pa.
+    pub launch_pressure_pa: f64,
+    /// Axial load at the inner end of the cone at launch, factor included, N.
+    pub launch_axial_n: f64,
+}
+
+/// Axial loads of a cylinder, factor included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialLoads {
+    /// Radius, m.
+    pub radius_m: f64,
+    /// At entry, N.
+    pub entry_n: f64,
+    /// Corners at launch, and the axial load that makes the same largest force, N.
+    pub launch: [(LaunchLoad, f64); 4],
+}
+
+/// Loads of the three walls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallLoads {
+    /// Forebody carrier structure.
+    pub forebody: PressureShell,
+    /// Aftbody carrier structure.
+    pub aftbody: PressureShell,
+    /// Primary structure.
+    pub primary: AxialLoads,
+}
+
+impl PressureShell {
+    /// Radius of curvature with which pressure makes the largest force in the wall, m.
+    pub fn membrane_radius_m(&self) -> f64 {
+        self.largest_curvature_radius_m.max(self.cap.radius_m / 2.0)
+    }
+}
+
+impl AxialLoads {
+    /// Largest load, N.
+    pub fn largest_n(&self) -> f64 {
+        self.launch
+            .iter()
+            .map(|(_, n)| *n)
+            .fold(self.entry_n, f64::max)
+    }
+}
+
+impl Carrier {
+    /// The wall of a shell under external pressure.
+    pub fn pressure_wall(&self, shell: &PressureShell) -> Wall {
+        let p = shell.pressure_pa;
+        let membrane_n_m = p.max(shell.launch_pressure_pa) * shell.membrane_radius_m();
+        let cone = shell.cone.map_or(0.0, |cone| {
+            let axial = self.cone_axial_thickness_m(
+                cone.half_angle_rad,
+                shell.launch_axial_n,
+                membrane_n_m,
+            );
+            self.cone_thickness_m(&cone, p, membrane_n_m).max(axial)
+        });
+        self.wall(&Needs {
+            membrane_n_m,
+            buckling_m: cone,
+            cap_buckling_m: self.cap_thickness_m(&shell.cap, p, membrane_n_m),
+            core_shear_m: self.ring_shear_thickness_m(
+                p,
+                shell.ring_curvature_radius_m,
+                membrane_n_m,
+            ),
+        })
+    }
+
+    /// The wall of a cylinder under axial loads.
+    pub fn axial_wall(&self, loads: &AxialLoads) -> Wall {
+        let load_n = loads.largest_n();
+        let membrane_n_m = load_n / (2.0 * PI * loads.radius_m);
+        self.wall(&Needs {
+            membrane_n_m,
+            buckling_m: self.cylinder_thickness_m(loads.radius_m, load_n, membrane_n_m),
+            ..Needs::default()
+        })
+    }
+}
+
+/// Loads that these masses make.
+pub fn loads(
+    input: &VehicleInput,
+    layout: &Layout,
+    components: &[Component],
+    mass: &MassProperties,
+) -> WallLoads {
+    let outline = &layout.outline;
+    let forebody = &outline.forebody;
+    let load = &input.structure_loads;
+    let factor = load.safety_factor;
+    let entry_m_s2 = input.loads.entry_load_earth_g * EARTH_G_M_S2;
+    let area_m2 = PI * forebody.diameter_m * forebody.diameter_m / 4.0;
+    let inertial_pa = mass.mass_kg * entry_m_s2 / area_m2;
+    let stagnation_pa = input.loads.peak_stagnation_pressure_pa;
+    let pressure_pa = factor * inertial_pa.max(stagnation_pa);
+    let (theta_sin, theta_cos) = forebody.sin_cos();
+    let (inner_r, outer_r) = (
+        layout.primary_outer_r_m(),
+        forebody.shoulder_tangent(0.0).r_m,
+    );
+    let of = |kinds: &[ComponentKind]| -> f64 {
+        let those = components.iter().filter(|c| kinds.contains(&c.kind));
+        those.map(|c| c.mass_with_margin_kg).sum()
+    };
+    use ComponentKind::{AftbodyCarrier, AftbodyTps, Bond, ForebodyCarrier, ForebodyTps};
+    let forebody_kg = of(&[ForebodyTps, Bond, ForebodyCarrier]);
+    let aftbody_kg = of(&[AftbodyTps, AftbodyCarrier]);
+    let axial_g = load
+        .launch
+        .iter()
+        .map(|c| c.axial_earth_g.abs())
+        .fold(0.0, f64::max);
+    let launch_m_s2 = factor * axial_g * EARTH_G_M_S2;
+    let slant_length_m = (outer_r - inner_r) / theta_sin;
+    let fore_shell = PressureShell {
+        pressure_pa,
+        from_deceleration: inertial_pa > stagnation_pa,
+        cone: (slant_length_m > 0.0).then(|| Cone {
+            slant_length_m,
+            curvature_radius_m: (inner_r + outer_r) / 2.0 / theta_cos,
+            half_angle_rad: forebody.cone_half_angle_rad,
+        }),
+        largest_curvature_radius_m: outer_r / theta_cos,
+        ring_curvature_radius_m: inner_r / theta_cos,
+        cap: Cap {
+            radius_m: forebody.nose_radius_m,
+            half_angle_rad: FRAC_PI_2 - forebody.cone_half_angle_rad,
+        },
+        launch_pressure_pa: launch_m_s2 * forebody_kg / area_m2,
+        launch_axial_n: launch_m_s2 * forebody_kg,
+    };
+    let lid_foot_r = outline.lid_foot_r_m(0.0);
+    let aft_shell = PressureShell {
+        pressure_pa: load.aftbody_pressure_fraction * pressure_pa,
+        from_deceleration: fore_shell.from_deceleration,
+        cone: None,
+        largest_curvature_radius_m: 0.0,
+        ring_curvature_radius_m: outline.lid_radius_m,
+        cap: Cap {
+            radius_m: outline.lid_radius_m,
+            half_angle_rad: atan2(
+                lid_foot_r,
+                outline.attached_structure_x_m - outline.lid_center_x_m,
+            ),
+        },
+        launch_pressure_pa: launch_m_s2 * aftbody_kg / area_m2,
+        launch_axial_n: 0.0,
+    };
+    // in entry the forebody carries itself; the rest hangs on the primary structure
+    let carried_kg: f64 = components
+        .iter()
+        .filter(|c| !matches!(c.kind, ForebodyTps | Bond | ForebodyCarrier))
+        .map(|c| c.mass_with_margin_kg)
+        .sum();
+    let radius_m = layout.primary_inner_r_m();
+    let arm_m = (mass.cg_x_m - outline.attached_structure_x_m).abs();
+    // N = P / 2πR + M / πR²: as of the axial load P + 2 M / R
+    let equivalent = |corner: LaunchLoad| {
+        let (axial, lateral) = (corner.axial_earth_g.abs(), corner.lateral_earth_g.abs());
+        factor * EARTH_G_M_S2 * mass.mass_kg * (axial + 2.0 * lateral * arm_m / radius_m)
+    };
+    WallLoads {
+        forebody: fore_shell,
+        aftbody: aft_shell,
+        primary: AxialLoads {
+            radius_m,
+            entry_n: factor * carried_kg * entry_m_s2,
+            launch: load.launch.map(|corner| (corner, equivalent(corner))),
+        },
+    }
+}
+
+/// Walls for these loads.
+pub fn walls(input: &VehicleInput, loads: &WallLoads) -> Structure {
+    Structure {
+        forebody: match input.forebody.carrier_thickness_m {
+            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
+            None => input.forebody.carrier.pressure_wall(&loads.forebody),
+        },
+        aftbody: input.aftbody_carrier.pressure_wall(&loads.aftbody),
+        primary: input.primary_carrier.axial_wall(&loads.primary),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Governs;
+    use super::super::tests::solid;
+    use super::*;
+
+    fn cap_of_half_a_metre(pressure_pa: f64) -> PressureShell {
+        PressureShell {
+            pressure_pa,
+            from_deceleration: false,
+            cone: None,
+            largest_curvature_radius_m: 0.8,
+            ring_curvature_radius_m: 0.4,
+            cap: Cap {
+                radius_m: 0.5,
+                half_angle_rad: 1.0,
+            },
+            launch_pressure_pa: 0.0,
+            launch_axial_n: 0.0,
+        }
+    }
+
+    #[test]
+    fn strength_asks_for_p_rho_over_sigma() {
+        // 2e5 · 0.8 / 1e8 = 1.6 mm
+        let wall = solid().pressure_wall(&cap_of_half_a_metre(2e5));
+        assert!((wall.strength_thickness_m - 0.0016).abs() < 1e-15);
+        assert_eq!(wall.governs, Governs::CapBuckling);
+    }
+
+    #[test]
+    fn light_load_leaves_the_minimum_gauge() {
+        let corner = LaunchLoad::default();
+        let loads = AxialLoads {
+            radius_m: 0.2,
+            entry_n: 1000.0,
+            launch: [(corner, 500.0); 4],
+        };
+        let wall = solid().axial_wall(&loads);
+        assert_eq!(
+            (wall.thickness_m, wall.governs),
+            (0.001, Governs::MinimumGauge)
+        );
+        assert_eq!(loads.largest_n(), 1000.0);
+    }
+}

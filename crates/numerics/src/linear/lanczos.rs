@@ -1,0 +1,168 @@
+//! The lowest eigenvalue of K x = λ M x, by Lanczos' method on K⁻¹ M.
+//!
+//! ```text
+//! β q' = K⁻¹ M q − α q − β q_before      α = qᵀ M K⁻¹ M q      qᵀ M q = 1
+//! 1/λ ≈ the largest eigenvalue of the tridiagonal matrix of α and β
+//! ```
+//!
+//! Every vector is made orthogonal to all before it, so that rounding brings no copies. The largest eigenvalue of the
+//! tridiagonal matrix rises with each step; it is found by bisection on the signs of Sturm's sequence.
+//!
+//! # References
+//! - \[parlett-1998\] chapters 7 and 13.
+
+use super::skyline::{Factor, Skyline};
+use super::{add_scaled, dot};
+
+/// When the iteration ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Relative change of the eigenvalue in a step, twice in a row, that ends it.
+    pub tolerance: f64,
+    /// Most steps.
+    pub most_steps: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-9,
+            most_steps: 40,
+        }
+    }
+}
+
+/// The lowest eigenvalue; `None` when the mass is nought or the iteration does not settle.
+pub fn lowest_eigenvalue(stiffness: &Factor, mass: &Skyline, options: Options) -> Option<f64> {
+    let size = mass.size();
+    // any vector that is orthogonal to no mode: multiples of the golden section
+    let mut q: Vec<f64> = (1..=size)
+        .map(|i| 0.5 + (i as f64 * 0.618_033_988_749_894_9).fract())
+        .collect();
+    stiffness.solve(&mut q);
+    let mut mq = vec![0.0; size];
+    mass.multiply(&q, &mut mq);
+    let norm = dot(&q, &mq).sqrt();
+    if !(norm > 0.0 && norm.is_finite()) {
+        return None;
+    }
+    scale(&mut q, 1.0 / norm);
+    scale(&mut mq, 1.0 / norm);
+    // vectors, and M times them
+    let (mut basis, mut images) = (Vec::new(), Vec::new());
+    let (mut alphas, mut betas): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    let (mut last, mut calm) = (0.0_f64, 0);
+    for _ in 0..options.most_steps.min(size) {
+        let mut next = mq.clone();
+        stiffness.solve(&mut next);
+        alphas.push(dot(&next, &mq));
+        basis.push(q);
+        images.push(mq);
+        let value = largest_of_tridiagonal(&alphas, &betas, last);
+        let change = (value - last).abs();
+        calm = if change <= options.tolerance * value {
+            calm + 1
+        } else {
+            0
+        };
+        last = value;
+        if calm >= 2 {
+            return Some(1.0 / value);
+        }
+        for (vector, image) in basis.iter().zip(&images).rev() {
+            let part = dot(&next, image);
+            add_scaled(&mut next, -part, vector);
+        }
+        let mut image = vec![0.0; size];
+        mass.multiply(&next, &mut image);
+        let beta = dot(&next, &image).max(0.0).sqrt();
+        // what is left is rounding: the space is used up
+        if beta <= 1e-14 * value {
+            return Some(1.0 / value);
+        }
+        scale(&mut next, 1.0 / beta);
+        scale(&mut image, 1.0 / beta);
+        betas.push(beta);
+        (q, mq) = (next, image);
+    }
+    (basis.len() == size && last > 0.0).then(|| 1.0 / last)
+}
+
+fn scale(vector: &mut [f64], factor: f64) {
+    vector.iter_mut().for_each(|x| *x *= factor);
+}
+
+/// Largest eigenvalue of the symmetric tridiagonal matrix, known to be at least `least`, by bisection.
+fn largest_of_tridiagonal(diagonal: &[f64], beside: &[f64], least: f64) -> f64 {
+    let edge = |i: usize| beside.get(i).map_or(0.0, |b| b.abs());
+    let (mut low, mut high) = (least, f64::NEG_INFINITY);
+    for (i, &a) in diagonal.iter().enumerate() {
+        let before = if i > 0 { edge(i - 1) } else { 0.0 };
+        let after = if i + 1 < diagonal.len() { edge(i) } else { 0.0 };
+        low = low.max(a);
+        high = high.max(a + before + after);
+    }
+    // an eigenvalue lies above x when a pivot of T − x is positive
+    let any_above = |x: f64| {
+        let mut pivot = f64::NEG_INFINITY;
+        diagonal.iter().enumerate().any(|(i, &a)| {
+            let b = if i > 0 { edge(i - 1) } else { 0.0 };
+            pivot = a - x - b * b / pivot;
+            pivot >= 0.0
+        })
+    };
+    while high - low > 1e-13 * high.abs() {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if any_above(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{PI, sin};
+
+    #[test]
+    fn chain_of_springs_has_its_closed_form() {
+        // n masses of 1 between springs of 1, both ends held: λ = 4 sin²(π / 2(n + 1))
+        let n = 60;
+        let first: Vec<usize> = (0..n).map(|j: usize| j.saturating_sub(1)).collect();
+        let mut k = Skyline::new(&first);
+        let mut m = Skyline::new(&(0..n).collect::<Vec<_>>());
+        for i in 0..n {
+            k.add(i, i, 2.0);
+            m.add(i, i, 1.0);
+            if i > 0 {
+                k.add(i - 1, i, -1.0);
+            }
+        }
+        let got = lowest_eigenvalue(&k.factor().unwrap(), &m, Options::default()).unwrap();
+        let s = sin(PI / 122.0);
+        assert!((got / (4.0 * s * s) - 1.0).abs() < 1e-9, "{got}");
+    }
+
+    #[test]
+    fn largest_of_2_1_1_2_is_3() {
+        assert!((largest_of_tridiagonal(&[2.0, 2.0], &[1.0], 0.0) - 3.0).abs() < 1e-14);
+        assert_eq!(largest_of_tridiagonal(&[5.0], &[], 0.0), 5.0);
+    }
+
+    #[test]
+    fn no_mass_has_no_eigenvalue() {
+        let mut k = Skyline::new(&[0]);
+        k.add(0, 0, 1.0);
+        let m = Skyline::new(&[0]);
+        assert_eq!(
+            lowest_eigenvalue(&k.factor().unwrap(), &m, Options::default()),
+            None
+        );
+    }
+}
