@@ -112,7 +112,7 @@ pub fn run(arguments: &Aero) -> Done {
     };
     if arguments.database {
         output::write(
-            &msape::aero::stored::csv(&database),
+            msape::aero::stored::csv(&database),
             arguments.output.as_deref(),
         )?;
         return Ok(ExitCode::SUCCESS);

@@ -32,12 +32,12 @@ fn main() {
     let database = stardust.database(&library, None);
     let mut alpha = 0.0;
     let mut look_up = |mach: f64, knudsen: f64| {
-        alpha = (alpha + 0.0137) % 3.14;
+        alpha = (alpha + 0.0137) % 3.0;
         black_box(database.coefficients(mach, knudsen, alpha));
     };
     let mut again = 0.0;
     let mut transonic = |mach: f64| {
-        again = (again + 0.0137) % 3.14;
+        again = (again + 0.0137) % 3.0;
         black_box(database.coefficients(mach, 0.0, again));
     };
     measure::report(&mut [

@@ -434,9 +434,9 @@ mod tests {
         let body = Surface::of_pieces(pieces.clone(), 1.0);
         for degrees in [0.0, 1e-4, 17.0, 45.0, 89.9, 90.0, 90.1, 133.0, 179.0, 180.0] {
             let wind = Wind::new(degrees * RADIANS_PER_DEGREE);
-            for own in 0..4 {
+            for (own, piece) in pieces.iter().enumerate() {
                 for t in [0.05, 0.4, 0.9] {
-                    let before = windward(&pieces[own].at(t), wind);
+                    let before = windward(&piece.at(t), wind);
                     let mut after = before;
                     cast(&mut after, &body, own, t, wind);
                     for (a, b) in before.intervals().iter().zip(after.intervals()) {
