@@ -134,6 +134,14 @@ pageTest("a database is used in a flight and in the design", async (page) => {
   await page.locator("[data-flown=peak_deceleration_earth_g] .value").waitFor();
 }, { hash, allowed: software });
 
+pageTest("the design is shown with its own axial force and centre of gravity", async (page) => {
+  const trim = page.getByRole("region", { name: "Trim and stability" });
+  await trim.getByText("stable", { exact: true }).first().waitFor();
+  assert.match(await field(page, /^CG/).getAttribute("placeholder"), /^0\.\d+$/);
+  await page.getByText("Choices of the database").click();
+  assert.equal(await page.getByRole("combobox", { name: "Aerodynamics", exact: true }).inputValue(), "mmeev-60");
+}, { hash: `${hash}?o=design` });
+
 for (const colorScheme of ["light", "dark"]) {
   for (const viewport of [{ width: 1440, height: 900 }, { width: 360, height: 740 }]) {
     pageTest(`the page of aerodynamics is accessible in ${colorScheme} at ${viewport.width} px`, async (page) => {

@@ -16,6 +16,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
+use msape::quantity::input::{self, Preset};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
@@ -45,7 +46,7 @@ pub fn bodies(state: State) -> Vec<Body> {
     let is_built_in = |entry: &Entry| entry.id() == BUILT_IN;
     let (built_in, outlines): (Vec<Entry>, Vec<Entry>) =
         entries(state).into_iter().partition(is_built_in);
-    let named = state.case.with(|case| case.text("design.aerodynamics"));
+    let named = state.case.with(|case| axial_force_of_design(case));
     let mut bodies = vec![
         Body {
             id: BUILT_IN.to_string(),
@@ -67,6 +68,15 @@ pub fn bodies(state: State) -> Vec<Body> {
         axial_force: None,
     }));
     bodies
+}
+
+/// The axial force that a design names, or has where it names none.
+fn axial_force_of_design(case: &Case) -> Option<String> {
+    let input = input::find("design.aerodynamics")?;
+    case.text(input.key).or(match input.preset {
+        Preset::Name(name) => Some(name.to_string()),
+        _ => None,
+    })
 }
 
 /// What is typed for the places of curves.
@@ -285,6 +295,17 @@ impl AeroView {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_design_that_names_no_axial_force_has_the_default() {
+        let mut case = Case::default();
+        assert_eq!(axial_force_of_design(&case).as_deref(), Some(BUILT_IN));
+        case.set("design.aerodynamics", "sphere-cone-45");
+        assert_eq!(
+            axial_force_of_design(&case).as_deref(),
+            Some("sphere-cone-45")
+        );
+    }
 
     #[test]
     fn lists_are_read_and_what_is_no_number_is_named() {
