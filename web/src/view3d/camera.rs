@@ -207,9 +207,13 @@ mod tests {
         let q = apply(&camera.projection(BALL, aspect, 1.0), [p[0], p[1], p[2]]);
         let sight = camera.sight(BALL, aspect, [q[0] / q[3], q[1] / q[3]]);
         let t = f64::from(-p[2]);
-        for i in 0..3 {
-            let met = sight.eye_m[i] + t * sight.direction[i];
-            assert!((met - f64::from(point[i])).abs() < 1e-5, "{i}: {met}");
+        let met = sight.eye_m.iter().zip(sight.direction);
+        for ((eye_m, direction), wanted) in met.zip(point) {
+            let met = eye_m + t * direction;
+            assert!(
+                (met - f64::from(wanted)).abs() < 1e-5,
+                "{met} against {wanted}"
+            );
         }
     }
 

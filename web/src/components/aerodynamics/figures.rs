@@ -2,6 +2,7 @@
 
 use crate::aerodynamics::{Curves, Family, Line};
 use crate::display::input_number;
+use msape::aero::bridging::{CONTINUUM, FREE_MOLECULAR};
 use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
 use msape::aero::polar::Trim;
@@ -41,7 +42,10 @@ impl Over {
 /// Mach numbers at which the database changes its sources, and what begins there.
 const MACH_MARKS: [(f64, &str); 3] = [(0.5, "transonic"), (1.5, "supersonic"), (5.0, "hypersonic")];
 /// Knudsen numbers of the same kind.
-const KNUDSEN_MARKS: [(f64, &str); 2] = [(1e-3, "transitional"), (10.0, "free-molecular")];
+const KNUDSEN_MARKS: [(f64, &str); 2] = [
+    (CONTINUUM, "transitional"),
+    (FREE_MOLECULAR, "free-molecular"),
+];
 
 /// Name of a curve at a Mach number.
 pub fn mach_name(mach: f64) -> String {
@@ -152,6 +156,16 @@ fn marks(curves: &Curves, over: Over) -> Vec<EventLine> {
     let marks: &[(f64, &str)] = match over {
         _ if curves.is_table => &[],
         Over::Alpha => &[],
+        // In thin air it does not matter.
+        Over::Mach
+            if curves
+                .places
+                .knudsen
+                .first()
+                .is_some_and(|k| *k > CONTINUUM) =>
+        {
+            &[]
+        }
         Over::Mach => &MACH_MARKS,
         Over::Knudsen => &KNUDSEN_MARKS,
     };
@@ -171,53 +185,62 @@ pub struct Source {
     pub origins: Vec<(Origin, String)>,
 }
 
+/// Mach numbers within each regime of a continuum.
+const WITHIN: [f64; 4] = [0.3, 1.0, 3.0, 20.0];
+
+/// The part of a computed database that answers at a Mach and a Knudsen number.
+fn regime_at(mach: f64, knudsen: f64) -> Regime {
+    match knudsen {
+        k if k >= FREE_MOLECULAR => Regime::FreeMolecular,
+        k if k > CONTINUUM => Regime::Transitional,
+        _ => Regime::of_mach(mach),
+    }
+}
+
 /// Where the numbers of a figure come from, part by part.
 pub fn sources(curves: &Curves, coefficient: Coefficient, over: Over) -> Vec<Source> {
-    let of = |part: String, regime: Regime, knudsen: f64, mach: f64| Source {
+    let of = |part: String, regime: Regime, mach: f64| Source {
         part,
-        origins: origins(curves, coefficient, regime, [mach, knudsen]),
+        origins: origins(curves, coefficient, regime, mach),
     };
-    match over {
-        Over::Alpha => curves
-            .over_alpha
-            .iter()
-            .zip(family_names(curves))
-            .map(|(curve, name)| of(name, curve.regime, curve.knudsen, curve.mach))
-            .collect(),
-        Over::Mach if curves.is_table && coefficient != Coefficient::Cmq => {
-            vec![of("All".to_string(), Regime::Table, 0.0, 1.0)]
+    let first = |list: &[f64], otherwise: f64| list.first().copied().unwrap_or(otherwise);
+    let places: Vec<(f64, f64)> = match over {
+        Over::Alpha => {
+            let named = curves.over_alpha.iter().zip(family_names(curves));
+            let source = named.map(|(curve, name)| of(name, curve.regime, curve.mach));
+            return source.collect();
         }
-        Over::Knudsen if curves.is_table && coefficient != Coefficient::Cmq => {
-            vec![of("All".to_string(), Regime::Table, 0.0, 1.0)]
+        _ if curves.is_table && coefficient != Coefficient::Cmq => {
+            return vec![of("All".to_string(), Regime::Table, 1.0)];
         }
-        Over::Mach => [
-            (Regime::Subsonic, 0.3),
-            (Regime::Transonic, 1.0),
-            (Regime::Supersonic, 3.0),
-            (Regime::Hypersonic, 20.0),
-        ]
-        .into_iter()
-        .map(|(regime, mach)| of(capital(regime.name()), regime, 0.0, mach))
-        .collect(),
+        Over::Mach => {
+            let knudsen = first(&curves.places.knudsen, 0.0);
+            WITHIN.map(|mach| (mach, knudsen)).to_vec()
+        }
         Over::Knudsen => {
-            let mach = curves.places.mach.first().copied().unwrap_or(20.0);
-            [
-                (Regime::of_mach(mach), 0.0),
-                (Regime::Transitional, 0.1),
-                (Regime::FreeMolecular, 100.0),
-            ]
-            .into_iter()
-            .map(|(regime, knudsen)| of(capital(regime.name()), regime, knudsen, mach))
-            .collect()
+            let mach = first(&curves.places.mach, 20.0);
+            let middle = (CONTINUUM * FREE_MOLECULAR).sqrt();
+            [0.0, middle, FREE_MOLECULAR]
+                .map(|knudsen| (mach, knudsen))
+                .to_vec()
         }
-    }
+    };
+    let mut sources: Vec<Source> = places
+        .into_iter()
+        .map(|(mach, knudsen)| {
+            let regime = regime_at(mach, knudsen);
+            of(capital(regime.name()), regime, mach)
+        })
+        .collect();
+    sources.dedup();
+    sources
 }
 
 fn origins(
     curves: &Curves,
     coefficient: Coefficient,
     regime: Regime,
-    [mach, _]: [f64; 2],
+    mach: f64,
 ) -> Vec<(Origin, String)> {
     use crate::aerodynamics::DampingOrigin;
     let regime = match (coefficient, curves.damping) {
@@ -314,6 +337,28 @@ mod tests {
             said(Over::Mach)[1..]
                 .iter()
                 .all(|words| words.contains("assumed"))
+        );
+    }
+
+    #[test]
+    fn marks_are_where_another_regime_begins() {
+        for (mach, name) in MACH_MARKS {
+            assert_eq!(Regime::of_mach(1.001 * mach).name(), name);
+            assert_ne!(Regime::of_mach(0.999 * mach).name(), name);
+        }
+        assert_eq!(
+            WITHIN.map(|mach| Regime::of_mach(mach).name())[1..],
+            MACH_MARKS.map(|(_, name)| name)
+        );
+        let mut curves = drawn();
+        curves.places.knudsen = vec![100.0];
+        let sources = sources(&curves, Coefficient::Ca, Over::Mach);
+        assert_eq!(sources.len(), 1);
+        assert_eq!(sources[0].origins[0].0, Origin::Computed);
+        assert!(
+            figure(&curves, Coefficient::Ca, Over::Mach)
+                .events
+                .is_empty()
         );
     }
 

@@ -142,7 +142,7 @@ pub fn TableImport() -> impl IntoView {
                     <h3 class="note-outside">{format!("{name} has {} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })}</h3>
                     <ul class="notes">{faults.into_iter().map(|fault| view! { <li class="note-outside">{fault}</li> }).collect_view()}</ul>
                     {(!lines.is_empty()).then(|| view! {
-                        <pre class="fault-lines">{lines.into_iter().map(|(number, line)| view! { <span><b>{number}</b> {line} "\n"</span> }).collect_view()}</pre>
+                        <pre class="fault-lines">{lines.into_iter().map(|(number, line)| view! { <span><b>{number}</b> " " {line} "\n"</span> }).collect_view()}</pre>
                     })}
                     <button type="button" class="small" on:click=move |_| refused.set(None)>"Dismiss"</button>
                 })}

@@ -74,7 +74,7 @@ pub fn Sources() -> impl IntoView {
         }
     };
     view! {
-        <table class="facts">
+        <table class="facts regimes">
             <caption>"Where static coefficients come from"</caption>
             <tbody>
                 {move || regimes().into_iter().map(|regime| view! {

@@ -15,6 +15,7 @@ const LONGEST_FRAME_S: f64 = 0.25;
 pub fn Player() -> impl IntoView {
     let view = AttitudeView::expect();
     let speed = RwSignal::new(4.0_f64);
+    let started = StoredValue::new(0_u32);
     let ends = Memo::new(move |_| {
         let ends = view
             .course
@@ -31,8 +32,15 @@ pub fn Player() -> impl IntoView {
             view.time_s.set(start_s);
         }
         view.playing.set(true);
+        started.update_value(|count| *count += 1);
+        let this = Run {
+            view,
+            speed,
+            started,
+            number: started.get_value(),
+        };
         let last_ms = now_ms();
-        request_animation_frame(move || run(view, speed, last_ms));
+        request_animation_frame(move || this.picture(last_ms));
     };
     // The page may be left while time runs.
     on_cleanup(move || {
@@ -77,25 +85,43 @@ pub fn Player() -> impl IntoView {
     }
 }
 
-/// One picture; the next is asked for while time runs.
-fn run(view: AttitudeView, speed: RwSignal<f64>, last_ms: f64) {
-    // The card may be gone.
-    if view.playing.try_get_untracked() != Some(true) {
-        return;
+/// Time that runs since a press of the button.
+#[derive(Clone, Copy)]
+struct Run {
+    view: AttitudeView,
+    speed: RwSignal<f64>,
+    /// Count of presses, and the one that this run is of.
+    started: StoredValue<u32>,
+    number: u32,
+}
+
+impl Run {
+    /// One picture; the next is asked for while time runs.
+    fn picture(self, last_ms: f64) {
+        let Run {
+            view,
+            speed,
+            started,
+            number,
+        } = self;
+        // The card may be gone, or time may have been stopped and started anew.
+        if view.playing.try_get_untracked() != Some(true) || started.get_value() != number {
+            return;
+        }
+        let now = now_ms();
+        let passed_s = (1e-3 * (now - last_ms)).clamp(0.0, LONGEST_FRAME_S);
+        let end_s = view
+            .course
+            .with_untracked(|course| course.as_ref().map(|course| course.ends_s().1));
+        let Some(end_s) = end_s else {
+            return;
+        };
+        let time_s = view.time_s.get_untracked() + speed.get_untracked() * passed_s;
+        view.go_to(time_s.min(end_s));
+        if time_s >= end_s {
+            view.playing.set(false);
+            return;
+        }
+        request_animation_frame(move || self.picture(now));
     }
-    let now = now_ms();
-    let passed_s = (1e-3 * (now - last_ms)).clamp(0.0, LONGEST_FRAME_S);
-    let end_s = view
-        .course
-        .with_untracked(|course| course.as_ref().map(|course| course.ends_s().1));
-    let Some(end_s) = end_s else {
-        return;
-    };
-    let time_s = view.time_s.get_untracked() + speed.get_untracked() * passed_s;
-    view.go_to(time_s.min(end_s));
-    if time_s >= end_s {
-        view.playing.set(false);
-        return;
-    }
-    request_animation_frame(move || run(view, speed, now));
 }

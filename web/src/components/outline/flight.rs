@@ -9,7 +9,7 @@ use crate::files::{self, file_name};
 use crate::protocol::Fault;
 use crate::state::State;
 use leptos::prelude::*;
-use msape::quantity::input::{self, Input, Kind};
+use msape::quantity::input::{self, Input, Kind, Preset};
 use msape::quantity::output;
 use msape::{Answer, Case};
 use std::sync::Arc;
@@ -201,12 +201,21 @@ pub fn FlightField(
                     .map(|library| library.choices(choices))
                     .unwrap_or_default()
             });
+            // What holds where nothing is chosen; where that is something, there is nothing to leave empty.
+            let preset = match input.preset {
+                Preset::Name(name) => name,
+                _ => "",
+            };
+            let now = move || {
+                let text = text();
+                if text.is_empty() { preset.to_string() } else { text }
+            };
             view! {
                 <select id=id.clone() aria-describedby=fault_id.clone() on:change:target=move |event| put(event.target().value())>
-                    <option value="" prop:selected=move || text().is_empty()>"none"</option>
+                    {preset.is_empty().then(|| view! { <option value="" prop:selected=move || now().is_empty()>"none"</option> })}
                     {names.into_iter().map(|(name, title)| {
                         let this = name.clone();
-                        view! { <option value=name prop:selected=move || text() == this>{title}</option> }
+                        view! { <option value=name prop:selected=move || now() == this>{title}</option> }
                     }).collect_view()}
                 </select>
             }
