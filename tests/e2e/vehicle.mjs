@@ -219,7 +219,7 @@ for (const colorScheme of ["light", "dark"]) {
   for (const viewport of [{ width: 1440, height: 900 }, { width: 360, height: 740 }]) {
     pageTest(`every tab is accessible in ${colorScheme} at ${viewport.width} px`, async (page) => {
       await open3d(page);
-      for (const name of ["3-D", "Mass tree", "Section"]) {
+      for (const name of ["3-D", "Mass tree", "Structure", "Landing", "Section"]) {
         await tab(page, name).click();
         if (name === "3-D") {
           await page.getByRole("tabpanel", { name: "3-D" }).getByRole("radio", { name: "Heat flux" }).check();

@@ -43,11 +43,11 @@ pub fn LandingTab() -> impl IntoView {
     });
     let drawn = move |what: Curves| {
         Memo::new(move |_| {
-            let (ground, units) = (ground.get(), card.units.get());
+            let units = card.units.get();
             histories.with(|found| {
                 found
                     .as_ref()
-                    .map(|found| figure(found, what, &ground, units))
+                    .map(|found| figure(found, what, units))
                     .unwrap_or_default()
             })
         })
@@ -62,8 +62,8 @@ pub fn LandingTab() -> impl IntoView {
         <h3 class="spaced">"Stroke in the impact foam"</h3>
         <Stroke ground />
         <div class="charts spaced">
-            {[Curves::Deceleration, Curves::Force].map(|what| view! {
-                <FigurePanel title=Signal::stored(what.title().to_string()) figure=drawn(what) stem />
+            {[Curves::Rigid, Curves::Ground, Curves::Force].map(|what| view! {
+                <FigurePanel title=Signal::derive(move || ground.with(|ground| what.title(ground))) figure=drawn(what) stem />
             })}
         </div>
         <h3 class="spaced">"Remarks"</h3>

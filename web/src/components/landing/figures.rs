@@ -11,25 +11,28 @@ use msape_plot::{Axis, EventLine, Figure, LimitLine, Series};
 /// Which figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Curves {
-    /// Deceleration of the payload over time.
-    Deceleration,
+    /// Deceleration of the payload over time on a rigid surface.
+    Rigid,
+    /// The same on the chosen ground, which lasts so much longer that one axis would not do.
+    Ground,
     /// Force of the foam over its crush.
     Force,
 }
 
 impl Curves {
     /// Heading.
-    pub fn title(self) -> &'static str {
+    pub fn title(self, ground: &str) -> String {
         match self {
-            Curves::Deceleration => "Payload deceleration over time",
-            Curves::Force => "Force of the foam over its crush",
+            Curves::Rigid => "Payload deceleration over time: rigid surface".to_string(),
+            Curves::Ground => format!("Payload deceleration over time: {ground}"),
+            Curves::Force => "Force of the foam over its crush".to_string(),
         }
     }
 
     /// Keys of the columns across and upwards.
     fn keys(self) -> [&'static str; 2] {
         match self {
-            Curves::Deceleration => ["time_s", "payload_deceleration_earth_g"],
+            Curves::Rigid | Curves::Ground => ["time_s", "payload_deceleration_earth_g"],
             Curves::Force => ["crush_m", "force_n"],
         }
     }
@@ -39,10 +42,11 @@ impl Curves {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histories {
     rigid: History,
-    /// On the chosen ground, unless that is rigid.
-    ground: Option<History>,
+    ground: History,
     /// Load that the foam is made for, Earth g.
     limit_earth_g: f64,
+    /// Load of a rigid vehicle in the chosen ground, Earth g.
+    rigid_vehicle_earth_g: Option<f64>,
     /// Force of equation 6 over the stroke of equation 4, N and m.
     equation: (f64, f64),
     /// Crushes at which the foam stiffens and is solid, m.
@@ -53,13 +57,13 @@ impl Histories {
     /// Of a designed vehicle.
     pub fn of(vehicle: &Vehicle, landing: &Landing) -> Histories {
         let [_, plateau_m, closed_m] = landing.absorber.bends_m();
-        let rigid = Surface::Rigid.history(landing).clone();
-        let ground = Surface::Ground.history(landing);
+        let impact = &vehicle.impact;
         Histories {
-            ground: (*ground != rigid).then(|| ground.clone()),
-            rigid,
-            limit_earth_g: vehicle.impact.crush_load_limit_earth_g,
-            equation: (vehicle.foam_force_n(), vehicle.impact.required_stroke_m),
+            rigid: Surface::Rigid.history(landing).clone(),
+            ground: Surface::Ground.history(landing).clone(),
+            rigid_vehicle_earth_g: impact.ground_penetration.map(|load| load.load_earth_g),
+            limit_earth_g: impact.crush_load_limit_earth_g,
+            equation: (vehicle.foam_force_n(), impact.required_stroke_m),
             bends_m: [plateau_m, closed_m],
         }
     }
@@ -72,56 +76,65 @@ fn column(key: &str) -> Option<(&'static Column, fn(&History) -> &[f64])> {
 }
 
 /// One of the figures.
-pub fn figure(of: &Histories, what: Curves, ground: &str, units: UnitSystem) -> Figure {
+pub fn figure(of: &Histories, what: Curves, units: UnitSystem) -> Figure {
     let [x, y] = what.keys();
     let (Some((x_column, x_of)), Some((y_column, y_of))) = (column(x), column(y)) else {
         return Figure::default();
     };
     let (x_unit, y_unit) = (units.of_column(x_column), units.of_column(y_column));
     let at = |x: f64, y: f64| (x_unit.from_canonical(x), y_unit.from_canonical(y));
-    let points = |history: &History| {
+    let line = |name: &str, history: &History, look: usize| {
         let both = x_of(history).iter().zip(y_of(history));
-        both.map(|(x, y)| at(*x, *y)).collect::<Vec<_>>()
+        let points = both.map(|(x, y)| at(*x, *y)).collect();
+        Series::line(name, points, look)
     };
-    let mut figure = Figure {
+    let limit = |load: f64, label: &str| LimitLine {
+        y: y_unit.from_canonical(load),
+        label: label.to_string(),
+    };
+    let figure = Figure {
         x: Axis::new(x_column.label, symbol(x_unit)),
         y: Axis::new(y_column.label, symbol(y_unit)),
-        series: vec![Series::line(
-            "dynamics, rigid surface",
-            points(&of.rigid),
-            0,
-        )],
         ..Figure::default()
     };
-    if let Some(history) = &of.ground {
-        let name = format!("dynamics, {ground}");
-        figure.series.push(Series::line(name, points(history), 1));
-    }
     match what {
-        Curves::Deceleration => figure.limits.push(LimitLine {
-            y: y_unit.from_canonical(of.limit_earth_g),
-            label: "crush load limit".to_string(),
-        }),
+        Curves::Rigid => Figure {
+            series: vec![line("dynamics", &of.rigid, 0)],
+            limits: vec![limit(of.limit_earth_g, "crush load limit")],
+            ..figure
+        },
+        Curves::Ground => Figure {
+            series: vec![line("dynamics", &of.ground, 0)],
+            limits: of
+                .rigid_vehicle_earth_g
+                .map(|load| limit(load, "rigid vehicle"))
+                .into_iter()
+                .collect(),
+            ..figure
+        },
         Curves::Force => {
             let (force_n, stroke_m) = of.equation;
             let plateau = vec![at(0.0, 0.0), at(0.0, force_n), at(stroke_m, force_n)];
-            let look = figure.series.len() + 1;
-            figure
-                .series
-                .push(Series::line("equations 4 and 6", plateau, look));
             let names = ["foam stiffens", "foam is solid"];
-            figure.events = of
+            let events = of
                 .bends_m
                 .into_iter()
                 .zip(names)
                 .map(|(m, name)| EventLine {
                     x: x_unit.from_canonical(m),
                     label: name.to_string(),
-                })
-                .collect();
+                });
+            Figure {
+                series: vec![
+                    line("dynamics, rigid surface", &of.rigid, 0),
+                    line("dynamics, chosen ground", &of.ground, 1),
+                    Series::line("equations 4 and 6", plateau, 2),
+                ],
+                events: events.collect(),
+                ..figure
+            }
         }
     }
-    figure
 }
 
 #[cfg(test)]
@@ -134,10 +147,10 @@ mod tests {
         let bench = Bench::new().unwrap();
         let (design, _) = &bench.msr_design;
         let of = Histories::of(&design.vehicle, &design.landing);
-        let drawn = |what| figure(&of, what, "clay", UnitSystem::Si);
-        let (load, force) = (drawn(Curves::Deceleration), drawn(Curves::Force));
-        assert_eq!(load.series.len(), 2);
+        let drawn = |what| figure(&of, what, UnitSystem::Si);
+        let (load, force) = (drawn(Curves::Rigid), drawn(Curves::Force));
         assert_eq!(load.limits.len(), 1);
+        assert_eq!(drawn(Curves::Ground).limits.len(), 1);
         assert_eq!(force.series.len(), 3);
         let peak = |figure: &Figure| {
             let ys = figure.series[0].points.iter().map(|p| p.1);

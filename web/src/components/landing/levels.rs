@@ -87,8 +87,8 @@ const PAIRS: &[Pair] = &[
     pair(On::Ground, "Stroke", None, Some("dynamic_stroke_m")),
     pair(
         On::Ground,
-        "Energy: all of it, in the foam, J",
-        Some("impact_energy_j"),
+        "Energy in the foam, J",
+        None,
         Some("impact_foam_energy_j"),
     ),
     pair(
@@ -126,6 +126,7 @@ pub fn Levels(ground: Memo<String>) -> impl IntoView {
             let said = [
                 "impact_speed_m_s",
                 "impact_off_axis_angle_deg",
+                "impact_energy_j",
                 "crushing_mass_kg",
                 "foam_plateau_stress_pa",
             ]

@@ -2,6 +2,7 @@
 
 use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, with_unit};
+use crate::state::State;
 use leptos::prelude::*;
 use msape::vehicle::Vehicle;
 use msape::vehicle::impact::landing::Landing;
@@ -28,7 +29,14 @@ pub fn Stroke(ground: Memo<String>) -> impl IntoView {
             Some(strokes(&design.vehicle, &design.landing, &ground, units))
         })
     };
-    view! { <div class="mass-tree" tabindex="0" role="region" aria-label="Stroke in the impact foam">{table}</div> }
+    let law = State::expect().library.with_value(|library| {
+        let foam = &library.as_ref()?.impact_foam;
+        Some(format!("{} ({}; {})", foam.note, foam.place, foam.source))
+    });
+    view! {
+        <div class="mass-tree" tabindex="0" role="region" aria-label="Stroke in the impact foam">{table}</div>
+        <details class="quiet"><summary>"How the foam crushes, and where its numbers come from"</summary><p>{law}</p></details>
+    }
 }
 
 fn strokes(
@@ -65,8 +73,8 @@ fn strokes(
                     <th scope="col">"Stroke"</th>
                     <th scope="col">"Of the thickness"</th>
                     <th scope="col">"Of the plateau"</th>
-                    <th scope="col">"Foam"</th>
-                    <th scope="col">"Used"</th>
+                    <th scope="col" class="words">"Foam"</th>
+                    <th scope="col" class="words">"Used"</th>
                 </tr>
             </thead>
             <tbody>{rows.into_iter().collect_view()}</tbody>

@@ -16,7 +16,15 @@ pub fn Checks() -> impl IntoView {
             let structural = structural.as_ref()?;
             let least = structural.critical(wall);
             let checks = structural.checks.iter().filter(|check| check.wall == wall);
-            let rows = checks.map(|check| row(check, least.is_some_and(|l| l == check), units));
+            let mut checks: Vec<&Check> = checks.collect();
+            // The gauge, then what is nearest to failure.
+            checks.sort_by(|a, b| {
+                let gauge = |check: &Check| check.rule != Rule::MinimumGauge;
+                (gauge(a).cmp(&gauge(b))).then(a.margin.total_cmp(&b.margin))
+            });
+            let rows = checks
+                .into_iter()
+                .map(|check| row(check, least.is_some_and(|l| l == check), units));
             Some(rows.collect_view())
         })
     };
@@ -28,13 +36,13 @@ pub fn Checks() -> impl IntoView {
                 <thead>
                     <tr>
                         <th scope="col">"Rule"</th>
-                        <th scope="col">"Load case"</th>
+                        <th scope="col" class="words">"Load case"</th>
                         <th scope="col">"Demand"</th>
                         <th scope="col">"Capacity"</th>
-                        <th scope="col">"Unit"</th>
+                        <th scope="col" class="words">"Unit"</th>
                         <th scope="col">"Margin"</th>
                         <th scope="col">{thickness}</th>
-                        <th scope="col">"Source"</th>
+                        <th scope="col" class="words">"Source"</th>
                     </tr>
                 </thead>
                 <tbody>{rows}</tbody>

@@ -44,7 +44,7 @@ pub fn PartTable() -> impl IntoView {
                 <thead>
                     <tr>
                         <th scope="col">"Part"</th>
-                        <th scope="col">"Load case"</th>
+                        <th scope="col" class="words">"Load case"</th>
                         <th scope="col">{unit("Peak stress", "MPa")}</th>
                         <th scope="col">{unit("from the axis", "mm")}</th>
                         <th scope="col">{unit("from the nose", "mm")}</th>

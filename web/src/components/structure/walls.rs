@@ -41,8 +41,8 @@ pub fn WallTable() -> impl IntoView {
                     <tr>
                         <th scope="col" rowspan="2">"Wall and material"</th>
                         <th scope="col" rowspan="2">{thickness}</th>
-                        <th scope="col" rowspan="2">"What sized it"</th>
-                        <th scope="colgroup" colspan="1" class="level">"Structural rules"</th>
+                        <th scope="col" rowspan="2" class="words">"What sized it"</th>
+                        <th scope="col" class="level">"Structural rules"</th>
                         <th scope="colgroup" colspan="2" class="level">"Shell model"</th>
                     </tr>
                     <tr>
