@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { pageTest } from "./harness.mjs";
+import { assertAccessible, pageTest } from "./harness.mjs";
 
 /** Said as the arrow keys pass by the tab of the 3-D view. */
 const software = /software WebGL|GPU stall due to ReadPixels|GL Driver Message/;
@@ -152,3 +152,16 @@ pageTest("a vehicle that does not close leaves the last one's structure and land
   await page.getByRole("tab", { name: "Landing", exact: true }).click();
   assert.ok((await numberOf(level(page, "rigid_surface_peak_load_earth_g"))) > 0);
 }, { allowed: software, hash: "#/design?p=run-page" });
+
+for (const colorScheme of ["light", "dark"]) {
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 360, height: 740 }]) {
+    pageTest(`structure and landing are accessible in ${colorScheme} at ${viewport.width} px`, async (page) => {
+      for (const name of ["Structure", "Landing"]) {
+        await open(page, name);
+        await assertAccessible(page);
+        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        assert.equal(overflow, 0, `${name}: nothing is wider than the screen`);
+      }
+    }, { context: { colorScheme, viewport }, allowed: software });
+  }
+}

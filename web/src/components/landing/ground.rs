@@ -54,7 +54,8 @@ fn Choice(input: &'static Input) -> impl IntoView {
     });
     let id = format!("landing-{}", control_id(KEY));
     let choose = move |name: String| {
-        state.edit(input.label, None, |document| {
+        // Letters typed on the list go through several grounds: one step to undo.
+        state.edit(input.label, Some(KEY), |document| {
             document.with_case(|case| {
                 case.values.insert(KEY.to_string(), Value::Text(name));
             })
@@ -86,7 +87,8 @@ fn Choice(input: &'static Input) -> impl IntoView {
     view! {
         <div class="ground">
             <label for=id.clone()>{input.label}</label>
-            <select id=id title=input.help on:change:target=move |event| choose(event.target().value())>
+            <select id=id title=input.help on:change:target=move |event| choose(event.target().value())
+                on:blur=move |_| state.close_step()>
                 {grounds.into_iter().map(|(name, title)| {
                     let this = name.clone();
                     view! { <option value=name prop:selected=move || now.get() == this>{title}</option> }
