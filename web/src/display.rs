@@ -40,6 +40,12 @@ impl UnitSystem {
         }
     }
 
+    /// Unit in the place of the one with this symbol.
+    pub fn named(self, symbol: &str) -> &'static Unit {
+        let printed = Unit::find(symbol).unwrap_or_else(|| canonical(Dimension::One));
+        self.unit(printed.dimension, printed)
+    }
+
     /// Unit of an input.
     pub fn of_input(self, input: &'static Input) -> &'static Unit {
         self.unit(input.dimension(), input.shown_unit())

@@ -57,6 +57,22 @@ pub struct DragTable {
 }
 
 impl DragTable {
+    /// The table with another coefficient below Mach 0.5.
+    pub fn with_subsonic(&self, coefficient: f64) -> DragTable {
+        let replaced = |(mach, c)| {
+            (
+                mach,
+                if mach <= SUBSONIC_MACH_MAX {
+                    coefficient
+                } else {
+                    c
+                },
+            )
+        };
+        let (mach, coefficient) = self.rows().map(replaced).unzip();
+        DragTable { mach, coefficient }
+    }
+
     /// A table from rows of Mach number and drag coefficient.
     ///
     /// # Errors
@@ -180,22 +196,6 @@ impl AxialForce {
             table: DragTable::try_new(&rows).map_err(|faults| faults.join("; "))?,
         })
     }
-
-    /// The database with another coefficient below Mach 0.5.
-    pub fn with_subsonic(&self, coefficient: f64) -> DragTable {
-        let replaced = |(mach, c)| {
-            (
-                mach,
-                if mach <= SUBSONIC_MACH_MAX {
-                    coefficient
-                } else {
-                    c
-                },
-            )
-        };
-        let (mach, coefficient) = self.table.rows().map(replaced).unzip();
-        DragTable { mach, coefficient }
-    }
 }
 
 #[cfg(test)]
@@ -223,7 +223,7 @@ mod tests {
             AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
         assert_eq!(database.cone_half_angle_deg, 60.0);
         assert_eq!(database.table.at(24.7), 1.4816);
-        let table = database.with_subsonic(0.73);
+        let table = database.table.with_subsonic(0.73);
         assert_eq!((table.at(0.3), table.at(0.6)), (0.73, 0.965));
     }
 }

@@ -1,6 +1,7 @@
 //! The coupled design: passes through the modules until the mass settles.
 //!
 //! - [`inputs`]: what a design is made from, checked.
+//! - [`drag`]: its drag, by name or of its own outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
@@ -8,6 +9,7 @@
 
 pub mod coupling;
 pub mod crossings;
+pub mod drag;
 pub mod inputs;
 pub mod misfit;
 pub mod structural;

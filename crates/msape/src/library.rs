@@ -5,6 +5,7 @@
 use crate::aero::AxialForce;
 use crate::aero::damping::DampingData;
 use crate::aero::euler::EulerCorrection;
+use crate::design::drag::OWN_OUTLINE;
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::shoulder::Shoulder;
@@ -183,6 +184,14 @@ impl Library {
                 .collect(),
             Choices::Grounds => titles(&self.grounds, |ground| &ground.name),
             Choices::Aerodynamics => titles(&self.aerodynamics, |database| &database.title),
+            Choices::DesignAerodynamics => {
+                let mut all = vec![(
+                    OWN_OUTLINE.to_string(),
+                    "Of the outline itself, computed".to_string(),
+                )];
+                all.extend(titles(&self.aerodynamics, |database| &database.title));
+                all
+            }
             Choices::Outlines => titles(&self.outlines, |outline| &outline.title),
         }
     }

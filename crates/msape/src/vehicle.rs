@@ -272,6 +272,12 @@ impl Vehicle {
         self.component(kind).map_or(0.0, |c| c.mass_kg)
     }
 
+    /// Force of the impact foam by equation 6: its strength over the payload's cross-section, N.
+    pub fn foam_force_n(&self) -> f64 {
+        let d = self.dimensions.payload_diameter_m;
+        self.impact.foam_strength_pa * PI * d * d / 4.0
+    }
+
     /// Ballistic coefficient for a drag coefficient, kg/m².
     pub fn ballistic_coefficient_kg_m2(&self, drag_coefficient: f64) -> f64 {
         self.mass.mass_kg / (drag_coefficient * self.dimensions.reference_area_m2)

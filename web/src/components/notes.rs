@@ -73,6 +73,38 @@ pub fn Notes() -> impl IntoView {
     }
 }
 
+/// Findings by their models, the gravest first.
+#[component]
+pub fn Remarks(
+    /// All findings.
+    findings: Memo<Option<Vec<Finding>>>,
+    /// The models whose findings are shown.
+    models: &'static [&'static str],
+) -> impl IntoView {
+    let class = |severity| match severity {
+        Severity::Exceeded => "note-outside",
+        Severity::Extrapolated => "note-extrapolated",
+        Severity::Note => "note-remark",
+    };
+    let found = move || {
+        let list = findings.get().unwrap_or_default();
+        let of = |severity| {
+            list.iter()
+                .filter(move |f| f.severity == severity && models.contains(&f.model.as_str()))
+        };
+        [Severity::Exceeded, Severity::Extrapolated, Severity::Note]
+            .into_iter()
+            .flat_map(of)
+            .cloned()
+            .map(|finding| {
+                let class = class(finding.severity);
+                view! { <Remark finding class /> }
+            })
+            .collect_view()
+    };
+    view! { <ul class="notes">{found}</ul> }
+}
+
 #[component]
 fn Remark(finding: Finding, class: &'static str) -> impl IntoView {
     let range = range_text(&finding);

@@ -2,7 +2,9 @@
 
 use crate::components::cad::CadMenu;
 use crate::components::drawing::Drawing;
+use crate::components::landing::LandingTab;
 use crate::components::mass_tree::MassTree;
+use crate::components::structure::StructureTab;
 use crate::components::tabs::{Tab, Tabs};
 use crate::components::view3d::View3d;
 use crate::display::UnitSystem;
@@ -28,6 +30,16 @@ const TABS: &[Tab] = &[
         id: "mass-tree",
         label: "Mass tree",
         view: || view! { <MassTree /> }.into_any(),
+    },
+    Tab {
+        id: "structure",
+        label: "Structure",
+        view: || view! { <StructureTab /> }.into_any(),
+    },
+    Tab {
+        id: "landing",
+        label: "Landing",
+        view: || view! { <LandingTab /> }.into_any(),
     },
 ];
 
@@ -74,6 +86,17 @@ impl VehicleView {
             lit: RwSignal::new(None),
             chosen: RwSignal::new(None),
         }
+    }
+
+    /// Something of the answer in view.
+    pub fn of_answer<T>(
+        self,
+        get: impl Fn(&Solved) -> Option<T> + Send + Sync + 'static,
+    ) -> Memo<Option<T>>
+    where
+        T: PartialEq + Send + Sync + 'static,
+    {
+        Memo::new(move |_| self.solved.with(|solved| get(solved.as_ref()?)))
     }
 
     /// The view of the card around this component.

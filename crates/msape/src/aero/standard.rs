@@ -14,7 +14,7 @@
 use super::bridging::Bridging;
 use super::damping::{Damping, Reading};
 use super::database::{Database, Options};
-use super::euler::{SphereCone, axial_force};
+use super::euler::{EulerCorrection, SphereCone, axial_force};
 use super::integral::{Effort, Law, loads};
 use super::surface::Surface;
 use super::{Drag, DragTable};
@@ -78,20 +78,6 @@ impl AeroBody {
         self.cg_m.map(|[x, _, z]| [x / diameter_m, z / diameter_m])
     }
 
-    /// Axial force in continuum flow against Mach number, of the outline itself.
-    pub fn axial_force(&self, library: &Library) -> DragTable {
-        let [newtonian] = loads(&self.surface, &[Law::Newtonian(1.0)], 0.0, Effort::FINE);
-        let mut tables: Vec<(f64, &DragTable)> = library
-            .aerodynamics
-            .iter()
-            .map(|(_, force)| (force.cone_half_angle_deg, &force.table))
-            .collect();
-        tables.sort_by(|a, b| a.0.total_cmp(&b.0));
-        tables.dedup_by(|a, b| a.0 == b.0);
-        let correction = &library.aero_models.euler;
-        axial_force(newtonian.ca, self.sphere_cone.as_ref(), correction, &tables)
-    }
-
     /// The database, with a drag for zero angle of attack or that of the outline itself.
     pub fn database(&self, library: &Library, drag: Option<&Drag>) -> Database {
         Database::of_surface(&self.surface, self.options(library, drag))
@@ -103,13 +89,51 @@ impl AeroBody {
             axial_force: match drag {
                 Some(Drag::Constant(c)) => DragTable::from_ascending(&[(0.0, *c)]),
                 Some(Drag::Table(table)) => table.clone(),
-                None => self.axial_force(library),
+                None => AxialForces::of(library).of_outline(self),
             },
             bridging: Bridging::SineSquared,
             wall_temperature_ratio: 1.0,
             accommodation: [1.0, 1.0],
             damping: report_damping(library, Reading::Corrected),
         }
+    }
+}
+
+/// What the axial force of an outline nose first is computed with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxialForces {
+    /// Published tables by the half-angle of their cone, deg, ascending.
+    tables: Vec<(f64, DragTable)>,
+    /// Of impact theory, towards solutions of the Euler equations.
+    correction: EulerCorrection,
+}
+
+impl AxialForces {
+    /// Those of a library.
+    pub fn of(library: &Library) -> Self {
+        let mut tables: Vec<(f64, DragTable)> = library
+            .aerodynamics
+            .iter()
+            .map(|(_, force)| (force.cone_half_angle_deg, force.table.clone()))
+            .collect();
+        tables.sort_by(|a, b| a.0.total_cmp(&b.0));
+        tables.dedup_by(|a, b| a.0 == b.0);
+        Self {
+            tables,
+            correction: library.aero_models.euler.clone(),
+        }
+    }
+
+    /// Axial force of a body in continuum flow against Mach number.
+    pub fn of_outline(&self, body: &AeroBody) -> DragTable {
+        let [newtonian] = loads(&body.surface, &[Law::Newtonian(1.0)], 0.0, Effort::FINE);
+        let tables: Vec<(f64, &DragTable)> = self.tables.iter().map(|(a, t)| (*a, t)).collect();
+        axial_force(
+            newtonian.ca,
+            body.sphere_cone.as_ref(),
+            &self.correction,
+            &tables,
+        )
     }
 }
 

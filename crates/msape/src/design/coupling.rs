@@ -323,7 +323,7 @@ impl Finished<'_> {
             shoulder_heat_flux_ratio: shoulder_factor,
             aftbody_pressure_pa: sized.aft_environment.peak_pressure_pa,
             payload_temperature_k: sized.payload_temperature_k,
-            impact_drag_coefficient: input.drag.at(0.0),
+            impact_drag_coefficient: input.drag.subsonic(),
             terminal_speed_m_s: flown.terminal_speed_m_s,
             cone_half_angle_rad: input.vehicle.cone_half_angle_rad,
             payload_mass_kg: input.vehicle.payload_mass_kg,

@@ -1,6 +1,6 @@
 //! What a design is made from, checked.
 
-use crate::aero::DragTable;
+use crate::design::drag::DesignDrag;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
@@ -31,7 +31,7 @@ pub struct DesignInput {
     /// What the shoulder gets of the stagnation point's heating.
     pub shoulder: Shoulder,
     /// Drag coefficient against Mach number.
-    pub drag: DragTable,
+    pub drag: DesignDrag,
     /// Change of the entry mass below which a design is converged, kg.
     pub mass_criterion_kg: f64,
     /// Passes after which an answer is given as it is.
@@ -47,7 +47,7 @@ impl DesignInput {
             mass_kg: vehicle.mass.mass_kg,
             reference_area_m2: vehicle.dimensions.reference_area_m2,
             nose_radius_m: vehicle.dimensions.nose_radius_m,
-            drag: Drag::Table(self.drag.clone()),
+            drag: Drag::Table(self.drag.of(vehicle)),
             reference_length_m: vehicle.dimensions.diameter_m,
             freedom: Freedom::Ballistic,
         }

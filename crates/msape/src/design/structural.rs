@@ -8,7 +8,7 @@ use super::inputs::DesignInput;
 use crate::finding::{Finding, Severity};
 use crate::flight::Flight;
 use crate::structure::analysis::{AnalysisLoads, CarrierAnalysis, CaseStress, PartStress};
-use crate::structure::carrier::{CarrierModel, Part};
+use crate::structure::carrier::CarrierModel;
 use crate::vehicle::rules::WallPlace;
 use crate::vehicle::structure::{Check, LoadCase, Rule, Structure, size};
 use crate::vehicle::{Loads, VehicleInput};
@@ -101,7 +101,7 @@ impl Structural {
                 format!(
                     " (least margin of safety {:+.2}, {})",
                     check.margin + ROUNDING,
-                    name_of(check.rule)
+                    check.rule.label()
                 )
             });
             format!("{name}: {} governs{margin}", wall.governs.label())
@@ -120,12 +120,8 @@ impl Structural {
 
     /// The part that the shell model finds too weak, with what the conceptual level says of its wall.
     fn overstressed(&self, case: &CaseStress, name: &str) -> Option<Finding> {
-        let worst = worst(case).filter(|part| margin(part) < 0.0)?;
-        let wall = match worst.part {
-            Part::Nose | Part::Cone | Part::Edge => WallPlace::Forebody,
-            Part::Primary => WallPlace::Primary,
-            Part::Wing | Part::Lid => WallPlace::Aftbody,
-        };
+        let worst = worst(case).filter(|part| part.least_margin() < 0.0)?;
+        let wall = worst.part.wall();
         let in_case = |check: &&Check| {
             let launch = matches!(check.load_case, LoadCase::Launch(_));
             check.wall == wall && check.rule == Rule::Strength && launch == (name == "launch")
@@ -149,14 +145,14 @@ impl Structural {
             severity: Severity::Exceeded,
             model: "shell model".to_owned(),
             key: format!("shell_{name}_margin"),
-            value: Some(margin(worst)),
+            value: Some(worst.least_margin()),
             valid: (Some(0.0), None),
             message: format!(
                 "At {name} the {what} of the {} reaches {:.1} MPa {:.0} mm from the axis, a margin of safety of {:+.2}{other}: a local reinforcement, or a thicker wall, is needed.",
                 worst.part.label(),
                 stress_pa / 1e6,
                 r_m * 1000.0,
-                margin(worst),
+                worst.least_margin(),
             ),
             source: "axisymmetric shell model; NASA-STD-5001".to_owned(),
             field: None,
@@ -164,38 +160,15 @@ impl Structural {
     }
 }
 
-/// Least margin of laminate or faces and core.
-fn margin(part: &PartStress) -> f64 {
-    part.core_margin
-        .map_or(part.margin, |core| core.min(part.margin))
-}
-
 fn worst(case: &CaseStress) -> Option<&PartStress> {
     case.parts
         .iter()
-        .min_by(|a, b| margin(a).total_cmp(&margin(b)))
+        .min_by(|a, b| a.least_margin().total_cmp(&b.least_margin()))
 }
 
 /// Least margin of a load case.
 pub fn least_margin(case: &CaseStress) -> Option<f64> {
-    worst(case).map(margin)
-}
-
-/// A rule in plain words.
-fn name_of(rule: Rule) -> &'static str {
-    match rule {
-        Rule::MinimumGauge => "minimum gauge",
-        Rule::Strength => "strength",
-        Rule::ConePressureBuckling => "buckling of the cone under pressure",
-        Rule::ConeAxialBuckling => "buckling of the cone under axial load",
-        Rule::CapBuckling => "buckling of the spherical part",
-        Rule::CylinderBuckling => "buckling of the cylinder",
-        Rule::FaceWrinkling => "wrinkling of the faces",
-        Rule::HoneycombWrinkling => "wrinkling of the faces on honeycomb",
-        Rule::Dimpling => "dimpling of the faces",
-        Rule::ShearCrimping => "shear crimping",
-        Rule::CoreShear => "shear of the core",
-    }
+    worst(case).map(PartStress::least_margin)
 }
 
 fn failed(check: &Check) -> Finding {
@@ -208,7 +181,7 @@ fn failed(check: &Check) -> Finding {
         message: format!(
             "{:?} wall, {}: {:.3e} {} asked, {:.3e} {} carried, a margin of safety of {:+.2}.",
             check.wall,
-            name_of(check.rule),
+            check.rule.label(),
             check.demand,
             check.unit,
             check.capacity,

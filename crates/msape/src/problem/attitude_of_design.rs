@@ -42,7 +42,8 @@ pub fn attitude_of_design(
     if let Some(cg_m) = cg_m {
         shape.cg_m = Some(cg_m);
     }
-    let drag = input.as_ref().map(|input| Drag::Table(input.drag.clone()));
+    let axial_force = input.as_ref().map(|input| input.drag.of(vehicle));
+    let drag = axial_force.clone().map(Drag::Table);
     let database = super::aerodynamics::database(&mut reader, library, &shape, drag.as_ref());
     let mass = &vehicle.mass;
     let inertia = Inertia::try_new([
@@ -61,7 +62,7 @@ pub fn attitude_of_design(
         return Err(reader.faults);
     };
     let of_outline = OfOutline {
-        axial_force: database.table().is_none().then(|| input.drag.clone()),
+        axial_force: axial_force.filter(|_| database.table().is_none()),
         database,
     };
     // What the case says of the integration is for its point mass.

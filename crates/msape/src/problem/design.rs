@@ -2,7 +2,9 @@
 
 use super::flight::{Angle, mission};
 use super::materials::materials;
+use crate::aero::standard::AxialForces;
 use crate::case::Reader;
+use crate::design::drag::{DesignDrag, OWN_OUTLINE};
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::tps::material::TpsMaterial;
@@ -68,7 +70,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let aft_name = aftbody_material(reader, library);
     let ground_name = choice(reader, "design.ground", &library.grounds);
     let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
-    let aero_name = choice(reader, "design.aerodynamics", &library.aerodynamics);
+    let aero_name = aerodynamics(reader, library);
     let numbers = [
         "cone_half_angle_deg",
         "mass_margin",
@@ -160,11 +162,26 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         fit_space: library.fit_space.clone(),
         afterbody: library.heating.afterbody.clone(),
         shoulder: library.heating.shoulder.clone(),
-        drag: named(&library.aerodynamics, aero_name?)?.with_subsonic(terminal_drag?),
+        drag: match aero_name? {
+            OWN_OUTLINE => DesignDrag::Outline {
+                forces: AxialForces::of(library),
+                subsonic: terminal_drag?,
+            },
+            name => {
+                let force = named(&library.aerodynamics, name)?;
+                DesignDrag::Table(force.table.with_subsonic(terminal_drag?))
+            }
+        },
         mass_criterion_kg: criterion?,
         max_iterations: iterations? as u32,
         relaxation: relaxation?,
     })
+}
+
+fn aerodynamics<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l str> {
+    let tables = library.aerodynamics.iter().map(|(name, _)| name.as_str());
+    let names: Vec<&str> = std::iter::once(OWN_OUTLINE).chain(tables).collect();
+    reader.choice("design.aerodynamics", &names)
 }
 
 fn choice<'l, T>(reader: &mut Reader, key: &str, list: &'l Named<T>) -> Option<&'l str> {

@@ -124,6 +124,8 @@ pub enum Choices {
     Grounds,
     /// Aerodynamic databases of the library.
     Aerodynamics,
+    /// The outline of the design itself, then the aerodynamic databases of the library.
+    DesignAerodynamics,
     /// Outlines of the library.
     Outlines,
 }

@@ -66,7 +66,7 @@ static COLUMNS: &[LandingColumn] = &[
             "time_s",
             "Time",
             Dimension::Time,
-            "s",
+            "ms",
             "Time after first contact.",
         ),
         values: |h| &h.time_s,

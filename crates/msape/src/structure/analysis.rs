@@ -77,6 +77,8 @@ pub struct Distributions {
     pub shear_pa: Vec<f64>,
     /// Equivalent stress at launch, the largest of all corners and round the circle, Pa.
     pub launch_stress_pa: Vec<f64>,
+    /// Displacement at launch, the largest of all corners and round the circle, m.
+    pub launch_displacement_m: Vec<f64>,
 }
 
 /// What the shell model says of a vehicle.
@@ -161,6 +163,7 @@ fn distributions(entry: &[Sample], stress: &[Stressed], launch: &[Stressed]) -> 
         all.stress_pa.push(at_entry.stress_pa);
         all.shear_pa.push(at_entry.shear_pa);
         all.launch_stress_pa.push(at_launch.stress_pa);
+        all.launch_displacement_m.push(at_launch.moved_m);
     }
     all
 }

@@ -105,6 +105,20 @@ pub enum WallPlace {
     Primary,
 }
 
+impl WallPlace {
+    /// All, in the order of tables.
+    pub const ALL: [WallPlace; 3] = [Self::Forebody, Self::Aftbody, Self::Primary];
+
+    /// Name in plain words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Forebody => "Forebody carrier",
+            Self::Aftbody => "Aftbody carrier",
+            Self::Primary => "Primary structure",
+        }
+    }
+}
+
 impl CarrierMaterial {
     /// Its name and where its density comes from.
     pub fn material(&self) -> Material {

@@ -22,6 +22,7 @@ pub mod size;
 pub use check::{Check, LoadCase, Rule};
 pub use size::{AxialLoads, PressureShell, WallLoads};
 
+use crate::vehicle::rules::WallPlace;
 use numerics::math::cbrt;
 use serde::{Deserialize, Serialize};
 
@@ -150,6 +151,17 @@ pub struct Structure {
     pub aftbody: Wall,
     /// Primary structure.
     pub primary: Wall,
+}
+
+impl Structure {
+    /// The wall at a place.
+    pub fn wall(&self, place: WallPlace) -> &Wall {
+        match place {
+            WallPlace::Forebody => &self.forebody,
+            WallPlace::Aftbody => &self.aftbody,
+            WallPlace::Primary => &self.primary,
+        }
+    }
 }
 
 /// What the rules ask of a wall.

@@ -104,9 +104,9 @@ pub(super) const INPUTS: &[Input] = &[
         .usual(0.5, 1.1)
         .preset(Preset::Number(0.73))
         .help("Axial-force coefficient below Mach 0.5. Equation 7 prints 0.654; 0.73 gives the terminal velocity of Table 15 and is calibrated on it.", "NASA/TM-2014-218507, equation 7 and Table 15"),
-    Input::new("design.aerodynamics", "Aerodynamics", Group::Models, Kind::Choice(Choices::Aerodynamics))
-        .preset(Preset::Name("mmeev-60"))
-        .help("Aerodynamic database above Mach 0.5.", "NASA/TM-2014-218507, section 3.3"),
+    Input::new("design.aerodynamics", "Aerodynamics", Group::Models, Kind::Choice(Choices::DesignAerodynamics))
+        .preset(Preset::Name("outline"))
+        .help("Axial force above Mach 0.5: computed from the outline of each pass, or a table by name whatever the outline.", "NASA/TM-2014-218507, section 3.3"),
     density("design.density_kg_m3.forebody_tps", "Forebody TPS Density"),
     density("design.density_kg_m3.forebody_carrier_structure", "Forebody Carrier Structure Density"),
     density("design.density_kg_m3.aftbody_tps", "Aftbody TPS Density"),

@@ -37,10 +37,10 @@ pub(super) static OUTPUTS: &[Output] = &[
         .unit(Dimension::Length, "cm")
         .help("Crush of the impact foam on a rigid surface.", DYNAMICS),
     Output::new("impact_pulse_duration_s", "Impact Duration", Module::Impact, |a| landing(a, |l| l.ground.duration_s))
-        .unit(Dimension::Time, "s")
+        .unit(Dimension::Time, "ms")
         .help("Time from first contact to the payload's stop on the chosen ground.", DYNAMICS),
     Output::new("rigid_surface_pulse_duration_s", "Impact Duration on a Rigid Surface", Module::Impact, |a| landing(a, |l| l.rigid_surface.duration_s))
-        .unit(Dimension::Time, "s")
+        .unit(Dimension::Time, "ms")
         .help("Time from first contact to the payload's stop on a rigid surface.", DYNAMICS),
     Output::new("penetration_depth_m", "Penetration Depth", Module::Impact, |a| landing(a, |l| l.ground.penetration_m))
         .unit(Dimension::Length, "cm")

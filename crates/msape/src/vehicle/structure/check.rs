@@ -48,6 +48,23 @@ pub enum Rule {
 }
 
 impl Rule {
+    /// Name in plain words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::MinimumGauge => "minimum gauge",
+            Self::Strength => "strength",
+            Self::ConePressureBuckling => "buckling of the cone under pressure",
+            Self::ConeAxialBuckling => "buckling of the cone under axial load",
+            Self::CapBuckling => "buckling of the spherical part",
+            Self::CylinderBuckling => "buckling of the cylinder",
+            Self::FaceWrinkling => "wrinkling of the faces",
+            Self::HoneycombWrinkling => "wrinkling of the faces on honeycomb",
+            Self::Dimpling => "dimpling of the faces",
+            Self::ShearCrimping => "shear crimping",
+            Self::CoreShear => "shear of the core",
+        }
+    }
+
     /// Where it comes from.
     pub fn source(self) -> &'static str {
         match self {
@@ -77,6 +94,21 @@ pub enum LoadCase {
     EntryDeceleration,
     /// A corner of the launch loads.
     Launch(LaunchLoad),
+}
+
+impl LoadCase {
+    /// Name in plain words, with the load factors of a corner.
+    pub fn label(self) -> String {
+        match self {
+            Self::Making => "making".to_owned(),
+            Self::EntryPressure => "entry, pressure".to_owned(),
+            Self::EntryDeceleration => "entry, deceleration".to_owned(),
+            Self::Launch(LaunchLoad {
+                axial_earth_g,
+                lateral_earth_g,
+            }) => format!("launch, {axial_earth_g} g along, {lateral_earth_g} g across"),
+        }
+    }
 }
 
 /// One rule in one load case.

@@ -1,0 +1,100 @@
+//! The ground: the choice, and where its numbers come from.
+
+use crate::components::field::control_id;
+use crate::components::vehicle::VehicleView;
+use crate::display::number;
+use crate::state::State;
+use leptos::prelude::*;
+use msape::Case;
+use msape::case::Value;
+use msape::library::named;
+use msape::quantity::input::{self, Choices, Input, Preset};
+use msape::vehicle::impact::Ground;
+
+/// The input.
+const KEY: &str = "design.ground";
+
+/// Name of the ground of a case in the library.
+fn key_of(case: &Case) -> String {
+    case.text(KEY)
+        .unwrap_or_else(|| match input::find(KEY).map(|input| input.preset) {
+            Some(Preset::Name(name)) => name.to_string(),
+            _ => String::new(),
+        })
+}
+
+fn found(key: &str) -> Option<Ground> {
+    State::expect()
+        .library
+        .with_value(|library| named(&library.as_ref()?.grounds, key).cloned())
+}
+
+/// Name of the ground of the answer in view.
+pub fn ground_name(card: VehicleView) -> Memo<String> {
+    let key = card.of_answer(|solved| Some(key_of(&solved.case)));
+    Memo::new(move |_| {
+        let name = key.get().and_then(|key| Some(found(&key)?.name));
+        name.unwrap_or_else(|| "ground".to_string())
+    })
+}
+
+/// A list of grounds beside what is known of the chosen one.
+#[component]
+pub fn GroundChoice() -> impl IntoView {
+    input::find(KEY).map(|input| view! { <Choice input /> })
+}
+
+#[component]
+fn Choice(input: &'static Input) -> impl IntoView {
+    let state = State::expect();
+    let now = Memo::new(move |_| state.case.with(|case| key_of(case)));
+    let grounds = state.library.with_value(|library| {
+        let library = library.as_ref();
+        library.map_or(Vec::new(), |library| library.choices(Choices::Grounds))
+    });
+    let id = format!("landing-{}", control_id(KEY));
+    let choose = move |name: String| {
+        // Letters typed on the list go through several grounds: one step to undo.
+        state.edit(input.label, Some(KEY), |document| {
+            document.with_case(|case| {
+                case.values.insert(KEY.to_string(), Value::Text(name));
+            })
+        });
+    };
+    let origin = move || {
+        found(&now.get()).map(|ground| {
+            let constant = match (ground.penetration, ground.young) {
+                (Some(p), _) => Some((
+                    "α of equation 1",
+                    [p.alpha, p.alpha_min, p.alpha_max],
+                )),
+                (_, Some(y)) => Some((
+                    "S of Young's equation",
+                    [y.s_number, y.s_number_min, y.s_number_max],
+                )),
+                _ => None,
+            };
+            let constant = constant.map(|(name, values)| {
+                let [value, least, most] = values.map(|value| number(value, 4));
+                format!("{name}: {value}, range {least} to {most}. ")
+            });
+            view! {
+                <p class="quiet">{constant} {ground.note.clone()}</p>
+                <p class="note-source">{ground.law_source()} {format!(". {} ({})", ground.place, ground.source)}</p>
+            }
+        })
+    };
+    view! {
+        <div class="ground">
+            <label for=id.clone()>{input.label}</label>
+            <select id=id title=input.help on:change:target=move |event| choose(event.target().value())
+                on:blur=move |_| state.close_step()>
+                {grounds.into_iter().map(|(name, title)| {
+                    let this = name.clone();
+                    view! { <option value=name prop:selected=move || now.get() == this>{title}</option> }
+                }).collect_view()}
+            </select>
+            <div class="origin">{origin}</div>
+        </div>
+    }
+}
