@@ -1,8 +1,7 @@
 //! Deceleration over time and force over crush, on both surfaces.
 
 use crate::display::{UnitSystem, symbol};
-use msape::quantity::landing::{Surface, columns};
-use msape::quantity::trajectory::Column;
+use msape::quantity::landing::{LandingColumn, Surface, columns};
 use msape::vehicle::Vehicle;
 use msape::vehicle::impact::history::History;
 use msape::vehicle::impact::landing::Landing;
@@ -70,21 +69,20 @@ impl Histories {
 }
 
 /// A column of both surfaces.
-fn column(key: &str) -> Option<(&'static Column, fn(&History) -> &[f64])> {
-    let found = columns().iter().find(|column| column.column.key == key)?;
-    Some((&found.column, found.values))
+fn column(key: &str) -> Option<&'static LandingColumn> {
+    columns().iter().find(|column| column.column.key == key)
 }
 
 /// One of the figures.
 pub fn figure(of: &Histories, what: Curves, units: UnitSystem) -> Figure {
     let [x, y] = what.keys();
-    let (Some((x_column, x_of)), Some((y_column, y_of))) = (column(x), column(y)) else {
+    let (Some(x), Some(y)) = (column(x), column(y)) else {
         return Figure::default();
     };
-    let (x_unit, y_unit) = (units.of_column(x_column), units.of_column(y_column));
+    let (x_unit, y_unit) = (units.of_column(&x.column), units.of_column(&y.column));
     let at = |x: f64, y: f64| (x_unit.from_canonical(x), y_unit.from_canonical(y));
     let line = |name: &str, history: &History, look: usize| {
-        let both = x_of(history).iter().zip(y_of(history));
+        let both = (x.values)(history).iter().zip((y.values)(history));
         let points = both.map(|(x, y)| at(*x, *y)).collect();
         Series::line(name, points, look)
     };
@@ -93,8 +91,8 @@ pub fn figure(of: &Histories, what: Curves, units: UnitSystem) -> Figure {
         label: label.to_string(),
     };
     let figure = Figure {
-        x: Axis::new(x_column.label, symbol(x_unit)),
-        y: Axis::new(y_column.label, symbol(y_unit)),
+        x: Axis::new(x.column.label, symbol(x_unit)),
+        y: Axis::new(y.column.label, symbol(y_unit)),
         ..Figure::default()
     };
     match what {
