@@ -70,7 +70,10 @@ impl Histories {
 }
 
 /// A column of both surfaces.
-fn column(key: &str) -> Option<(&'static Column, fn(&History) -> &[f64])> {
+/// A column and how its values are taken out of a history.
+type Taken = (&'static Column, fn(&History) -> &[f64]);
+
+fn column(key: &str) -> Option<Taken> {
     let found = columns().iter().find(|column| column.column.key == key)?;
     Some((&found.column, found.values))
 }
