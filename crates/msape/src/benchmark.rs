@@ -37,117 +37,74 @@ pub struct Bench {
     pub spinning_case: Case,
 }
 
-/// Something that is measured.
-#[derive(Clone, Copy, Debug)]
-pub struct Job {
-    /// What it does.
-    pub name: &'static str,
-    /// Does it once.
-    pub run: fn(&Bench),
+/// Declares what is measured: a name and what does it once. Names and jobs are two lists, so that a page can show the names
+/// without having the solver in it.
+macro_rules! jobs {
+    ($($name:literal => $run:expr,)*) => {
+        /// Names of what is measured; the first is the reference.
+        pub static NAMES: &[&str] = &[$($name),*];
+
+        /// What does each of them once, in the order of [`NAMES`].
+        pub static JOBS: &[fn(&Bench)] = &[$($run),*];
+    };
 }
 
-/// What is measured; the first is the reference.
-pub static JOBS: [Job; 15] = [
-    Job {
-        name: "bare kernel: order 5, exponential air, no results",
-        run: |bench| {
-            black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
-        },
+jobs! {
+    "bare kernel: order 5, exponential air, no results" => |bench| {
+        black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
     },
-    Job {
-        name: "1000 densities of US76, 0 to 125 km",
-        run: |bench| {
-            let atmosphere = &bench.constant.mission.atmosphere;
-            let sum: f64 = (0..1000)
-                .map(|i| atmosphere.density_kg_m3(f64::from(i) * 125.0))
-                .sum();
-            black_box(sum);
-        },
+    "1000 densities of US76, 0 to 125 km" => |bench| {
+        let atmosphere = &bench.constant.mission.atmosphere;
+        let sum: f64 = (0..1000)
+            .map(|i| atmosphere.density_kg_m3(f64::from(i) * 125.0))
+            .sum();
+        black_box(sum);
     },
-    Job {
-        name: "trajectory, constant drag, no radiation (m2)",
-        run: |bench| {
-            let FlightProblem { mission, body, .. } = &bench.constant;
-            black_box(flight::fly(mission, body, Request::Nothing));
-        },
+    "trajectory, constant drag, no radiation (m2)" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        black_box(flight::fly(mission, body, Request::Nothing));
     },
-    Job {
-        name: "the same with its history at the steps",
-        run: |bench| {
-            let FlightProblem { mission, body, .. } = &bench.constant;
-            black_box(flight::fly(mission, body, Request::Steps));
-        },
+    "the same with its history at the steps" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        black_box(flight::fly(mission, body, Request::Steps));
     },
-    Job {
-        name: "trajectory, drag table, radiation (MSR)",
-        run: |bench| {
-            let mission = &bench.msr.input.mission;
-            black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
-        },
+    "trajectory, drag table, radiation (MSR)" => |bench| {
+        let mission = &bench.msr.input.mission;
+        black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
     },
-    Job {
-        name: "vehicle: closing, mass, structure (MSR)",
-        run: |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    "vehicle: closing, mass, structure (MSR)" => |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
+    "half-section: profiles, volumes, moments (MSR)" => |bench| {
+        let layout = &bench.msr_layout;
+        let parts = vehicle::mass::profiles(vehicle::Concept::Msr, layout);
+        let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
+        let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
+        black_box(volume);
     },
-    Job {
-        name: "vehicle: closing, mass, structure (Galahad)",
-        run: |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
+    "structure: rules and shell model (MSR)" => |bench| {
+        let (design, flight) = &bench.msr_design;
+        drop(black_box(Structural::new(&bench.msr.input, design, flight)));
     },
-    Job {
-        name: "half-section: profiles, volumes, moments (MSR)",
-        run: |bench| {
-            let layout = &bench.msr_layout;
-            let parts = vehicle::mass::profiles(vehicle::Concept::Msr, layout);
-            let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
-            let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
-            black_box(volume);
-        },
+    "converged design (MSR)" => |bench| drop(black_box(bench.msr.solve("", Request::Nothing))),
+    "converged design (Galahad)" => |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
+    "six degrees of freedom (spinning Stardust)" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.spinning;
+        black_box(flight::fly(mission, body, Request::Nothing));
     },
-    Job {
-        name: "structure: rules and shell model (MSR)",
-        run: |bench| {
-            let (design, flight) = &bench.msr_design;
-            drop(black_box(Structural::new(&bench.msr.input, design, flight)));
-        },
+    "the same, checked, with its database" => |bench| {
+        drop(black_box(FlightProblem::check(
+            &bench.spinning_case,
+            &bench.library,
+        )))
     },
-    Job {
-        name: "converged design (MSR)",
-        run: |bench| drop(black_box(bench.msr.solve("", Request::Nothing))),
+    "checking a case (MSR)" => |bench| {
+        drop(black_box(DesignProblem::check(
+            &bench.msr_case,
+            &bench.library,
+        )))
     },
-    Job {
-        name: "converged design (Galahad)",
-        run: |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
-    },
-    Job {
-        name: "six degrees of freedom (spinning Stardust)",
-        run: |bench| {
-            let FlightProblem { mission, body, .. } = &bench.spinning;
-            black_box(flight::fly(mission, body, Request::Nothing));
-        },
-    },
-    Job {
-        name: "the same, checked, with its database",
-        run: |bench| {
-            drop(black_box(FlightProblem::check(
-                &bench.spinning_case,
-                &bench.library,
-            )))
-        },
-    },
-    Job {
-        name: "checking a case (MSR)",
-        run: |bench| {
-            drop(black_box(DesignProblem::check(
-                &bench.msr_case,
-                &bench.library,
-            )))
-        },
-    },
-    Job {
-        name: "built-in library",
-        run: |_| drop(black_box(Library::builtin())),
-    },
-];
+    "built-in library" => |_| drop(black_box(Library::builtin())),
+}
 
 impl Bench {
     /// What the jobs work on.
@@ -220,7 +177,7 @@ mod tests {
     #[test]
     fn what_is_measured_is_a_flight_to_the_ground_and_designs_that_converge() {
         let bench = Bench::new().unwrap();
-        JOBS.iter().for_each(|job| (job.run)(&bench));
+        JOBS.iter().for_each(|job| job(&bench));
         let FlightProblem { mission, body, .. } = &bench.constant;
         assert_eq!(
             flight::fly(mission, body, Request::Nothing).1,

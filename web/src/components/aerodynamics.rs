@@ -16,6 +16,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
+use msape::design::drag::OWN_OUTLINE;
 use msape::quantity::input::{self, Preset};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
@@ -70,13 +71,14 @@ pub fn bodies(state: State) -> Vec<Body> {
     bodies
 }
 
-/// The axial force that a design names, or has where it names none.
+/// The axial force that a design names, or has where it names none; absent where it is that of its own outline.
 fn axial_force_of_design(case: &Case) -> Option<String> {
     let input = input::find("design.aerodynamics")?;
-    case.text(input.key).or(match input.preset {
+    let named = case.text(input.key).or(match input.preset {
         Preset::Name(name) => Some(name.to_string()),
         _ => None,
-    })
+    });
+    named.filter(|name| name != OWN_OUTLINE)
 }
 
 /// What is typed for the places of curves.
@@ -297,9 +299,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_design_that_names_no_axial_force_has_the_default() {
+    fn a_design_has_the_axial_force_that_it_names_or_that_of_its_outline() {
         let mut case = Case::default();
-        assert_eq!(axial_force_of_design(&case).as_deref(), Some(BUILT_IN));
+        assert_eq!(axial_force_of_design(&case), None);
         case.set("design.aerodynamics", "sphere-cone-45");
         assert_eq!(
             axial_force_of_design(&case).as_deref(),

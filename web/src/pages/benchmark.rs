@@ -7,7 +7,7 @@ use crate::protocol::Batch;
 use crate::state::{Phase, State};
 use crate::timing::{Measured, Timing};
 use leptos::prelude::*;
-use msape::benchmark::JOBS;
+use msape::benchmark::NAMES;
 use wasm_bindgen_futures::spawn_local;
 
 /// How far the measurement is.
@@ -24,7 +24,7 @@ impl Progress {
     fn text(&self) -> String {
         match self {
             Progress::Waiting => "Waiting for the first design.".to_string(),
-            Progress::Measuring(row) => format!("Measuring {} of {}.", row + 1, JOBS.len()),
+            Progress::Measuring(row) => format!("Measuring {} of {}.", row + 1, NAMES.len()),
             Progress::Done { seconds } => format!("Done, in {} s.", number(*seconds, 2)),
             Progress::Cancelled => "Cancelled.".to_string(),
             Progress::Failed(message) => format!("Failed: {message}."),
@@ -51,7 +51,7 @@ impl Shown {
         spawn_local(async move {
             let start_ms = now_ms();
             let mut reference = None;
-            for row in 0..JOBS.len() {
+            for row in 0..NAMES.len() {
                 let measured = self.measure(state, run, row, &mut reference).await;
                 // The page may have been left meanwhile.
                 if self.run.try_get_value() != Some(run) {
@@ -61,7 +61,7 @@ impl Shown {
                     Ok(measured) => self.done.update(|done| done.push(measured)),
                     Err(message) => return self.progress.set(Progress::Failed(message)),
                 }
-                if row + 1 < JOBS.len() {
+                if row + 1 < NAMES.len() {
                     self.progress.set(Progress::Measuring(row + 1));
                 }
             }
@@ -149,9 +149,9 @@ fn circumstances(state: State) -> [(&'static str, String); 3] {
 fn text(state: State, shown: Shown) -> String {
     let head = format!("M-SAPE {} benchmark", env!("CARGO_PKG_VERSION"));
     let known = circumstances(state).map(|(term, value)| format!("{term}\t{value}"));
-    let rows = JOBS.iter().enumerate().map(|(row, job)| {
+    let rows = NAMES.iter().enumerate().map(|(row, name)| {
         let [time, ratio] = shown.cells(row).unwrap_or_default();
-        format!("{}\t{time}\t{ratio}", job.name)
+        format!("{name}\t{time}\t{ratio}")
     });
     [head]
         .into_iter()
@@ -224,7 +224,7 @@ pub fn Benchmark() -> impl IntoView {
                 <table class="outputs" aria-labelledby="benchmark-title">
                     <thead><tr><th scope="col">"Job"</th><th scope="col">"Time"</th><th scope="col">"Ratio"</th></tr></thead>
                     <tbody>
-                        {JOBS.iter().enumerate().map(|(index, job)| row(index, job.name)).collect_view()}
+                        {NAMES.iter().enumerate().map(|(index, name)| row(index, name)).collect_view()}
                     </tbody>
                 </table>
             </section>

@@ -10,16 +10,17 @@
 mod measure;
 
 use measure::Measurement;
-use msape::benchmark::{Bench, JOBS, kernel};
+use msape::benchmark::{Bench, JOBS, NAMES, kernel};
 use msape::flight::{self, Request};
 
 fn main() {
     let bench = Bench::new().unwrap();
-    let measurement = |job: &'static msape::benchmark::Job| {
+    let measurement = |(name, job): (&&'static str, &'static fn(&Bench))| {
         let bench = &bench;
-        Measurement::new(job.name, move || (job.run)(bench))
+        Measurement::new(name, move || job(bench))
     };
-    measure::report(&mut JOBS.iter().map(measurement).collect::<Vec<_>>());
+    let jobs = NAMES.iter().zip(JOBS);
+    measure::report(&mut jobs.map(measurement).collect::<Vec<_>>());
     let constant = &bench.constant;
     let m2 = flight::fly(&constant.mission, &constant.body, Request::Nothing).0;
     let msr_mission = &bench.msr.input.mission;

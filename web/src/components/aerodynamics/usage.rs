@@ -7,6 +7,7 @@ use crate::pages::library;
 use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
+use msape::design::drag::OWN_OUTLINE;
 
 /// Keys of a case that choose coefficients.
 fn is_aerodynamic(key: &str) -> bool {
@@ -36,9 +37,11 @@ pub fn Usage() -> impl IntoView {
             document.with_case(|design| {
                 put(&case, design);
                 // The point mass of the design takes the axial force by name.
-                if let Some(name) = case.text("vehicle.aerodynamics") {
-                    design.set("design.aerodynamics", &name);
-                }
+                let name = case.text("vehicle.aerodynamics");
+                design.set(
+                    "design.aerodynamics",
+                    name.as_deref().unwrap_or(OWN_OUTLINE),
+                );
             })
         });
         state.notice.set(if case.values.contains_key(TABLE) {
