@@ -54,8 +54,10 @@ fn compile(project: &Project) -> Result<()> {
         .map(PathBuf::from)
         .or_else(|| Some(env::home_dir()?.join(".cargo")))
         .context("no home folder")?;
-    let flags = [(&crates, "cargo"), (&project.root, "msape")]
+    let paths = [(&crates, "cargo"), (&project.root, "msape")]
         .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()));
+    // Leptos with one type for all views: less code to download.
+    let flags = [paths.as_slice(), &["--cfg=erase_components".to_string()]].concat();
     let arguments = [
         "build",
         "--locked",
