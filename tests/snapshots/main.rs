@@ -3,6 +3,8 @@
 //! `UPDATE_SNAPSHOTS=1 cargo test --package msape-tests --test snapshots` records anew; the changelog then says which
 //! result changed, from what to what, and why.
 
+mod figures;
+
 use msape::Library;
 use msape_tests::{shipped, snapshot};
 use std::path::PathBuf;
