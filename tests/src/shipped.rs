@@ -35,11 +35,16 @@ impl Shipped {
 /// # Errors
 /// Name and fault of a case that cannot be read.
 pub fn cases() -> Result<Vec<Shipped>, String> {
-    data_folder("cases")
+    let mut files: Vec<_> = data_folder("cases")
         .filter_map(|(path, text)| {
             let name = path.strip_prefix("cases/")?.strip_suffix(".toml")?;
             Some((name, text))
         })
+        .collect();
+    // The files come in the order of their names with the ending: "a-b.toml" before "a.toml".
+    files.sort_by_key(|(name, _)| *name);
+    files
+        .into_iter()
         .map(|(name, text)| {
             let case = Case::from_text(text).map_err(|faults| format!("{name}: {faults:?}"))?;
             let designed = case.values.keys().any(|key| key.starts_with("design."));
