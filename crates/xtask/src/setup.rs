@@ -160,13 +160,21 @@ fn node_packages(project: &Project) -> Result<()> {
         .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
 }
 
+/// Whether a program is missing or, of Python, the part of it that Debian packs apart.
+fn is_missing(project: &Project, needed: &Needed) -> bool {
+    match program_of_tests(project, needed.program) {
+        None => true,
+        Some(python) if needed.program == PYTHON.program => {
+            let parts = ["-c", "import ensurepip, venv; print(1)"];
+            output(project.command(python).args(parts)).is_none()
+        }
+        Some(_) => false,
+    }
+}
+
 /// Installs the programs that are missing, all at once.
 fn debian_packages(project: &Project, needed: &[Needed]) -> Result<()> {
-    let missing = || {
-        needed
-            .iter()
-            .filter(|needed| program_of_tests(project, needed.program).is_none())
-    };
+    let missing = || needed.iter().filter(|needed| is_missing(project, needed));
     if missing().next().is_none() {
         return Ok(());
     }
