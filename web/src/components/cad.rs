@@ -1,6 +1,6 @@
 //! The export menu: the files that the command line writes, from the same functions.
 
-use crate::components::chart_panel::save;
+use crate::components::export::save;
 use crate::files::{self, file_name};
 use crate::state::State;
 use leptos::ev::PointerEvent;

@@ -1,22 +1,16 @@
 //! A chart with its reading, its table twin and its exports.
 
 use crate::charts::{ChartSpec, Span};
-use crate::components::chart::{Chart, theme};
+use crate::components::chart::Chart;
+use crate::components::chart_foot::ChartFoot;
 use crate::components::chart_table::ChartTable;
 use crate::display::{number, symbol};
-use crate::files;
 use crate::state::State;
 
 use leptos::prelude::*;
 use msape::Answer;
 use msape::quantity::trajectory::{columns, find};
-use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
 use std::sync::Arc;
-use wasm_bindgen::JsCast;
-use web_sys::HtmlCanvasElement;
-
-/// Size of exported drawings, CSS px.
-const EXPORT_PX: (u32, u32) = (800, 500);
 
 /// A chart of one column over another.
 #[component]
@@ -55,7 +49,6 @@ pub fn ChartPanel(
     });
     let title = Signal::derive(move || spec.with(ChartSpec::title));
     let table_open = RwSignal::new(false);
-    // Of all charts, only the one with the focus speaks.
     let focused = RwSignal::new(false);
     let cursor = cursor.unwrap_or(state.cursor);
     let reading = move || {
@@ -79,7 +72,6 @@ pub fn ChartPanel(
                 format!("{}, {}", part(&spec.x, x), part(&spec.y, y))
             })
     };
-    let name = move |extension| files::file_name(&title.get_untracked(), extension);
 
     view! {
         <figure class="chart-panel">
@@ -91,20 +83,7 @@ pub fn ChartPanel(
                 }}
             </figcaption>
             <Chart title spec=spec.into() figure points focused cursor />
-            <div class="chart-foot">
-                <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading().unwrap_or_else(|| "\u{a0}".to_string())}</p>
-                <div class="tools">
-                    <button type="button" class="small" aria-pressed=move || table_open.get().to_string()
-                        aria-label=move || format!("Table of {}", title.get())
-                        on:click=move |_| table_open.update(|open| *open = !*open)>"Table"</button>
-                    <button type="button" class="small" aria-label=move || format!("SVG of {}", title.get())
-                        on:click=move |_| save(state, files::download(&name("svg"), "image/svg+xml", &drawn(&figure.get_untracked(), &title.get_untracked())))>"SVG"</button>
-                    <button type="button" class="small" aria-label=move || format!("PNG of {}", title.get())
-                        on:click=move |_| save(state, png(&figure.get_untracked(), name("png")))>"PNG"</button>
-                    <button type="button" class="small" aria-label=move || format!("CSV of {}", title.get())
-                        on:click=move |_| save(state, files::download(&name("csv"), "text/csv", &csv(&figure.get_untracked())))>"CSV"</button>
-                </div>
-            </div>
+            <ChartFoot title figure reading=Signal::derive(reading) focused table_open stem=title />
             <Show when=move || table_open.get() fallback=|| ()>
                 <ChartTable figure title />
             </Show>
@@ -137,36 +116,4 @@ fn ColumnChoice(spec: RwSignal<ChartSpec>) -> impl IntoView {
             {list("over", |spec| &mut spec.x)}
         </div>
     }
-}
-
-/// A figure with its title as SVG.
-pub fn drawn(figure: &Figure, title: &str) -> String {
-    let titled = Figure {
-        title: Some(title.to_string()),
-        ..figure.clone()
-    };
-    svg(&titled, &theme(false), EXPORT_PX.0, EXPORT_PX.1)
-}
-
-/// Hands a figure to the user as PNG.
-///
-/// # Errors
-/// What the browser refuses.
-pub fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
-    let element: HtmlCanvasElement = document().create_element("canvas")?.unchecked_into();
-    let size = CanvasSize {
-        width_px: f64::from(EXPORT_PX.0),
-        height_px: f64::from(EXPORT_PX.1),
-        device_pixel_ratio: 2.0,
-    };
-    canvas(figure, &theme(false), &element, size)?;
-    files::download_png(name, &element)
-}
-
-/// Says what became of an export.
-pub fn save(state: State, result: Result<(), wasm_bindgen::JsValue>) {
-    state.notice.set(match result {
-        Ok(()) => "Exported.".to_string(),
-        Err(error) => format!("The browser refused the export: {error:?}"),
-    });
 }

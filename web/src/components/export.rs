@@ -1,6 +1,5 @@
 //! Files of the case and its answer.
 
-use crate::components::chart_panel::save;
 use crate::files::{self, file_name};
 use crate::state::State;
 use leptos::prelude::*;
@@ -132,4 +131,12 @@ pub fn Export() -> impl IntoView {
             }).collect_view()}
         </ul>
     }
+}
+
+/// Says what became of an export.
+pub fn save(state: State, result: Result<(), wasm_bindgen::JsValue>) {
+    state.notice.set(match result {
+        Ok(()) => "Exported.".to_string(),
+        Err(error) => format!("The browser refused the export: {error:?}"),
+    });
 }

@@ -2,12 +2,10 @@
 
 use crate::charts::ChartSpec;
 use crate::components::chart::Chart;
-use crate::components::chart_panel::{drawn, png, save};
+use crate::components::chart_foot::ChartFoot;
 use crate::display::number;
-use crate::files;
-use crate::state::State;
 use leptos::prelude::*;
-use msape_plot::{Figure, csv, readings, table};
+use msape_plot::{Figure, readings, table};
 
 /// Most rows of the table twin; the file has all of them.
 const ROWS: usize = 46;
@@ -24,7 +22,6 @@ pub fn FigurePanel(
     #[prop(optional, into)]
     note: ViewFn,
 ) -> impl IntoView {
-    let state = State::expect();
     let cursor = RwSignal::new(None::<usize>);
     let focused = RwSignal::new(false);
     let table_open = RwSignal::new(false);
@@ -48,12 +45,7 @@ pub fn FigurePanel(
             format!("{}: {}", at.trim_end(), values.join("; "))
         }))
     };
-    let name = move |extension| {
-        files::file_name(
-            &format!("{} {}", stem.get_untracked(), title.get_untracked()),
-            extension,
-        )
-    };
+    let file = Signal::derive(move || format!("{} {}", stem.get(), title.get()));
     let spec = Signal::stored(ChartSpec {
         x: String::new(),
         y: String::new(),
@@ -64,20 +56,7 @@ pub fn FigurePanel(
             <figcaption><h3>{title}</h3></figcaption>
             <Chart title spec figure points focused cursor=cursor />
             {note.run()}
-            <div class="chart-foot">
-                <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading().unwrap_or_else(|| "\u{a0}".to_string())}</p>
-                <div class="tools">
-                    <button type="button" class="small" aria-pressed=move || table_open.get().to_string()
-                        aria-label=move || format!("Table of {}", title.get())
-                        on:click=move |_| table_open.update(|open| *open = !*open)>"Table"</button>
-                    <button type="button" class="small" aria-label=move || format!("SVG of {}", title.get())
-                        on:click=move |_| save(state, files::download(&name("svg"), "image/svg+xml", &drawn(&figure.get_untracked(), &title.get_untracked())))>"SVG"</button>
-                    <button type="button" class="small" aria-label=move || format!("PNG of {}", title.get())
-                        on:click=move |_| save(state, png(&figure.get_untracked(), name("png")))>"PNG"</button>
-                    <button type="button" class="small" aria-label=move || format!("CSV of {}", title.get())
-                        on:click=move |_| save(state, files::download(&name("csv"), "text/csv", &csv(&figure.get_untracked())))>"CSV"</button>
-                </div>
-            </div>
+            <ChartFoot title figure reading=Signal::derive(reading) focused table_open stem=file />
             <Show when=move || table_open.get() fallback=|| ()>
                 <div class="chart-table wide-table" tabindex="0" role="region" aria-label=move || format!("Numbers of {}", title.get())>
                     <table>

@@ -1,7 +1,7 @@
 //! A database that is used: in the present design, in a flight of the outline, or as a file.
 
 use super::{AeroView, Body, TABLE};
-use crate::components::chart_panel::save;
+use crate::components::export::save;
 use crate::files::{self, file_name};
 use crate::pages::library;
 use crate::state::State;

@@ -1,7 +1,7 @@
 //! The mass tree: every component, the margin once, and their sum.
 
 use super::basis;
-use crate::components::chart_panel::save;
+use crate::components::export::save;
 use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
 use crate::files::{self, file_name};

@@ -3,7 +3,7 @@
 use super::Entry;
 use crate::charts::{ChartSpec, Span};
 use crate::components::chart::Chart;
-use crate::components::chart_panel::save;
+use crate::components::export::save;
 use crate::display::{number, symbol};
 use crate::files::{self, file_name};
 use crate::protocol::Fault;

@@ -4,7 +4,7 @@ mod stored;
 
 use super::controls::{CUT_MAX_DEG, CUT_STEP_DEG, Controls, TURN_RAD, ZOOM};
 use crate::clock::now_ms;
-use crate::components::chart_panel::save;
+use crate::components::export::save;
 use crate::files;
 use crate::state::State;
 use crate::view3d::attitude::Attitude;

@@ -1,0 +1,72 @@
+//! What stands below a chart: its reading, the switch of its table twin, its exports.
+
+use crate::components::chart::theme;
+use crate::components::export::save;
+use crate::files;
+use crate::state::State;
+use leptos::prelude::*;
+use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
+use wasm_bindgen::JsCast;
+use web_sys::HtmlCanvasElement;
+
+/// Size of exported drawings, CSS px.
+const EXPORT_PX: (u32, u32) = (800, 500);
+
+/// Reading, table and exports of a figure.
+#[component]
+pub fn ChartFoot(
+    title: Signal<String>,
+    figure: Memo<Figure>,
+    /// What stands under the cursor.
+    #[prop(into)]
+    reading: Signal<Option<String>>,
+    /// Of all charts, only the one with the focus speaks.
+    focused: RwSignal<bool>,
+    table_open: RwSignal<bool>,
+    /// Names of files, without the ending.
+    #[prop(into)]
+    stem: Signal<String>,
+) -> impl IntoView {
+    let state = State::expect();
+    let name = move |extension| files::file_name(&stem.get_untracked(), extension);
+    view! {
+        <div class="chart-foot">
+            <p class="reading" aria-live=move || if focused.get() { "polite" } else { "off" }>{move || reading.get().unwrap_or_else(|| "\u{a0}".to_string())}</p>
+            <div class="tools">
+                <button type="button" class="small" aria-pressed=move || table_open.get().to_string()
+                    aria-label=move || format!("Table of {}", title.get())
+                    on:click=move |_| table_open.update(|open| *open = !*open)>"Table"</button>
+                <button type="button" class="small" aria-label=move || format!("SVG of {}", title.get())
+                    on:click=move |_| save(state, files::download(&name("svg"), "image/svg+xml", &drawn(&figure.get_untracked(), &title.get_untracked())))>"SVG"</button>
+                <button type="button" class="small" aria-label=move || format!("PNG of {}", title.get())
+                    on:click=move |_| save(state, png(&figure.get_untracked(), name("png")))>"PNG"</button>
+                <button type="button" class="small" aria-label=move || format!("CSV of {}", title.get())
+                    on:click=move |_| save(state, files::download(&name("csv"), "text/csv", &csv(&figure.get_untracked())))>"CSV"</button>
+            </div>
+        </div>
+    }
+}
+
+/// A figure with its title as SVG.
+fn drawn(figure: &Figure, title: &str) -> String {
+    let titled = Figure {
+        title: Some(title.to_string()),
+        ..figure.clone()
+    };
+    svg(&titled, &theme(false), EXPORT_PX.0, EXPORT_PX.1)
+}
+
+/// Hands a figure to the user as PNG.
+///
+/// # Errors
+/// What the browser refuses.
+fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
+    let element: HtmlCanvasElement = document().create_element("canvas")?.unchecked_into();
+    let size = CanvasSize {
+        width_px: f64::from(EXPORT_PX.0),
+        height_px: f64::from(EXPORT_PX.1),
+        device_pixel_ratio: 2.0,
+    };
+    canvas(figure, &theme(false), &element, size)?;
+    files::download_png(name, &element)
+}
