@@ -1,10 +1,11 @@
 //! Profiles as edges with normals, ready to be turned about the axis.
 
+use msape::export::mesh::{Station, stations};
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 
-/// Largest angle that an edge spans of an arc, rad.
-const STEP_MAX_RAD: f64 = 0.2;
+/// Largest distance of an edge from its arc, as a part of the radius: an edge of 0.2 rad.
+const MOST_SAGITTA: f64 = 0.005;
 /// What is this close to the axis lies on it, m.
 const ON_AXIS_M: f64 = 1e-9;
 
@@ -69,70 +70,34 @@ fn of_segment(
     value: impl Fn(Point) -> f32,
     edges: &mut Vec<Edge>,
 ) {
-    match *segment {
-        Segment::Line { start, end } => {
-            let (dx, dr) = (end.x_m - start.x_m, end.r_m - start.r_m);
-            let length = dx.hypot(dr);
-            if length <= 0.0 {
-                return;
-            }
+    let (start, end) = (segment.start(), segment.end());
+    let length_m = (end.x_m - start.x_m).hypot(end.r_m - start.r_m);
+    let (chord_error_m, longest_m) = match *segment {
+        Segment::Line { .. } if length_m <= 0.0 => return,
+        Segment::Line { .. } => {
             let pieces = pieces_of_line(&value, start, end);
-            let corner = |i: usize| {
-                let part = i as f64 / pieces as f64;
-                let at = Point {
-                    x_m: start.x_m + part * dx,
-                    r_m: start.r_m + part * dr,
-                };
-                Corner {
-                    at,
-                    normal_x: dr / length,
-                    normal_r: -dx / length,
-                    value: value(at),
-                }
-            };
-            edges.extend((0..pieces).map(|i| Edge {
-                start: corner(i),
-                end: corner(i + 1),
-            }));
+            (chord_error_m, length_m / pieces as f64)
         }
-        Segment::Arc {
-            start,
-            end,
-            center,
-            radius_m,
-            start_angle_rad,
-            sweep_rad,
-        } => {
-            // chord error = R (1 − cos(step/2))
-            let step = (2.0 * (1.0 - chord_error_m / radius_m).clamp(-1.0, 1.0).acos())
-                .clamp(1e-2, STEP_MAX_RAD);
-            let pieces = (sweep_rad.abs() / step).ceil().max(1.0) as usize;
-            // The body is on the left: outside of a circle that is run the positive way.
-            let sign = sweep_rad.signum();
-            let corner = |i: usize| {
-                let angle = start_angle_rad + sweep_rad * i as f64 / pieces as f64;
-                let (s, c) = angle.sin_cos();
-                let at = match i {
-                    0 => start,
-                    i if i == pieces => end,
-                    _ => Point {
-                        x_m: center.x_m + radius_m * c,
-                        r_m: center.r_m + radius_m * s,
-                    },
-                };
-                Corner {
-                    at,
-                    normal_x: sign * c,
-                    normal_r: sign * s,
-                    value: value(at),
-                }
-            };
-            edges.extend((0..pieces).map(|i| Edge {
-                start: corner(i),
-                end: corner(i + 1),
-            }));
+        // colours change along an arc
+        Segment::Arc { radius_m, .. } => {
+            (chord_error_m.min(MOST_SAGITTA * radius_m), f64::INFINITY)
         }
-    }
+    };
+    // the body is on the left, so that the outward normal is to the right
+    let corner = |station: &Station| Corner {
+        at: station.at,
+        normal_x: -station.normal.0,
+        normal_r: -station.normal.1,
+        value: value(station.at),
+    };
+    let corners: Vec<Corner> = stations(segment, chord_error_m, longest_m)
+        .iter()
+        .map(corner)
+        .collect();
+    edges.extend(corners.windows(2).map(|pair| Edge {
+        start: pair[0],
+        end: pair[1],
+    }));
 }
 
 /// A line is one edge, more where what is painted on it changes.

@@ -11,6 +11,9 @@
 
 mod cut;
 mod revolve;
+mod stations;
+
+pub use stations::{Station, stations};
 
 use crate::export::chain::{Chain, Ends, chains};
 use crate::vehicle::Vehicle;
