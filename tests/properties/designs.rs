@@ -1,8 +1,9 @@
 //! Designs over the ranges of the report's run page.
 
 use crate::config;
-use msape::answer::Outcome;
-use msape::quantity::{Job, outputs};
+use msape::Outcome;
+use msape::answer::outputs;
+use msape::quantity::Job;
 use msape::{Answer, Case, Library, Request};
 use msape_tests::entry::{output, set};
 use proptest::prelude::*;

@@ -21,7 +21,11 @@ fn backward_entries_are_those_of_the_documentation() {
     let text = library::data_file("cases/backward-entry.toml").unwrap();
     let case = Case::from_text(text).unwrap();
     let problem = FlightProblem::check(&case, &Library::builtin().unwrap()).unwrap();
-    let entries = study(&problem, &PLACES.map(|place| place * DIAMETER_M));
+    let entries = study(
+        &problem.mission,
+        &problem.body,
+        &PLACES.map(|place| place * DIAMETER_M),
+    );
     assert_eq!(entries.len(), PLACES.len());
     let series = entries
         .iter()

@@ -78,7 +78,7 @@ pub fn flown_with(case: &Case, library: &Library, request: Request) -> Answer {
 /// # Panics
 /// When there is no such output.
 pub fn output(answer: &Answer, key: &str) -> f64 {
-    let Some(output) = msape::quantity::output::find(key) else {
+    let Some(output) = msape::answer::output::find(key) else {
         panic!("no output is called {key}");
     };
     (output.get)(answer).unwrap_or(f64::NAN)

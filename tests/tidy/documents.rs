@@ -1,7 +1,8 @@
 //! Documents and what they promise; keys that answers speak of.
 
 use crate::{assert_none, files, root};
-use msape::quantity::{input, output, trajectory};
+use msape::answer::output;
+use msape::quantity::{input, trajectory};
 use msape::{Library, Request};
 use msape_tests::shipped;
 use std::fs;

@@ -2,6 +2,7 @@
 
 mod data;
 mod documents;
+mod layers;
 mod sources;
 
 use std::fs;

@@ -224,7 +224,7 @@ fn published_coefficients_within_tolerances_set_beforehand() {
     let library = Library::builtin().unwrap();
     let mut faults = Vec::new();
     for row in rows(PUBLISHED) {
-        let database: Database = aero_body(&row, &library).database(&library, None);
+        let database: Database = aero_body(&row, &library).database(&library.aero_standard(), None);
         let alpha = number(row[6]) * RADIANS_PER_DEGREE;
         let got = database
             .coefficients(number(row[5]), CONTINUUM, alpha)
@@ -272,9 +272,7 @@ fn the_euler_correction_is_the_fit_that_it_says() {
             nose_radius_ratio: nose,
             shoulder_radius_ratio: shoulder,
         };
-        let got = pressure_coefficient_max(mach, 1.4)
-            * newton
-            * library.aero_models.euler.factor(&cone, mach);
+        let got = pressure_coefficient_max(mach, 1.4) * newton * library.euler.factor(&cone, mach);
         squares += (got / want - 1.0) * (got / want - 1.0);
         count += 1;
         assert!((got / want - 1.0).abs() < 0.035, "{row:?}: {got}");
@@ -312,7 +310,7 @@ fn in_free_molecular_flow_the_capsule_rights_itself_at_every_angle() {
 fn in_a_hypersonic_continuum_it_is_stable_backwards() {
     let body = mmeev();
     let library = Library::builtin().unwrap();
-    let database = body.database(&library, None);
+    let database = body.database(&library.aero_standard(), None);
     for theory in [
         Theory::newtonian(None),
         Theory::Blended {

@@ -6,12 +6,12 @@
 mod statics;
 mod vibration;
 
-use msape::structure::element::ArealMass;
-use msape::structure::mesh::{Meridian, Mesh};
-use msape::structure::model::{Freedoms, Held, Model, Wall};
-use msape::structure::modes::first_frequency;
-use msape::structure::section::{Build, Section};
-use msape::structure::statics::{SAMPLES, Sample, Solution, load, solve};
+use msape::shell::element::ArealMass;
+use msape::shell::mesh::{Meridian, Mesh};
+use msape::shell::model::{Freedoms, Held, Model, Wall};
+use msape::shell::modes::first_frequency;
+use msape::shell::section::{Build, Section};
+use msape::shell::statics::{SAMPLES, Sample, Solution, load, solve};
 use msape::vehicle::segment::{Point, Segment};
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ struct Shell {
 
 impl Shell {
     fn new(segment: Segment, thickness: f64, elements: u32) -> Shell {
-        let length = msape::structure::mesh::length_m(&segment);
+        let length = msape::shell::mesh::length_m(&segment);
         let mut mesh = Mesh::default();
         let ends = mesh
             .add(&Meridian {

@@ -11,7 +11,8 @@ fn shipped(name: &str) -> Case {
 
 fn studied(case: &Case, cg_x_m: &[f64]) -> Vec<Reorientation> {
     let library = Library::builtin().unwrap();
-    study(&FlightProblem::check(case, &library).unwrap(), cg_x_m)
+    let problem = FlightProblem::check(case, &library).unwrap();
+    study(&problem.mission, &problem.body, cg_x_m)
 }
 
 /// Section 3.3.2, Figure 27: with the centre of gravity at 0.2 diameters a vehicle that enters backwards without rates turns

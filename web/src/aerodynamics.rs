@@ -4,9 +4,9 @@
 
 use crate::protocol::Fault;
 use msape::aero::database::{Coefficients, Database, Regime};
-use msape::aero::own::csv;
 use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
 use msape::aero::standard::AeroBody;
+use msape::aero::table::csv;
 use msape::problem::aero;
 use msape::{Case, Library};
 use serde::{Deserialize, Serialize};

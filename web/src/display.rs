@@ -1,6 +1,7 @@
 //! How numbers and units look on screen. Conversions are in `msape::units`.
 
-use msape::quantity::{Input, Output, trajectory::Column};
+use msape::answer::Output;
+use msape::quantity::{Input, trajectory::Column};
 use msape::units::{Dimension, Unit, canonical};
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use crate::args::Outline;
 use crate::failure::Failure;
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
-use msape::table::number::rounded;
+use msape::units::number::rounded;
 use msape::{Library, problem};
 use std::process::ExitCode;
 

@@ -4,10 +4,12 @@ use crate::args::{List, Plain, Quantities};
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output};
 use msape::Library;
+use msape::answer::outputs;
+use msape::case::schema as json_schema;
 use msape::quantity::input::{Input, Kind, Preset};
-use msape::quantity::{Job, inputs, outputs, schema as json_schema, trajectory};
-use msape::table::number::shortest;
+use msape::quantity::{Job, inputs, trajectory};
 use msape::units::canonical;
+use msape::units::number::shortest;
 use std::process::ExitCode;
 
 /// Prints the JSON Schema of case files.

@@ -198,7 +198,7 @@ fn resolve_aerodynamics(case: &mut Case, here: &Path, faults: &mut Vec<String>) 
     }
     let path = here.join(&name);
     let found = match text(&path) {
-        Ok(text) => msape::aero::own::csv::read(&text),
+        Ok(text) => msape::aero::table::csv::read(&text),
         Err(Failure::Input(messages)) => Err(messages),
         Err(_) => return,
     };

@@ -6,10 +6,11 @@ use crate::terminal::Paint;
 use columns::{Align, Columns};
 use msape::Outcome;
 use msape::answer::Answer;
+use msape::answer::{Output, outputs};
 use msape::finding::Severity;
 use msape::flight::Trajectory;
-use msape::quantity::{Job, Output, input, outputs, trajectory};
-use msape::table::number::rounded;
+use msape::quantity::{Job, input, trajectory};
+use msape::units::number::rounded;
 use msape::units::{Unit, canonical};
 
 /// Digits that are shown; files have all of them.

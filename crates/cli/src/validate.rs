@@ -6,7 +6,7 @@ use crate::show::columns::{Align, Columns};
 use crate::terminal::{Paint, progress};
 use crate::{Done, output};
 use msape::Library;
-use msape::table::number::rounded;
+use msape::units::number::rounded;
 use msape::validation::{self, File, Row, Verdict};
 use serde_json::json;
 use std::process::ExitCode;

@@ -29,7 +29,7 @@ fn main() {
     let case = msape::library::data_file("cases/msr-eev-cp.toml").unwrap();
     let case = msape::Case::from_text(case).unwrap();
     let (design, _) = msape::problem::aero(&case, &library).unwrap();
-    let database = stardust.database(&library, None);
+    let database = stardust.database(&library.aero_standard(), None);
     let mut alpha = 0.0;
     let mut look_up = |mach: f64, knudsen: f64| {
         alpha = (alpha + 0.0137) % 3.0;
@@ -45,12 +45,12 @@ fn main() {
             black_box(kernel::bare_flight(3e-6));
         }),
         Measurement::new("database of an outline (Stardust)", || {
-            black_box(stardust.database(&library, None));
+            black_box(stardust.database(&library.aero_standard(), None));
         }),
         Measurement::new(
             "database of a designed vehicle, re-entrant back (MSR)",
             || {
-                black_box(design.database(&library, None));
+                black_box(design.database(&library.aero_standard(), None));
             },
         ),
         Measurement::new("one look-up, transitional", move || look_up(25.0, 0.1)),

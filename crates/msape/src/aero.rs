@@ -9,7 +9,7 @@
 //!
 //! - [`surface`], [`shadow`], [`integral`]: pressure and shear of [`newtonian`] or [`free_molecular`] flow over an outline.
 //! - [`database`]: both limits on a [`curve`] over the angle of attack, [`bridging`] in Knudsen number, [`euler`] correction and tables
-//!   in Mach number, [`damping`]; [`own`] is a table in its place; [`standard`] the recipe of this program.
+//!   in Mach number, [`damping`]; [`table`] is a table in its place; [`standard`] the recipe of this program.
 //! - [`polar`]: coefficients, trim and stability of a body; [`stored`]: a database as rows.
 //!
 //! # Valid
@@ -27,12 +27,12 @@ pub mod euler;
 pub mod free_molecular;
 pub mod integral;
 pub mod newtonian;
-pub mod own;
 pub mod polar;
 pub mod shadow;
 pub mod standard;
 pub mod stored;
 pub mod surface;
+pub mod table;
 
 use numerics::scalar::Scalar;
 use serde::Deserialize;

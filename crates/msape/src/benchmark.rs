@@ -3,13 +3,14 @@
 
 pub mod kernel;
 
+use crate::case::{Case, InputError};
 use crate::design::structural::Structural;
 use crate::design::{Design, coupling};
 use crate::flight::mission::Body;
 use crate::flight::{self, Flight, Request};
 use crate::library::{DataError, Library, data_file};
 use crate::problem::{DesignProblem, FlightProblem};
-use crate::{Case, InputError, vehicle};
+use crate::vehicle;
 use std::hint::black_box;
 
 /// What the jobs work on.
@@ -131,7 +132,7 @@ impl Bench {
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
         let msr_body = msr.input.body(&built);
-        let answer = coupling::solve(&msr.input, "", Request::Nothing);
+        let answer = coupling::solve(&msr.input, Request::Nothing);
         let msr_design = answer
             .design
             .zip(answer.flight)

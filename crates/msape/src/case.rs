@@ -5,6 +5,7 @@
 
 mod check;
 mod read;
+pub mod schema;
 mod words;
 mod write;
 

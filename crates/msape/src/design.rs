@@ -12,13 +12,38 @@ pub mod crossings;
 pub mod drag;
 pub mod inputs;
 pub mod misfit;
+mod pass;
 pub mod structural;
 
+pub use pass::Pass;
+
 use crate::design::structural::Structural;
+use crate::finding::{Adjustment, Finding};
+use crate::flight::Flight;
+use crate::outcome::Outcome;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::landing::Landing;
 use serde::{Deserialize, Serialize};
+
+/// The end of the coupling: the last pass, how it ended, and the record of all passes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Why, in one sentence, where the outcome needs one.
+    pub reason: Option<String>,
+    /// The flight of the last pass; absent where the vehicle does not close.
+    pub flight: Option<Flight>,
+    /// The designed vehicle; absent where it does not close.
+    pub design: Option<Design>,
+    /// Inputs that the closing rules changed.
+    pub adjustments: Vec<Adjustment>,
+    /// Remarks on models, limits and assumptions.
+    pub findings: Vec<Finding>,
+    /// The passes.
+    pub passes: Vec<Pass>,
+}
 
 /// A designed vehicle and what was sized for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

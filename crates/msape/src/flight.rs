@@ -7,9 +7,9 @@
 //! - [`summary`]: peaks, loads and end of a flight.
 //! - [`trajectory`]: the time history.
 
-use crate::answer::Outcome;
 use crate::finding::{Finding, Severity};
 use crate::heating::PeakConditions;
+use crate::outcome::Outcome;
 use crate::planet::horizon::Velocity;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};

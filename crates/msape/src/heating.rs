@@ -4,7 +4,7 @@
 //! - [`radiative`]: [`tauber_sutton`] and [`brandis_johnston`], with the capped [`nose_exponent`].
 //! - [`stagnation`]: both together, with model factor, margins and the hot [`wall`].
 //! - [`pressure`]: stagnation pressure.
-//! - [`shoulder`], [`distribution`], [`afterbody`]: away from the stagnation point; [`surface`]: all of them as a map.
+//! - [`shoulder`], [`distribution`], [`afterbody`]: away from the stagnation point.
 //!
 //! The per-step models are generic over [`numerics::scalar::Scalar`].
 //!
@@ -20,7 +20,6 @@ pub mod pressure;
 pub mod radiative;
 pub mod shoulder;
 pub mod stagnation;
-pub mod surface;
 pub mod sutton_graves;
 pub mod tauber_sutton;
 pub mod wall;

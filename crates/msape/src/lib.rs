@@ -33,7 +33,7 @@
 //! 4. [`soak`]: temperature of the payload.
 //! 5. [`tps`]: thickness of both heat shields, from which the next pass starts.
 //!
-//! When the passes are done, [`structure`]: the carrier structure as a shell, beside the rules of [`vehicle::structure`].
+//! When the passes are done, [`shell`]: the carrier structure as a shell, beside the rules of [`vehicle::structure`].
 //!
 //! Beside them:
 //!
@@ -66,65 +66,21 @@ pub mod finding;
 pub mod flight;
 pub mod heating;
 pub mod library;
+pub mod outcome;
 pub mod planet;
 pub mod problem;
 pub mod quantity;
+pub mod shell;
 pub mod soak;
-pub mod structure;
 pub mod table;
 pub mod tps;
 pub mod units;
 pub mod validation;
 pub mod vehicle;
 
-pub use answer::{Answer, Outcome};
+pub use answer::Answer;
 pub use case::{Case, InputError};
 pub use flight::Request;
 pub use library::Library;
-
-/// Flies a vehicle as it is.
-///
-/// # Errors
-/// Every fault of the case at once.
-///
-/// ```
-/// use msape::{Answer, Case, Library, Outcome, Request, fly};
-///
-/// let library = Library::builtin().unwrap();
-/// let text = msape::library::data_file("cases/stardust.toml").unwrap();
-/// let answer: Answer = fly(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
-/// assert_eq!(answer.outcome, Outcome::Landed);
-/// // 32.07 g: data/validation/stardust.toml
-/// let peak = answer.flight.unwrap().peak_deceleration_earth_g;
-/// assert!((peak.value - 32.07).abs() < 0.15);
-/// ```
-pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::check_request(request)?;
-    Ok(problem::FlightProblem::check(case, library)?.solve(&case.name, request))
-}
-
-/// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.
-///
-/// # Errors
-/// Every fault of the case at once.
-///
-/// ```
-/// use msape::{Case, InputError, Library, Outcome, Request, design};
-///
-/// let library = Library::builtin().unwrap();
-/// let text = msape::library::data_file("cases/galahad.toml").unwrap();
-/// let answer = design(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
-/// assert_eq!(answer.outcome, Outcome::Converged);
-/// // Margin is on everything but the payload of 3 kg.
-/// let mass = answer.design.unwrap().vehicle.mass;
-/// assert!(mass.mass_kg > 3.0);
-///
-/// let mut upwards = Case::run_page();
-/// upwards.set("entry.flight_path_angle_deg", "5");
-/// let faults: Vec<InputError> = design(&upwards, &library, Request::Nothing).unwrap_err();
-/// assert_eq!(faults[0].key, "entry.flight_path_angle_deg");
-/// ```
-pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
-    problem::check_request(request)?;
-    Ok(problem::DesignProblem::check(case, library)?.solve(&case.name, request))
-}
+pub use outcome::Outcome;
+pub use problem::{design, fly};

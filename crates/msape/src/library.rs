@@ -5,7 +5,7 @@
 use crate::aero::AxialForce;
 use crate::aero::damping::DampingData;
 use crate::aero::euler::EulerCorrection;
-use crate::design::drag::OWN_OUTLINE;
+use crate::aero::standard::{AxialForces, Standard};
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::shoulder::Shoulder;
@@ -15,7 +15,7 @@ use crate::heating::wall::WallGas;
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::us_1976::UsStandard1976;
-use crate::quantity::input::Choices;
+use crate::quantity::input::{Choices, OWN_OUTLINE};
 use crate::soak::SoakCorrelation;
 use crate::tps::Side;
 use crate::tps::concept::Concept;
@@ -61,15 +61,6 @@ pub struct HeatingModels {
     pub shoulder: Shoulder,
 }
 
-/// Models of aerodynamics that need data.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AeroModels {
-    /// Pitch damping of the report.
-    pub damping: DampingData,
-    /// Axial force by Euler solutions.
-    pub euler: EulerCorrection,
-}
-
 /// Everything a case may name.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -97,8 +88,10 @@ pub struct Library {
     pub impact_foam: FoamKind,
     /// Aerodynamic databases by name.
     pub aerodynamics: Named<AxialForce>,
-    /// Models with which a database is computed from an outline.
-    pub aero_models: AeroModels,
+    /// Pitch damping of the report.
+    pub damping: DampingData,
+    /// Axial force by solutions of the Euler equations.
+    pub euler: EulerCorrection,
     /// Outlines of rigid bodies by name.
     pub outlines: Named<OutlineData>,
 }
@@ -148,12 +141,29 @@ impl Library {
             grounds: folder("grounds", Ground::parse)?,
             impact_foam: parsed("foams/pmi.toml", FoamKind::parse)?,
             aerodynamics: folder("aerodynamics", AxialForce::parse)?,
-            aero_models: AeroModels {
-                damping: parsed("aero-models/damping.toml", DampingData::parse)?,
-                euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
-            },
+            damping: parsed("aero-models/damping.toml", DampingData::parse)?,
+            euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
             outlines: folder("outlines", OutlineData::parse)?,
         })
+    }
+
+    /// Data from which the axial force of an outline is computed.
+    pub fn axial_forces(&self) -> AxialForces {
+        let tables = self.aerodynamics.iter();
+        AxialForces::new(
+            tables
+                .map(|(_, force)| (force.cone_half_angle_deg, force.table.clone()))
+                .collect(),
+            self.euler.clone(),
+        )
+    }
+
+    /// Data from which the aerodynamic database of an outline is computed.
+    pub fn aero_standard(&self) -> Standard {
+        Standard {
+            forces: self.axial_forces(),
+            damping: self.damping.clone(),
+        }
     }
 
     /// Heat-shield materials that are made for the aftbody.

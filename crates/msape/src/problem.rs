@@ -120,20 +120,76 @@ impl DesignProblem {
 
     /// Solves it.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
-        let mut answer = coupling::solve(&self.input, name, request);
-        if let (Some(design), Some(flight)) = (&mut answer.design, &answer.flight) {
+        let mut solution = coupling::solve(&self.input, request);
+        if let (Some(design), Some(flight)) = (&mut solution.design, &solution.flight) {
             let structural = Structural::new(&self.input, design, flight);
             let findings = structural.findings(&design.vehicle.structure, flight);
-            answer.findings.extend(findings);
+            solution.findings.extend(findings);
             design.structural = Some(structural);
         }
-        answer.findings.extend(self.findings.iter().cloned());
-        answer
+        solution.findings.extend(self.findings.iter().cloned());
+        Answer {
+            name: name.to_string(),
+            outcome: solution.outcome,
+            reason: solution.reason,
+            flight: solution.flight,
+            design: solution.design,
+            adjustments: solution.adjustments,
+            findings: solution.findings,
+            passes: solution.passes,
+        }
     }
 }
 
+/// Flies a vehicle as it is.
+///
+/// # Errors
+/// Every fault of the case at once.
+///
+/// ```
+/// use msape::{Answer, Case, Library, Outcome, Request, fly};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/stardust.toml").unwrap();
+/// let answer: Answer = fly(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// assert_eq!(answer.outcome, Outcome::Landed);
+/// // 32.07 g: data/validation/stardust.toml
+/// let peak = answer.flight.unwrap().peak_deceleration_earth_g;
+/// assert!((peak.value - 32.07).abs() < 0.15);
+/// ```
+pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+    check_request(request)?;
+    Ok(FlightProblem::check(case, library)?.solve(&case.name, request))
+}
+
+/// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.
+///
+/// # Errors
+/// Every fault of the case at once.
+///
+/// ```
+/// use msape::{Case, InputError, Library, Outcome, Request, design};
+///
+/// let library = Library::builtin().unwrap();
+/// let text = msape::library::data_file("cases/galahad.toml").unwrap();
+/// let answer = design(&Case::from_text(text).unwrap(), &library, Request::Nothing).unwrap();
+/// assert_eq!(answer.outcome, Outcome::Converged);
+/// // Margin is on everything but the payload of 3 kg.
+/// let mass = answer.design.unwrap().vehicle.mass;
+/// assert!(mass.mass_kg > 3.0);
+///
+/// let mut upwards = Case::run_page();
+/// upwards.set("entry.flight_path_angle_deg", "5");
+/// let faults: Vec<InputError> = design(&upwards, &library, Request::Nothing).unwrap_err();
+/// assert_eq!(faults[0].key, "entry.flight_path_angle_deg");
+/// ```
+pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+    check_request(request)?;
+    Ok(DesignProblem::check(case, library)?.solve(&case.name, request))
+}
+
 /// Checks the step of a time history.
-pub(crate) fn check_request(request: Request) -> Result<(), Vec<InputError>> {
+fn check_request(request: Request) -> Result<(), Vec<InputError>> {
     match request {
         Request::Uniform(step_s) if !(step_s > 0.0 && step_s.is_finite()) => {
             Err(vec![InputError {

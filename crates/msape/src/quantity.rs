@@ -1,17 +1,15 @@
-//! Every number of a case or of an answer, declared once: key, label, unit, help, source.
+//! Every number of a case and every column of a time history, declared once: key, label, unit, help, source.
 //!
-//! Forms, tables, axes, `--help`, CSV headers and the JSON Schema are generated from these lists.
+//! Forms, tables, axes, `--help`, CSV headers and the JSON Schema are generated from these lists and from that of the
+//! outputs, [`crate::answer::output`].
 //!
-//! - [`input`]: what a person may ask for, with allowed range, usual range and default.
-//! - [`output`]: what an answer holds, with the report's own column name where it has one.
-//! - [`landing`]: the columns of a landing's history.
+//! - [`input`]: the numbers and choices of a case, with allowed range, usual range and default.
 //! - [`trajectory`]: the columns of a time history.
+//! - [`Module`], [`Job`]: by which they are grouped.
 
 pub mod input;
-pub mod landing;
-pub mod output;
-pub mod schema;
+mod module;
 pub mod trajectory;
 
 pub use input::{Input, inputs};
-pub use output::{Job, Output, outputs};
+pub use module::{Job, Module};

@@ -9,14 +9,14 @@ mod csv;
 mod input;
 pub mod kml;
 mod mass_tree;
-pub mod number;
 
 use crate::answer::Answer;
+use crate::answer::{Output, outputs};
 use crate::case::Case;
 use crate::flight::Trajectory;
-use crate::quantity::{Input, Job, Output, inputs, outputs};
+use crate::quantity::{Input, Job, inputs};
 use crate::units::Unit;
-use number::shortest;
+use crate::units::number::shortest;
 
 pub use mass_tree::mass_tree;
 

@@ -3,6 +3,7 @@
 //! Memory holds SI; cases and results hold SI with angles in degrees ("canonical"). A unit is known by its symbol,
 //! which is ASCII and is what stands in CSV headers, axes and what people type.
 
+pub mod number;
 mod text;
 
 pub use text::{TextError, parse_number};

@@ -10,10 +10,12 @@ mod points;
 pub use file::{Command, Expectation, File, Points, Tolerance};
 
 use crate::answer::Answer;
+use crate::answer::output;
 use crate::case::Case;
 use crate::flight::Request;
 use crate::library::{DataError, Library, data_file, data_folder};
-use crate::quantity::{output, trajectory};
+use crate::problem::{design, fly};
+use crate::quantity::trajectory;
 use crate::units::Unit;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -161,8 +163,8 @@ impl<'a> Runner<'a> {
         }
         let request = self.file.step_s.map_or(Request::Nothing, Request::Uniform);
         let answer = match self.file.command {
-            Command::Fly => crate::fly(&case, self.library, request),
-            Command::Design => crate::design(&case, self.library, request),
+            Command::Fly => fly(&case, self.library, request),
+            Command::Design => design(&case, self.library, request),
         };
         answer.map_err(|faults| joined(&faults))
     }

@@ -13,10 +13,10 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.
 
+pub mod after_landing;
 pub mod body;
 pub mod close;
 pub mod crossing;
-pub mod crush;
 pub mod forebody;
 pub mod grow;
 pub mod impact;
@@ -205,7 +205,7 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         structure,
         iterations,
     } = closed;
-    let crushed = crush::crushed(input.concept, &layout, &components, stroke_m);
+    let crushed = after_landing::crushed(input.concept, &layout, &components, stroke_m);
     Ok(Vehicle {
         crushed,
         concept: input.concept,

@@ -16,7 +16,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
-use msape::design::drag::OWN_OUTLINE;
+use msape::quantity::input::OWN_OUTLINE;
 use msape::quantity::input::{self, Preset};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;

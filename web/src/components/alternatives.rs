@@ -3,8 +3,8 @@
 use crate::components::number::NumberField;
 use crate::state::State;
 use leptos::prelude::*;
+use msape::answer::output;
 use msape::quantity::input::{Input, Kind, Preset, find};
-use msape::quantity::output;
 
 /// Inputs that exclude each other: heading and keys. The list of inputs does not know this yet.
 pub const ALTERNATIVES: &[(&str, &[&str])] = &[

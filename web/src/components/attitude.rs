@@ -15,7 +15,7 @@ use crate::view3d::attitude::Course;
 use inputs::Inputs;
 use leptos::prelude::*;
 use msape::Answer;
-use msape::quantity::output;
+use msape::answer::output;
 use player::Player;
 use scene::Scene;
 use std::sync::Arc;

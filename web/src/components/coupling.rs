@@ -6,8 +6,8 @@ use crate::display::{number, symbol};
 use crate::state::State;
 use leptos::prelude::*;
 use msape::design::crossings::{CROSSINGS, Crossing, MODULES};
+use msape::quantity::Module;
 use msape::quantity::input::{self, Preset};
-use msape::quantity::output::Module;
 use msape::units::{Unit, canonical};
 
 /// Inputs that decide when the passes end.

@@ -5,7 +5,7 @@ use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
 use crate::drawing::{Section, class, scale_bar_mm, section};
 use leptos::prelude::*;
-use msape::quantity::output;
+use msape::answer::output;
 use msape::units::{Dimension, Unit, canonical};
 use msape::vehicle::{ComponentKind, Dimensions, Vehicle};
 

@@ -5,7 +5,7 @@ use crate::display::{number, symbol};
 use crate::state::{Phase, State};
 use leptos::prelude::*;
 use msape::Outcome;
-use msape::quantity::{Output, output};
+use msape::answer::{Output, output};
 
 /// Keys of the headline numbers, with a short name for each.
 pub const HEADLINE: &[(&str, &str)] = &[

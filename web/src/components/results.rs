@@ -5,8 +5,9 @@ use crate::files;
 use crate::state::{Phase, State};
 use leptos::prelude::*;
 use msape::Answer;
+use msape::answer::output::{Output, outputs};
 use msape::finding::Severity;
-use msape::quantity::output::{Job, Module, Output, outputs};
+use msape::quantity::{Job, Module};
 use wasm_bindgen_futures::spawn_local;
 
 /// Whether a result may be used.

@@ -7,7 +7,7 @@ use crate::state::{SaveState, State};
 use crate::storage;
 use leptos::prelude::*;
 use msape::Case;
-use msape::quantity::output;
+use msape::answer::output;
 use wasm_bindgen_futures::spawn_local;
 
 /// Count of headline numbers kept with a run.

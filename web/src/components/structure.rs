@@ -13,7 +13,7 @@ use checks::Checks;
 use figures::{Along, figure};
 use leptos::prelude::*;
 use msape::design::structural::Structural;
-use msape::structure::analysis::CarrierAnalysis;
+use msape::shell::analysis::CarrierAnalysis;
 use msape::vehicle::rules::WallPlace;
 use shell::{Frequencies, PartTable};
 use walls::{Basis, WallTable};

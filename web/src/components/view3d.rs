@@ -13,7 +13,7 @@ use crate::files::file_name;
 use crate::state::State;
 use crate::view3d::paint::{self, Colour};
 use leptos::prelude::*;
-use msape::heating::surface::SurfaceHeating;
+use msape::answer::surface::SurfaceHeating;
 use msape::vehicle::{Component, ComponentKind, Vehicle};
 use scale::Scale;
 use stage::{Paint, PaintedPart, Stage, Subject};
@@ -198,7 +198,7 @@ fn HeatScale() -> impl IntoView {
 }
 
 fn heat_unit(units: UnitSystem) -> &'static msape::units::Unit {
-    use msape::quantity::output;
+    use msape::answer::output;
     use msape::units::{Dimension, canonical};
     let printed = output::find("peak_total_margined_heat_flux_w_m2")
         .map_or(canonical(Dimension::HeatFlux), |output| output.shown_unit());

@@ -2,7 +2,7 @@
 
 use super::camera::Ball;
 use super::lathe::{Edge, edges};
-use msape::heating::surface::SurfaceHeating;
+use msape::answer::surface::SurfaceHeating;
 use msape::vehicle::Vehicle;
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};

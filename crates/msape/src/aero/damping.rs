@@ -17,7 +17,7 @@
 //! - \[samareh-2014\] section 3.3.7 and equation 7; the placeholder is \[assumed\].
 
 use super::bridging::Bridging;
-use super::own::Grid;
+use super::table::Grid;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 

@@ -12,13 +12,12 @@
 //! - \[samareh-2014\] section 3.3; what is assumed is named by [`Regime::provenance`](super::database::Regime).
 
 use super::bridging::Bridging;
-use super::damping::{Damping, Reading};
+use super::damping::{Damping, DampingData, Reading};
 use super::database::{Database, Options};
 use super::euler::{EulerCorrection, SphereCone, axial_force};
 use super::integral::{Effort, Law, loads};
 use super::surface::Surface;
 use super::{Drag, DragTable};
-use crate::library::Library;
 use crate::vehicle::Vehicle;
 use crate::vehicle::body::RigidBody;
 use crate::vehicle::profile::Profile;
@@ -79,27 +78,46 @@ impl AeroBody {
     }
 
     /// The database, with a drag for zero angle of attack or that of the outline itself.
-    pub fn database(&self, library: &Library, drag: Option<&Drag>) -> Database {
-        Database::of_surface(&self.surface, self.options(library, drag))
+    pub fn database(&self, standard: &Standard, drag: Option<&Drag>) -> Database {
+        Database::of_surface(&self.surface, self.options(standard, drag))
     }
 
     /// The recipe, ready to be changed.
-    pub fn options(&self, library: &Library, drag: Option<&Drag>) -> Options {
+    pub fn options(&self, standard: &Standard, drag: Option<&Drag>) -> Options {
         Options {
             axial_force: match drag {
                 Some(Drag::Constant(c)) => DragTable::from_ascending(&[(0.0, *c)]),
                 Some(Drag::Table(table)) => table.clone(),
-                None => AxialForces::of(library).of_outline(self),
+                None => standard.forces.of_outline(self),
             },
             bridging: Bridging::SineSquared,
             wall_temperature_ratio: 1.0,
             accommodation: [1.0, 1.0],
-            damping: report_damping(library, Reading::Corrected),
+            damping: standard.damping(Reading::Corrected),
         }
     }
 }
 
-/// What the axial force of an outline nose first is computed with.
+/// Data of the recipe.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Standard {
+    /// For the axial force of an outline nose first.
+    pub forces: AxialForces,
+    /// Damping of the report's section 3.3.7.
+    pub damping: DampingData,
+}
+
+impl Standard {
+    /// Damping of the report's section 3.3.7.
+    pub fn damping(&self, reading: Reading) -> Damping {
+        Damping::Report {
+            data: self.damping.clone(),
+            reading,
+        }
+    }
+}
+
+/// Data from which the axial force of an outline nose first is computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialForces {
     /// Published tables by the half-angle of their cone, deg, ascending.
@@ -109,19 +127,12 @@ pub struct AxialForces {
 }
 
 impl AxialForces {
-    /// Those of a library.
-    pub fn of(library: &Library) -> Self {
-        let mut tables: Vec<(f64, DragTable)> = library
-            .aerodynamics
-            .iter()
-            .map(|(_, force)| (force.cone_half_angle_deg, force.table.clone()))
-            .collect();
+    /// Published tables by the half-angle of their cone, deg, in any order, the first of each angle used, and a correction of
+    /// impact theory for other angles.
+    pub fn new(mut tables: Vec<(f64, DragTable)>, correction: EulerCorrection) -> Self {
         tables.sort_by(|a, b| a.0.total_cmp(&b.0));
         tables.dedup_by(|a, b| a.0 == b.0);
-        Self {
-            tables,
-            correction: library.aero_models.euler.clone(),
-        }
+        Self { tables, correction }
     }
 
     /// Axial force of a body in continuum flow against Mach number.
@@ -134,14 +145,6 @@ impl AxialForces {
             &self.correction,
             &tables,
         )
-    }
-}
-
-/// Damping of the report's section 3.3.7.
-pub fn report_damping(library: &Library, reading: Reading) -> Damping {
-    Damping::Report {
-        data: library.aero_models.damping.clone(),
-        reading,
     }
 }
 
@@ -164,6 +167,7 @@ fn shoulder_radius_m(outline: &Profile, radius_m: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::library::Library;
 
     #[test]
     fn stardust_is_recognized_and_its_hypersonic_force_is_near_the_published_one() {

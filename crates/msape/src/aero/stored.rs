@@ -70,7 +70,10 @@ mod tests {
         let outline = named(&library.outlines, "mmeev-60").unwrap();
         let body = AeroBody::of_rigid(&outline.body().unwrap(), None);
         let force = named(&library.aerodynamics, "mmeev-60").unwrap();
-        let database = body.database(&library, Some(&Drag::Table(force.table.clone())));
+        let database = body.database(
+            &library.aero_standard(),
+            Some(&Drag::Table(force.table.clone())),
+        );
         let stored = data_file("aero-models/mmeev-60-database.csv").unwrap();
         let rows = stored.lines().filter(|line| !line.starts_with('#'));
         let made = csv(&database);

@@ -3,8 +3,9 @@
 //! What did not occur, and what is not a finite number, is `null`.
 
 use super::Answer;
-use crate::quantity::landing;
-use crate::quantity::{Job, outputs};
+use crate::answer::landing;
+use crate::answer::outputs;
+use crate::quantity::Job;
 use serde_json::{Map, Value, json as value};
 
 /// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design

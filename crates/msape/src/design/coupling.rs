@@ -16,13 +16,13 @@
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
 
-use super::Design;
 use super::inputs::DesignInput;
 use super::misfit;
-use crate::answer::{Answer, Outcome, Pass};
+use super::{Design, Pass, Solution};
 use crate::finding::Finding;
 use crate::flight::mission::{Body, Model};
 use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
+use crate::outcome::Outcome;
 use crate::soak::SoakInput;
 use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Side, limits};
@@ -40,7 +40,7 @@ const LEAST_RELAXATION: f64 = 0.125;
 const OVERSHOOT: f64 = 0.3;
 
 /// Designs a vehicle.
-pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
+pub fn solve(input: &DesignInput, request: Request) -> Solution {
     let mut vehicle_input = input.vehicle.clone();
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
@@ -53,7 +53,7 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
             Ok(vehicle) => vehicle,
             Err(not_closed) => {
                 let findings = misfit::findings(&not_closed, &vehicle_input);
-                return unclosed(name, not_closed.reason, findings, passes);
+                return unclosed(not_closed.reason, findings, passes);
             }
         };
         let mass_kg = vehicle.mass.mass_kg;
@@ -85,7 +85,6 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
         if let Some(outcome) = outcome {
             return Finished {
                 input,
-                name,
                 request,
                 vehicle,
                 body,
@@ -94,7 +93,7 @@ pub fn solve(input: &DesignInput, name: &str, request: Request) -> Answer {
                 passes,
                 outcome,
             }
-            .answer();
+            .solution();
         }
         if let (Some(before), Some(now)) = (change_before_kg, change_kg)
             && now * before < 0.0
@@ -244,9 +243,8 @@ fn crossings(vehicle: &Vehicle, given: &VehicleInput, flown: &Flown, sized: &Siz
     ]
 }
 
-fn unclosed(name: &str, reason: String, findings: Vec<Finding>, passes: Vec<Pass>) -> Answer {
-    Answer {
-        name: name.to_string(),
+fn unclosed(reason: String, findings: Vec<Finding>, passes: Vec<Pass>) -> Solution {
+    Solution {
         outcome: Outcome::NotClosed,
         reason: Some(reason),
         flight: None,
@@ -257,10 +255,9 @@ fn unclosed(name: &str, reason: String, findings: Vec<Finding>, passes: Vec<Pass
     }
 }
 
-/// The last pass, made into an answer.
+/// The last pass, made into a solution.
 struct Finished<'a> {
     input: &'a DesignInput,
-    name: &'a str,
     request: Request,
     vehicle: Vehicle,
     body: Body,
@@ -271,7 +268,7 @@ struct Finished<'a> {
 }
 
 impl Finished<'_> {
-    fn answer(self) -> Answer {
+    fn solution(self) -> Solution {
         let mut findings = self.findings();
         let landing = self.landing();
         findings.extend(remarks::findings(
@@ -281,7 +278,6 @@ impl Finished<'_> {
         ));
         let Finished {
             input,
-            name,
             request,
             vehicle,
             body,
@@ -333,8 +329,7 @@ impl Finished<'_> {
             landing,
             vehicle,
         };
-        Answer {
-            name: name.to_string(),
+        Solution {
             outcome,
             reason,
             flight: Some(flight),

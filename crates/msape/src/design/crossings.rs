@@ -3,7 +3,7 @@
 //! # References
 //! - \[samareh-2014\] Figure 4.
 
-use crate::quantity::output::Module;
+use crate::quantity::Module;
 use crate::units::Dimension;
 
 /// A value that one module gives to others.

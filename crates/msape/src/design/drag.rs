@@ -4,9 +4,6 @@ use crate::aero::DragTable;
 use crate::aero::standard::{AeroBody, AxialForces};
 use crate::vehicle::Vehicle;
 
-/// Name, in a case, of the drag of the outline itself.
-pub const OWN_OUTLINE: &str = "outline";
-
 /// Where the drag of a design comes from; below Mach 0.5 it is a number of the case either way.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DesignDrag {

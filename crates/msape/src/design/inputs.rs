@@ -1,5 +1,6 @@
 //! What a design is made from, checked.
 
+use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
@@ -8,8 +9,7 @@ use crate::heating::shoulder::Shoulder;
 use crate::soak::SoakCorrelation;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
-use crate::vehicle::VehicleInput;
-use crate::{aero::Drag, vehicle::Vehicle};
+use crate::vehicle::{Vehicle, VehicleInput};
 
 /// A design problem.
 #[derive(Clone, Debug)]

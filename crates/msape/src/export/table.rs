@@ -5,7 +5,7 @@
 
 use crate::export::chain::chains;
 use crate::export::model::Model;
-use crate::table::number::shortest;
+use crate::units::number::shortest;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::RADIANS_PER_DEGREE;

@@ -18,7 +18,7 @@ mod gate;
 use super::equations::{Radiation, STATES};
 use super::motion::Motion;
 use crate::aero::DragTable;
-use crate::answer::Outcome;
+use crate::outcome::Outcome;
 use crate::planet::Gravity;
 use gate::{Gate, Place, place, speed_m_s};
 use numerics::ode::{Integrator, OdeError, Step, Tolerance};

@@ -33,7 +33,7 @@ use super::equations::Equations;
 use super::integration::{self, Record};
 use super::mission::{Body, Mission};
 use super::{Flight, Request, summary, three_dof};
-use crate::answer::Outcome;
+use crate::outcome::Outcome;
 use events::Marks;
 use motion::{ATTITUDE, RATES, RIGID_STATES, RigidMotion};
 use rigid::Rigid;

@@ -1,5 +1,6 @@
 //! Checks what a case says about coefficients over the angle of attack.
 
+use super::DesignProblem;
 use super::freedom::one_row;
 use super::heating::choice;
 use super::outline::rigid_body;
@@ -7,8 +8,8 @@ use crate::aero::Drag;
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
 use crate::aero::database::Database;
-use crate::aero::own::{Content, Extrapolation, Given, Grid, Row};
-use crate::aero::standard::{AeroBody, report_damping};
+use crate::aero::standard::AeroBody;
+use crate::aero::table::{Content, Extrapolation, Given, Grid, Row};
 use crate::case::{Case, InputError, Reader};
 use crate::flight::Request;
 use crate::library::{Library, named};
@@ -55,15 +56,18 @@ fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<AeroB
     if !reader.faults.is_empty() {
         return None;
     }
-    match crate::design(case, library, Request::Nothing) {
-        Ok(answer) => match &answer.design {
-            Some(design) => Some(AeroBody::of_vehicle(&answer.name, &design.vehicle)),
-            None => {
-                let reason = answer.reason.unwrap_or_default();
-                reader.fault("design", format!("the vehicle does not close: {reason}"));
-                None
+    match DesignProblem::check(case, library) {
+        Ok(problem) => {
+            let answer = problem.solve(&case.name, Request::Nothing);
+            match &answer.design {
+                Some(design) => Some(AeroBody::of_vehicle(&answer.name, &design.vehicle)),
+                None => {
+                    let reason = answer.reason.unwrap_or_default();
+                    reader.fault("design", format!("the vehicle does not close: {reason}"));
+                    None
+                }
             }
-        },
+        }
         Err(faults) => {
             reader.faults.extend(faults);
             None
@@ -108,7 +112,7 @@ pub(super) fn database(
     if reader.faults.len() > before {
         return None;
     }
-    let mut options = body.options(library, drag);
+    let mut options = body.options(&library.aero_standard(), drag);
     options.damping = damping?;
     options.bridging = match bridging? {
         "error-function" => Bridging::ErrorFunction,
@@ -223,7 +227,7 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
     }
     Some(match model? {
         "none" => Damping::Absent,
-        "report-printed" => report_damping(library, Reading::Printed),
-        _ => report_damping(library, Reading::Corrected),
+        "report-printed" => library.aero_standard().damping(Reading::Printed),
+        _ => library.aero_standard().damping(Reading::Corrected),
     })
 }

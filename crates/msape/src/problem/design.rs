@@ -2,11 +2,11 @@
 
 use super::flight::{Angle, mission};
 use super::materials::materials;
-use crate::aero::standard::AxialForces;
 use crate::case::Reader;
-use crate::design::drag::{DesignDrag, OWN_OUTLINE};
+use crate::design::drag::DesignDrag;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
+use crate::quantity::input::OWN_OUTLINE;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::impact::{CrushingMass, ImpactInput};
 use crate::vehicle::rules::WallPlace;
@@ -164,7 +164,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         shoulder: library.heating.shoulder.clone(),
         drag: match aero_name? {
             OWN_OUTLINE => DesignDrag::Outline {
-                forces: AxialForces::of(library),
+                forces: library.axial_forces(),
                 subsonic: terminal_drag?,
             },
             name => {

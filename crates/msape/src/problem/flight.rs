@@ -5,7 +5,7 @@ use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, free
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
-use crate::aero::standard::{AeroBody, AxialForces};
+use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
@@ -297,7 +297,9 @@ fn drag(
         [] if constants.is_some() => drag_of_constants(reader),
         [] => match outline {
             Outline::Body(body) => Some(Drag::Table(
-                AxialForces::of(library).of_outline(&AeroBody::of_rigid(body, None)),
+                library
+                    .axial_forces()
+                    .of_outline(&AeroBody::of_rigid(body, None)),
             )),
             Outline::Faulty => None,
             // A body on which the air does not act.

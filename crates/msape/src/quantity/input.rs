@@ -107,6 +107,9 @@ impl Range {
     }
 }
 
+/// Name, in a case, of the drag of the outline itself.
+pub const OWN_OUTLINE: &str = "outline";
+
 /// Where the choices of a nominal input come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choices {

@@ -17,7 +17,7 @@ pub struct Column {
     pub help: &'static str,
 }
 
-pub(super) const fn column(
+pub(crate) const fn column(
     key: &'static str,
     label: &'static str,
     dimension: Dimension,

@@ -1,10 +1,10 @@
 //! Inputs of a case as cells: what was given, else the default that holds.
 
 use super::Manner;
-use super::number::shortest;
 use crate::case::{Case, Value};
 use crate::quantity::Job;
 use crate::quantity::input::{Choices, Input, Kind, Level, Preset};
+use crate::units::number::shortest;
 use crate::units::{canonical, parse_number};
 
 /// Whether a job asks for an input.

@@ -7,9 +7,9 @@ mod instant;
 
 pub use instant::Instant;
 
-use super::number::{rounded, shortest};
 use crate::answer::Answer;
 use crate::flight::{Flight, Trajectory};
+use crate::units::number::{rounded, shortest};
 use std::fmt::Write;
 
 /// A place on the track.

@@ -1,7 +1,7 @@
 //! The mass tree of a vehicle as a table.
 
 use super::Table;
-use super::number::shortest;
+use crate::units::number::shortest;
 use crate::vehicle::Vehicle;
 use crate::vehicle::mass_tree::Line;
 

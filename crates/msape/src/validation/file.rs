@@ -1,7 +1,7 @@
 //! A file of expectations.
 
-use crate::table::number::shortest;
 use crate::units::Unit;
+use crate::units::number::shortest;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

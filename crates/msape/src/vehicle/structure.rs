@@ -7,16 +7,16 @@
 //!
 //! with thicknesses in m, N the largest force in the wall in N/m, σ the strength and σ_wr the stress at which faces wrinkle,
 //! Pa, S the size of a honeycomb's cells, m: a sandwich has faces t_f, and its height follows from the other rules.
-//! [`rules`] holds each rule, [`size`] the loads, [`check`] what every rule says of a wall as built.
+//! [`capacity`] holds each rule, [`size`] the loads, [`check`] what every rule says of a wall as built.
 //!
 //! # Valid
 //! Thin walls; see each rule.
 //!
 //! # References
-//! - \[samareh-2014\] section 3.1.6 names the module; its rules are not published. Those here are cited in [`rules`].
+//! - \[samareh-2014\] section 3.1.6 names the module; its rules are not published. Those here are cited in [`capacity`].
 
+pub mod capacity;
 pub mod check;
-pub mod rules;
 pub mod size;
 
 pub use check::{Check, LoadCase, Rule};

@@ -7,7 +7,7 @@ use crate::pages::library;
 use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
-use msape::design::drag::OWN_OUTLINE;
+use msape::quantity::input::OWN_OUTLINE;
 
 /// Keys of a case that choose coefficients.
 fn is_aerodynamic(key: &str) -> bool {

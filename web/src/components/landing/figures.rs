@@ -1,7 +1,7 @@
 //! Deceleration over time and force over crush, on both surfaces.
 
 use crate::display::{UnitSystem, symbol};
-use msape::quantity::landing::{LandingColumn, Surface, columns};
+use msape::answer::landing::{LandingColumn, Surface, columns};
 use msape::vehicle::Vehicle;
 use msape::vehicle::impact::history::History;
 use msape::vehicle::impact::landing::Landing;

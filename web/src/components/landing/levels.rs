@@ -4,7 +4,7 @@ use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
 use leptos::prelude::*;
 use msape::Answer;
-use msape::quantity::output::{self, Output};
+use msape::answer::output::{self, Output};
 
 /// Where the vehicle lands.
 #[derive(Clone, Copy, PartialEq, Eq)]

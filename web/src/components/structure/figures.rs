@@ -1,8 +1,8 @@
 //! Stress and displacement along a wall.
 
 use crate::display::{UnitSystem, symbol};
-use msape::structure::analysis::CarrierAnalysis;
-use msape::structure::wall::Place;
+use msape::shell::analysis::CarrierAnalysis;
+use msape::shell::wall::Place;
 use msape::vehicle::rules::WallPlace;
 use msape_plot::{Axis, EventLine, Figure, LimitLine, Series};
 

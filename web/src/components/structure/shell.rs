@@ -3,7 +3,7 @@
 use super::{StructureView, margin};
 use crate::display::{UnitSystem, number, symbol};
 use leptos::prelude::*;
-use msape::structure::analysis::PartStress;
+use msape::shell::analysis::PartStress;
 
 /// Peak stress of each part of the chosen wall, at entry and at launch, and where.
 #[component]
@@ -102,7 +102,7 @@ pub fn Frequencies() -> impl IntoView {
     let rows = move || {
         view.shell(|shell| {
             let lowest = shell.first_frequency();
-            let row = |found: &msape::structure::modes::Frequency| {
+            let row = |found: &msape::shell::modes::Frequency| {
                 let is_lowest = lowest == Some(*found);
                 view! {
                     <tr class:least=is_lowest>

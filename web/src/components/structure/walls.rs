@@ -5,7 +5,7 @@ use crate::display::{UnitSystem, number, symbol, with_unit};
 use crate::state::State;
 use leptos::prelude::*;
 use msape::design::structural::Structural;
-use msape::structure::analysis::CaseStress;
+use msape::shell::analysis::CaseStress;
 use msape::vehicle::rules::{CarrierMaterial, WallPlace};
 use msape::vehicle::structure::Construction;
 use msape::vehicle::{ComponentKind, Vehicle};
@@ -75,7 +75,7 @@ fn row(
         let place = format!("{}; {}", check.rule.label(), check.load_case.label());
         cell(check.margin, place)
     });
-    let shell = |case: fn(&msape::structure::analysis::CarrierAnalysis) -> &CaseStress| {
+    let shell = |case: fn(&msape::shell::analysis::CarrierAnalysis) -> &CaseStress| {
         structural.shell.as_ref().and_then(|shell| {
             let part = case(shell).weakest(wall)?;
             let core = part.core_margin.is_some_and(|core| core < part.margin);

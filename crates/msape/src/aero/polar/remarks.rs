@@ -107,8 +107,8 @@ mod tests {
             pressure_center: None,
             static_margin: None,
         };
-        let grid = crate::aero::own::Grid::try_new(
-            &[crate::aero::own::Row {
+        let grid = crate::aero::table::Grid::try_new(
+            &[crate::aero::table::Row {
                 ca: Some(1.0),
                 cn: Some(0.0),
                 ..Default::default()

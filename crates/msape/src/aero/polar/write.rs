@@ -12,7 +12,7 @@
 
 use super::{Polar, Row};
 use crate::finding::Finding;
-use crate::table::number::shortest;
+use crate::units::number::shortest;
 use serde_json::{Map, Value, json};
 
 /// A column: its name, and how its number is taken from a row.

@@ -15,8 +15,8 @@
 
 use super::events::AttitudeEvents;
 use crate::flight::freedom::Freedom;
+use crate::flight::mission::{Body, Mission};
 use crate::flight::{Request, fly};
-use crate::problem::FlightProblem;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use serde::{Deserialize, Serialize};
 
@@ -46,14 +46,14 @@ pub struct Reorientation {
     pub attitude: AttitudeEvents,
 }
 
-/// Flies a case with the centre of gravity at several places aft of the virtual apex, m; nothing where the case has no
+/// Flies a body with the centre of gravity at several places aft of the virtual apex, m; nothing where the body has no
 /// attitude.
-pub fn study(problem: &FlightProblem, cg_x_m: &[f64]) -> Vec<Reorientation> {
-    cg_x_m.iter().filter_map(|x| entry(problem, *x)).collect()
+pub fn study(mission: &Mission, body: &Body, cg_x_m: &[f64]) -> Vec<Reorientation> {
+    let entries = cg_x_m.iter().map(|x| entry(mission, body, *x));
+    entries.flatten().collect()
 }
 
-fn entry(problem: &FlightProblem, cg_x_m: f64) -> Option<Reorientation> {
-    let FlightProblem { mission, body, .. } = problem;
+fn entry(mission: &Mission, body: &Body, cg_x_m: f64) -> Option<Reorientation> {
     let mut body = body.clone();
     let Freedom::Rigid(rigid) = &mut body.freedom else {
         return None;

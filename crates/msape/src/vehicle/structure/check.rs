@@ -7,10 +7,10 @@
 //! with demand and capacity in the unit that the check names; the safety factor is in the demand.
 //!
 //! # Valid
-//! As the rules.
+//! As [`super::capacity`].
 //!
 //! # References
-//! - Those of [`super::rules`] and [`super::size`].
+//! - Those of [`super::capacity`] and [`super::size`].
 
 use super::size::{AxialLoads, PressureShell, WallLoads};
 use super::{Carrier, Construction, LaunchLoad, Structure, Wall};

@@ -18,7 +18,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.6; \[spacex-falcon-guide\] Figure 4-1; \[nasa-std-5001\]. Which load goes where is a choice.
 
-use super::rules::{Cap, Cone};
+use super::capacity::{Cap, Cone};
 use super::{Carrier, LaunchLoad, Needs, Structure, Wall};
 use crate::vehicle::impact::EARTH_G_M_S2;
 use crate::vehicle::input::VehicleInput;

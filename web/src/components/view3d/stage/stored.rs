@@ -5,7 +5,7 @@ use crate::view3d::camera::Ball;
 use crate::view3d::renderer::Renderer;
 use crate::view3d::scene::Scene;
 use leptos::ev::PointerEvent;
-use msape::heating::surface::SurfaceHeating;
+use msape::answer::surface::SurfaceHeating;
 use msape::vehicle::profile::Profile;
 use std::sync::Arc;
 

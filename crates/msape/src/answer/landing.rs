@@ -1,6 +1,6 @@
 //! Columns of the time history of a landing, on a rigid surface and on the chosen ground.
 
-use super::trajectory::{Column, column};
+use crate::quantity::trajectory::{Column, column};
 use crate::units::Dimension;
 use crate::vehicle::impact::history::History;
 use crate::vehicle::impact::landing::Landing;

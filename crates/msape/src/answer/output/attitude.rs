@@ -1,8 +1,9 @@
 //! Outputs of the attitude, in six degrees of freedom.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
 use crate::flight::AttitudeEvents;
+use crate::quantity::Module;
 use crate::units::Dimension;
 use numerics::math::RADIANS_PER_DEGREE;
 

@@ -1,7 +1,8 @@
 //! Outputs of the landing.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
+use crate::quantity::Module;
 use crate::units::Dimension;
 use crate::vehicle::impact::landing::Landing;
 use numerics::math::RADIANS_PER_DEGREE;

@@ -1,9 +1,10 @@
 //! Outputs of the structural rules and of the shell model.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
 use crate::design::structural::{Structural, least_margin};
-use crate::structure::analysis::{CarrierAnalysis, CaseStress};
+use crate::quantity::Module;
+use crate::shell::analysis::{CarrierAnalysis, CaseStress};
 use crate::units::Dimension;
 use crate::vehicle::rules::WallPlace;
 

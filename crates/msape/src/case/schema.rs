@@ -2,9 +2,9 @@
 //!
 //! The program itself is more lenient: it reads names as the report spells them, such as `SuttonGraves`.
 
-use super::input::{Input, Kind, Need, Preset, inputs};
 use crate::case::SCHEMA;
 use crate::library::Library;
+use crate::quantity::input::{Input, Kind, Need, Preset, inputs};
 use crate::units::{canonical, units_of};
 use serde_json::{Map, Value, json};
 

@@ -1,7 +1,8 @@
 //! Outputs of volume, areas and mass properties beyond those of the report.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
+use crate::quantity::Module;
 use crate::units::Dimension;
 use crate::vehicle::{ComponentKind, Vehicle};
 

@@ -1,8 +1,9 @@
 //! Outputs of a design.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
 use crate::design::Design;
+use crate::quantity::Module;
 use crate::units::Dimension;
 use crate::vehicle::ComponentKind;
 use crate::vehicle::impact::RigidBodyLoad;

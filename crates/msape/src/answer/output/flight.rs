@@ -1,8 +1,9 @@
 //! Outputs of a flight.
 
-use super::{Module, Output};
+use super::Output;
 use crate::answer::Answer;
 use crate::flight::Flight;
+use crate::quantity::Module;
 use crate::units::Dimension;
 use numerics::math::RADIANS_PER_DEGREE;
 

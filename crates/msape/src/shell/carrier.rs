@@ -264,7 +264,7 @@ fn masses(vehicle: &Vehicle, areas: &[f64; 6]) -> [f64; 6] {
 mod tests {
     use super::*;
     use crate::benchmark::Bench;
-    use crate::structure::analysis::AnalysisLoads;
+    use crate::shell::analysis::AnalysisLoads;
     use crate::vehicle::{Concept, PayloadSize, build};
 
     /// Spreads evenly over 0 to 1, another sequence for each `step`.

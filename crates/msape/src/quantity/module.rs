@@ -1,0 +1,53 @@
+//! The modules of the report, by which quantities are grouped, and the jobs that give them.
+
+/// Module of the report to which an output belongs; results are grouped by it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Module {
+    /// Passes and convergence.
+    Coupling,
+    /// Dimensions.
+    Geometry,
+    /// Masses, centre of gravity, inertias.
+    Mass,
+    /// Landing.
+    Impact,
+    /// Carrier and primary structure.
+    Structure,
+    /// Trajectory.
+    Flight,
+    /// Coefficients.
+    Aerodynamics,
+    /// Heating environment.
+    Heating,
+    /// Heat shield.
+    HeatShield,
+    /// Payload temperature.
+    ThermalSoak,
+}
+
+impl Module {
+    /// Heading of the module.
+    pub fn label(self) -> &'static str {
+        match self {
+            Module::Coupling => "Coupling",
+            Module::Geometry => "Geometry",
+            Module::Mass => "Mass properties",
+            Module::Impact => "Impact analysis",
+            Module::Structure => "Structural analysis",
+            Module::Flight => "Flight mechanics",
+            Module::Aerodynamics => "Aerodynamics",
+            Module::Heating => "Aerothermal",
+            Module::HeatShield => "TPS sizing",
+            Module::ThermalSoak => "Thermal soak",
+        }
+    }
+}
+
+/// Which answers have an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Job {
+    /// `fly`: flight only.
+    Fly,
+    /// `design`: everything.
+    Design,
+}
