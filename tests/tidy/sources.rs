@@ -31,7 +31,7 @@ const PHYSICS: [&str; 7] = [
 ];
 
 /// Files of these folders that hold no equation: lists of parts, input, assembly.
-const NO_EQUATION: [&str; 19] = [
+const NO_EQUATION: [&str; 20] = [
     "flight.rs",
     "flight/freedom.rs",
     "flight/mission.rs",
@@ -49,6 +49,7 @@ const NO_EQUATION: [&str; 19] = [
     "tps/fit_space.rs",
     "tps/material.rs",
     "vehicle/input.rs",
+    "vehicle/kinds.rs",
     "vehicle/remarks.rs",
     "vehicle/rules.rs",
 ];

@@ -289,7 +289,7 @@ fn label_of(key: &str) -> String {
         .to_string()
 }
 
-fn joined(faults: &[crate::InputError]) -> String {
+fn joined(faults: &[crate::case::InputError]) -> String {
     let all: Vec<String> = faults.iter().map(ToString::to_string).collect();
     all.join("; ")
 }

@@ -21,6 +21,7 @@ pub mod forebody;
 pub mod grow;
 pub mod impact;
 pub mod input;
+mod kinds;
 pub mod layout;
 pub mod mass;
 pub mod mass_tree;
@@ -35,17 +36,23 @@ pub mod segment;
 pub mod structure;
 pub mod winding;
 
-pub use input::{ComponentDensities, Concept, LayerStack, Loads, PayloadSize, VehicleInput};
-pub use mass::{Component, ComponentKind, MassProperties};
+pub use grow::NotClosed;
+pub use input::{ImpactInput, LayerStack, Loads, PayloadSize, VehicleInput};
+pub use kinds::{
+    ComponentDensities, ComponentKind, Concept, CrushingMass, EARTH_G_M_S2, Foam, FoamGrade,
+    WallPlace,
+};
+pub use mass::{Component, MassProperties};
 pub use material::{DensityBasis, Material, Materials};
 pub use rules::{Rules, VehicleData};
 
 use crate::finding::{Adjustment, Finding};
 use crate::vehicle::close::Closed;
 use crate::vehicle::grow::smallest_that_closes;
-use crate::vehicle::impact::ground::Striker;
-use crate::vehicle::impact::{EARTH_G_M_S2, Foam, Impact};
-use crate::vehicle::layout::{Layout, Misfit};
+use crate::vehicle::impact::Impact;
+use crate::vehicle::impact::foam_rule::FoamRule;
+use crate::vehicle::impact::striker::Striker;
+use crate::vehicle::layout::Layout;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::structure::Structure;
 use numerics::math::PI;
@@ -133,17 +140,6 @@ pub struct Dimensions {
     pub wetted_area_m2: f64,
 }
 
-/// A vehicle that closes at no diameter up to the largest allowed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct NotClosed {
-    /// One sentence: what does not fit where, and what was tried.
-    pub reason: String,
-    /// Why it did not fit at the diameter asked for.
-    pub at_input: Option<Misfit>,
-    /// Why it did not fit at the largest diameter tried.
-    pub at_largest: Option<Misfit>,
-}
-
 /// The vehicle for these inputs.
 pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
     if let Some(reason) = input.fault() {
@@ -154,49 +150,24 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         });
     }
     let v = input.loads.terminal_speed_m_s;
-    let stroke_m =
-        impact::required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
-    let required_foam_m = stroke_m / input.impact.stroke_efficiency;
-    // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
-    let foam_strength_pa = if stroke_m > 0.0 {
-        impact::foam_strength_pa(
-            input.payload_mass_kg,
-            input.payload_diameter_m(),
-            v,
-            stroke_m,
-        )
-    } else {
-        0.0
-    };
-    let foam = Foam {
-        thickness_m: required_foam_m.max(input.rules.foam_thickness_min_m),
-        density_kg_m3: match input.densities.impact_foam_kg_m3 {
-            Some(density) => density,
-            None => {
-                let panels = match input.concept {
-                    Concept::Msr => input.densities.impact_panels_kg_m3,
-                    Concept::NonMsr => 0.0,
-                };
-                let grade = impact::foam_density_kg_m3(&input.foam_grades, foam_strength_pa);
-                grade.unwrap_or(0.0) + panels
-            }
-        },
-    };
-    let (diameter_m, closed) = smallest_that_closes(input, foam)?;
+    let rule = FoamRule::new(input);
+    let (diameter_m, closed) = smallest_that_closes(input, &rule)?;
     let mass_kg = closed.mass.mass_kg;
     let striker = Striker::new(&closed.layout.outline.forebody, mass_kg, v);
+    let foam = rule.at(closed.layout.foam_thickness_m);
     let impact = Impact {
         ground_penetration: input.impact.ground.rigid_body_load(&striker),
         crush_load_limit_earth_g: input.impact.crush_load_limit_earth_g,
         nose_diameter_m: striker.nose_diameter_m,
-        required_stroke_m: stroke_m,
-        required_foam_thickness_m: required_foam_m,
-        foam_strength_pa,
+        required_stroke_m: rule.stroke_m,
+        required_foam_thickness_m: rule.required_thickness_m,
+        foam_strength_pa: rule.strength_pa,
         foam_density_kg_m3: foam.density_kg_m3,
         impact_energy_j: 0.5 * mass_kg * v * v,
     };
     let dimensions = dimensions(input, diameter_m, &closed);
-    let adjustments = remarks::adjustments(input, diameter_m, foam.thickness_m, &closed.layout);
+    let adjustments =
+        remarks::adjustments(input, diameter_m, rule.least_thickness_m, &closed.layout);
     let findings = remarks::findings(input, &impact, &closed);
     let Closed {
         layout,
@@ -205,7 +176,7 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
         structure,
         iterations,
     } = closed;
-    let crushed = after_landing::crushed(input.concept, &layout, &components, stroke_m);
+    let crushed = after_landing::crushed(input.concept, &layout, &components, rule.stroke_m);
     Ok(Vehicle {
         crushed,
         concept: input.concept,

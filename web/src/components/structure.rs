@@ -14,7 +14,7 @@ use figures::{Along, figure};
 use leptos::prelude::*;
 use msape::design::structural::Structural;
 use msape::shell::analysis::CarrierAnalysis;
-use msape::vehicle::rules::WallPlace;
+use msape::vehicle::WallPlace;
 use shell::{Frequencies, PartTable};
 use walls::{Basis, WallTable};
 

@@ -9,7 +9,7 @@ use crate::finding::{Finding, Severity};
 use crate::flight::Flight;
 use crate::shell::analysis::{AnalysisLoads, CarrierAnalysis, CaseStress, PartStress};
 use crate::shell::carrier::CarrierModel;
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::WallPlace;
 use crate::vehicle::structure::{Check, LoadCase, Rule, Structure, size};
 use crate::vehicle::{Loads, VehicleInput};
 use serde::{Deserialize, Serialize};

@@ -16,8 +16,8 @@ mod stations;
 pub use stations::{Station, stations};
 
 use crate::export::chain::{Chain, Ends, chains};
+use crate::vehicle::ComponentKind;
 use crate::vehicle::Vehicle;
-use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use numerics::math::PI;
 

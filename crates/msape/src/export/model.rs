@@ -1,7 +1,7 @@
 //! What is exported: parts with name, material and colour, whatever they come from.
 
+use crate::vehicle::ComponentKind;
 use crate::vehicle::body::RigidBody;
-use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::Segment;
 use crate::vehicle::{DensityBasis, Vehicle};

@@ -24,7 +24,7 @@ use super::model::{Freedoms, Held};
 use super::modes::{Frequency, first_frequency};
 use super::section::Resultants;
 use super::statics::{SAMPLES, Sample, Solution, load, solve};
-use crate::vehicle::impact::EARTH_G_M_S2;
+use crate::vehicle::EARTH_G_M_S2;
 use crate::vehicle::segment::Point;
 use crate::vehicle::structure::{Construction, LaunchLoad, StructureLoads};
 use numerics::math::PI;

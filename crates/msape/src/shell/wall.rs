@@ -15,7 +15,7 @@
 
 use super::analysis::{CarrierAnalysis, CaseStress, Distributions, PartStress};
 use super::carrier::Part;
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::WallPlace;
 
 impl Part {
     /// The wall that it is a part of.

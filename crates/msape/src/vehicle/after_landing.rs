@@ -17,9 +17,12 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.5 for the stroke; how the foam is compressed is a choice of ours.
 
-use crate::vehicle::input::Concept;
+use crate::vehicle::kinds::ComponentKind;
+use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::Layout;
-use crate::vehicle::mass::{Component, ComponentKind, MassProperties, total};
+use crate::vehicle::mass::Component;
+use crate::vehicle::mass::MassProperties;
+use crate::vehicle::mass::total;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, asin, sin_cos};

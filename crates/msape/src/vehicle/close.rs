@@ -13,11 +13,12 @@
 //! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it).
 
 use crate::vehicle::forebody::Forebody;
-use crate::vehicle::impact::Foam;
-use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::impact::foam_rule::FoamRule;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
+use crate::vehicle::mass::found_foam;
 use crate::vehicle::mass::{Component, Densities, MassProperties, components, total};
-use crate::vehicle::material::found_foam;
 use crate::vehicle::structure::{Structure, Wall, size};
 use crate::vehicle::{msr, non_msr};
 
@@ -58,8 +59,8 @@ pub struct Start {
     pub structure: Structure,
 }
 
-/// The vehicle at the diameter `diameter_m`, with the impact foam `foam` or more of it.
-pub fn close(input: &VehicleInput, diameter_m: f64, foam: Foam) -> Result<Closed, Misfit> {
+/// The vehicle at the diameter `diameter_m`, with the impact foam that `foam` asks for or more of it.
+pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Closed, Misfit> {
     let structure = Structure {
         forebody: match input.forebody.carrier_thickness_m {
             Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
@@ -91,7 +92,7 @@ fn forebody(input: &VehicleInput, diameter_m: f64) -> Forebody {
 pub fn close_from(
     input: &VehicleInput,
     diameter_m: f64,
-    foam: Foam,
+    foam: &FoamRule,
     start: Start,
 ) -> Result<Closed, Misfit> {
     let forebody = forebody(input, diameter_m);
@@ -103,7 +104,6 @@ pub fn close_from(
             vehicle_radius_m: forebody.diameter_m / 2.0,
         });
     }
-    let foam_material = found_foam(input, foam);
     let mut structure = start.structure;
     let mut cg_x_m = start.cg_over_diameter * diameter_m;
     let mut last_foot_x_m = f64::INFINITY;
@@ -122,7 +122,7 @@ pub fn close_from(
             forebody,
             depths,
             payload_radius_m,
-            foam_thickness_m: foam.thickness_m,
+            foam_thickness_m: foam.least_thickness_m,
             cg_x_m,
             rules,
         };
@@ -130,6 +130,8 @@ pub fn close_from(
             Concept::Msr => msr::layout(&frame)?,
             Concept::NonMsr => non_msr::layout(&frame)?,
         };
+        let foam = foam.at(layout.foam_thickness_m);
+        let foam_material = found_foam(input, foam);
         let components = components(
             input,
             &layout,

@@ -12,16 +12,31 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.2: the diameter is increased until the smallest vehicle is found.
 
-use crate::vehicle::NotClosed;
 use crate::vehicle::close::{Closed, close, close_from};
-use crate::vehicle::impact::Foam;
+use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::{PayloadSize, VehicleInput};
+use crate::vehicle::layout::Misfit;
+use serde::{Deserialize, Serialize};
+
+/// A vehicle that closes at no diameter up to the largest allowed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NotClosed {
+    /// One sentence: what does not fit where, and what was tried.
+    pub reason: String,
+    /// Why it did not fit at the diameter asked for.
+    pub at_input: Option<Misfit>,
+    /// Why it did not fit at the largest diameter tried.
+    pub at_largest: Option<Misfit>,
+}
 
 /// Growth of the diameter from one try to the next.
 const GROWTH: f64 = 1.03;
 
 /// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
-pub fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Closed), NotClosed> {
+pub fn smallest_that_closes(
+    input: &VehicleInput,
+    foam: &FoamRule,
+) -> Result<(f64, Closed), NotClosed> {
     let at_input = match close(input, input.diameter_m, foam) {
         Ok(closed) => return Ok((input.diameter_m, closed)),
         Err(misfit) => misfit,
@@ -74,7 +89,7 @@ pub fn smallest_that_closes(input: &VehicleInput, foam: Foam) -> Result<(f64, Cl
 const PAYLOAD_HALVINGS: usize = 18;
 
 /// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.
-fn largest_payload_m(input: &VehicleInput, foam: Foam, diameter_m: f64) -> Option<f64> {
+fn largest_payload_m(input: &VehicleInput, foam: &FoamRule, diameter_m: f64) -> Option<f64> {
     let closes = |payload_m: f64| {
         let mut input = input.clone();
         input.payload_size = PayloadSize::DiameterM(payload_m);

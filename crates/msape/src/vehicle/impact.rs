@@ -23,49 +23,23 @@
 pub mod absorber;
 pub mod crush;
 pub mod foam;
+pub mod foam_rule;
 pub mod footprint;
 pub mod ground;
 pub mod history;
 pub mod landing;
 pub mod remarks;
 pub mod soil;
+pub mod striker;
 pub mod young;
 
 pub use ground::{Ground, RigidBodyLoad};
 
-use crate::vehicle::impact::foam::FoamKind;
-use crate::vehicle::input::Concept;
-use crate::vehicle::rules::FoamGrade;
+use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::EARTH_G_M_S2;
+use crate::vehicle::kinds::FoamGrade;
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
-
-/// Standard gravity, m/s².
-pub const EARTH_G_M_S2: f64 = 9.80665;
-
-/// What the landing is designed for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ImpactInput {
-    /// Design load of the payload, Earth g.
-    pub crush_load_limit_earth_g: f64,
-    /// Usable fraction of the foam's thickness.
-    pub stroke_efficiency: f64,
-    /// The ground.
-    pub ground: Ground,
-    /// How the foam crushes.
-    pub foam: FoamKind,
-    /// What crushes it.
-    pub crushing_mass: CrushingMass,
-}
-
-/// What crushes the impact foam.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum CrushingMass {
-    /// The payload alone, as in equations 4 and 6.
-    #[default]
-    Payload,
-    /// The whole impact sphere of the MSR concept, which moves with the payload.
-    ImpactSphere,
-}
 
 /// Loads and foam of the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,15 +60,6 @@ pub struct Impact {
     pub foam_density_kg_m3: f64,
     /// Energy of the vehicle at impact, J.
     pub impact_energy_j: f64,
-}
-
-/// Impact foam as equations 4 and 6 ask for it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Foam {
-    /// Thickness, m.
-    pub thickness_m: f64,
-    /// Density, kg/m³.
-    pub density_kg_m3: f64,
 }
 
 /// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³.

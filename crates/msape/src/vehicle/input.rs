@@ -1,21 +1,14 @@
 //! What a vehicle is made from: the inputs of section 3.1.1 of the report and the data that the rules need.
 
-use crate::vehicle::impact::ImpactInput;
+use crate::vehicle::impact::Ground;
+use crate::vehicle::impact::foam::FoamKind;
+use crate::vehicle::kinds::FoamGrade;
+use crate::vehicle::kinds::{ComponentDensities, Concept, CrushingMass};
 use crate::vehicle::material::Materials;
-use crate::vehicle::rules::{FoamGrade, Rules};
+use crate::vehicle::rules::Rules;
 use crate::vehicle::structure::{Carrier, StructureLoads};
 use numerics::math::{PI, cbrt};
 use serde::{Deserialize, Serialize};
-
-/// The two concepts of section 3.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Concept {
-    /// Payload in a foam-filled impact sphere with a shell.
-    Msr,
-    /// Payload nested in impact foam.
-    NonMsr,
-}
 
 /// How the size of the payload, a ball, is given.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +20,21 @@ pub enum PayloadSize {
     DiameterM(f64),
     /// Diameter as a fraction of the vehicle diameter asked for.
     DiameterRatio(f64),
+}
+
+/// What the landing is designed for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ImpactInput {
+    /// Design load of the payload, Earth g.
+    pub crush_load_limit_earth_g: f64,
+    /// Usable fraction of the foam's thickness.
+    pub stroke_efficiency: f64,
+    /// The ground.
+    pub ground: Ground,
+    /// How the foam crushes.
+    pub foam: FoamKind,
+    /// What crushes it.
+    pub crushing_mass: CrushingMass,
 }
 
 /// Heat shield, bond and carrier of the forebody.
@@ -44,23 +52,6 @@ pub struct LayerStack {
     pub carrier_thickness_m: Option<f64>,
     /// Material and build of the carrier structure.
     pub carrier: Carrier,
-}
-
-/// Densities of what fills the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ComponentDensities {
-    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength of equation 6, and adds the panels.
-    pub impact_foam_kg_m3: Option<f64>,
-    /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
-    pub impact_panels_kg_m3: f64,
-    /// Impact shell, kg/m³.
-    pub impact_shell_kg_m3: f64,
-    /// Body foam, kg/m³.
-    pub body_foam_kg_m3: f64,
-    /// Lid insulation, kg/m³.
-    pub lid_insulation_kg_m3: f64,
-    /// Wing insulation, kg/m³.
-    pub wing_insulation_kg_m3: f64,
 }
 
 /// What the flight says about loads.

@@ -13,8 +13,10 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
 
-use crate::vehicle::impact::Foam;
-use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::ComponentKind;
+use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::Foam;
 use crate::vehicle::layout::Layout;
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::profile::{Profile, SolidProperties};
@@ -23,56 +25,6 @@ use crate::vehicle::structure::Structure;
 use crate::vehicle::{msr, non_msr};
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
-
-/// The parts of a vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ComponentKind {
-    /// Heat shield of the forebody.
-    ForebodyTps,
-    /// Bond under it.
-    Bond,
-    /// Carrier structure of the forebody.
-    ForebodyCarrier,
-    /// Heat shield of the aftbody.
-    AftbodyTps,
-    /// Carrier structure of the aftbody.
-    AftbodyCarrier,
-    /// Cylinder wall from forebody carrier to attached structure.
-    PrimaryStructure,
-    /// Filling of the wing.
-    WingInsulation,
-    /// Foam around or under the payload.
-    ImpactFoam,
-    /// Shell of the impact sphere.
-    ImpactShell,
-    /// Foam around the impact sphere.
-    BodyFoam,
-    /// Filling of the lid.
-    LidInsulation,
-    /// Payload.
-    Payload,
-}
-
-impl ComponentKind {
-    /// Name in plain words.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::ForebodyTps => "Forebody TPS",
-            Self::Bond => "Bond",
-            Self::ForebodyCarrier => "Forebody carrier structure",
-            Self::AftbodyTps => "Aftbody TPS",
-            Self::AftbodyCarrier => "Aftbody carrier structure",
-            Self::PrimaryStructure => "Primary structure",
-            Self::WingInsulation => "Wing insulation",
-            Self::ImpactFoam => "Impact foam",
-            Self::ImpactShell => "Impact shell",
-            Self::BodyFoam => "Body foam",
-            Self::LidInsulation => "Lid insulation",
-            Self::Payload => "Payload",
-        }
-    }
-}
 
 /// One part: closed profiles, density, mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -313,4 +265,34 @@ pub fn total(components: &[Component]) -> MassProperties {
     sum.iyy_kg_m2 = about_apex - sum.mass_kg * sum.cg_x_m * sum.cg_x_m;
     sum.izz_kg_m2 = sum.iyy_kg_m2;
     sum
+}
+
+/// Impact foam of a density: the grade, or the two between which it lies, and the panels in it.
+pub fn found_foam(input: &VehicleInput, foam: Foam) -> Material {
+    let panels_kg_m3 = match input.concept {
+        Concept::Msr => input.densities.impact_panels_kg_m3,
+        Concept::NonMsr => 0.0,
+    };
+    let density = foam.density_kg_m3 - panels_kg_m3;
+    let below = input
+        .foam_grades
+        .iter()
+        .rfind(|grade| grade.density_kg_m3 <= density);
+    let above = input
+        .foam_grades
+        .iter()
+        .find(|grade| grade.density_kg_m3 >= density);
+    let grade = match (below, above) {
+        (Some(one), Some(other)) if one == other => one.name.clone(),
+        (Some(one), Some(other)) => format!("Foam between {} and {}", one.name, other.name),
+        (Some(last), None) => format!("Foam beyond {}", last.name),
+        (None, Some(first)) => format!("Foam below {}", first.name),
+        (None, None) => "Foam".to_owned(),
+    };
+    if panels_kg_m3 > 0.0 {
+        let name = format!("{grade}, with composite panels");
+        Material::new(name, DensityBasis::DerivedFromAssumed)
+    } else {
+        Material::new(grade, DensityBasis::Published)
+    }
 }

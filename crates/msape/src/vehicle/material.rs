@@ -12,9 +12,7 @@
 //! # References
 //! - \[samareh-2014\] Table 1; the sources of the densities stand in the data files.
 
-use crate::vehicle::impact::Foam;
-use crate::vehicle::input::{Concept, VehicleInput};
-use crate::vehicle::mass::ComponentKind;
+use crate::vehicle::kinds::ComponentKind;
 use serde::{Deserialize, Serialize};
 
 /// Where the density of a component comes from.
@@ -132,36 +130,6 @@ impl Materials {
             ComponentKind::LidInsulation => &self.lid_insulation,
             ComponentKind::Payload => &self.payload,
         }
-    }
-}
-
-/// Impact foam of a density: the grade, or the two between which it lies, and the panels in it.
-pub fn found_foam(input: &VehicleInput, foam: Foam) -> Material {
-    let panels_kg_m3 = match input.concept {
-        Concept::Msr => input.densities.impact_panels_kg_m3,
-        Concept::NonMsr => 0.0,
-    };
-    let density = foam.density_kg_m3 - panels_kg_m3;
-    let below = input
-        .foam_grades
-        .iter()
-        .rfind(|grade| grade.density_kg_m3 <= density);
-    let above = input
-        .foam_grades
-        .iter()
-        .find(|grade| grade.density_kg_m3 >= density);
-    let grade = match (below, above) {
-        (Some(one), Some(other)) if one == other => one.name.clone(),
-        (Some(one), Some(other)) => format!("Foam between {} and {}", one.name, other.name),
-        (Some(last), None) => format!("Foam beyond {}", last.name),
-        (None, Some(first)) => format!("Foam below {}", first.name),
-        (None, None) => "Foam".to_owned(),
-    };
-    if panels_kg_m3 > 0.0 {
-        let name = format!("{grade}, with composite panels");
-        Material::new(name, DensityBasis::DerivedFromAssumed)
-    } else {
-        Material::new(grade, DensityBasis::Published)
     }
 }
 

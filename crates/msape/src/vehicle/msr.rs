@@ -16,8 +16,8 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
+use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
-use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, sin_cos};

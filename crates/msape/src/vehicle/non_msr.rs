@@ -17,8 +17,8 @@
 //! # References
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested is a choice of ours.
 
+use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
-use crate::vehicle::mass::ComponentKind;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, atan2};

@@ -3,9 +3,10 @@
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::vehicle::close::Closed;
 use crate::vehicle::impact::Impact;
-use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::FoamGrade;
 use crate::vehicle::layout::Layout;
-use crate::vehicle::rules::FoamGrade;
 
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;

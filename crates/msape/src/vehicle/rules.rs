@@ -1,6 +1,6 @@
 //! Constants of a family of vehicles, read from a file of `data/vehicles`: each with its source, assumed ones marked.
 
-use crate::vehicle::input::ComponentDensities;
+use crate::vehicle::kinds::{ComponentDensities, FoamGrade, WallPlace};
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::structure::{Carrier, Construction, LaunchLoad, StructureLoads};
 use numerics::math::RADIANS_PER_DEGREE;
@@ -93,32 +93,6 @@ pub struct CarrierMaterial {
     pub minimum_gauge_m: MinimumGauges,
 }
 
-/// The three walls that a [`CarrierMaterial`] can make.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum WallPlace {
-    /// Under the forebody's heat shield.
-    Forebody,
-    /// Under the aftbody's heat shield.
-    Aftbody,
-    /// Between forebody and attached structure.
-    Primary,
-}
-
-impl WallPlace {
-    /// All, in the order of tables.
-    pub const ALL: [WallPlace; 3] = [Self::Forebody, Self::Aftbody, Self::Primary];
-
-    /// Name in plain words.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Forebody => "Forebody carrier",
-            Self::Aftbody => "Aftbody carrier",
-            Self::Primary => "Primary structure",
-        }
-    }
-}
-
 impl CarrierMaterial {
     /// Its name and where its density comes from.
     pub fn material(&self) -> Material {
@@ -141,20 +115,6 @@ impl CarrierMaterial {
             minimum_gauge_m,
         }
     }
-}
-
-/// A foam and its strength.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FoamGrade {
-    /// Name.
-    pub name: String,
-    /// Density, kg/m³.
-    pub density_kg_m3: f64,
-    /// Compressive strength, Pa.
-    pub compressive_strength_pa: f64,
-    /// Key in the list of references.
-    pub source: String,
 }
 
 /// A corner of the load factors at launch.

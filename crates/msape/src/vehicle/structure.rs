@@ -22,7 +22,7 @@ pub mod size;
 pub use check::{Check, LoadCase, Rule};
 pub use size::{AxialLoads, PressureShell, WallLoads};
 
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::kinds::WallPlace;
 use numerics::math::cbrt;
 use serde::{Deserialize, Serialize};
 

@@ -5,9 +5,11 @@ mod trade_space;
 
 use super::*;
 use crate::vehicle::close::close;
+use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
-use crate::vehicle::impact::{CrushingMass, Ground, ImpactInput};
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::input::ImpactInput;
+use crate::vehicle::kinds::CrushingMass;
+use crate::vehicle::kinds::WallPlace;
 use numerics::math::RADIANS_PER_DEGREE;
 
 fn data() -> VehicleData {
@@ -172,15 +174,10 @@ fn table_9_adds_up_along_the_axis() {
     input.forebody.carrier_thickness_m = Some(0.0068);
     input.aftbody_carrier.minimum_gauge_m = 0.0055;
     input.primary_carrier.minimum_gauge_m = 0.0081;
-    let closed = close(
-        &input,
-        1.05,
-        Foam {
-            thickness_m: 0.1767 / 2.0,
-            density_kg_m3: 110.0,
-        },
-    )
-    .unwrap();
+    input.densities.impact_foam_kg_m3 = Some(110.0);
+    let mut foam = FoamRule::new(&input);
+    foam.least_thickness_m = 0.1767 / 2.0;
+    let closed = close(&input, 1.05, &foam).unwrap();
     let layout = &closed.layout;
     assert!((2.0 * layout.impact_sphere_radius_m() - 0.3491).abs() < 1e-12);
     // 0.35 / sin 60 − (0.35 − 0.047) + 0.17455
@@ -201,11 +198,7 @@ fn run_page_grows_to_the_smallest_diameter_that_closes() {
         assert!(grown.to < 1.75);
         // the payload keeps the size that was asked for
         assert!((vehicle.dimensions.payload_diameter_m - 0.6).abs() < 1e-15);
-        let foam = Foam {
-            thickness_m: vehicle.impact.required_foam_thickness_m,
-            density_kg_m3: vehicle.impact.foam_density_kg_m3,
-        };
-        assert!(close(&input, grown.to - 2e-4, foam).is_err());
+        assert!(close(&input, grown.to - 2e-4, &FoamRule::new(&input)).is_err());
     }
 }
 

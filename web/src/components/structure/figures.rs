@@ -3,7 +3,7 @@
 use crate::display::{UnitSystem, symbol};
 use msape::shell::analysis::CarrierAnalysis;
 use msape::shell::wall::Place;
-use msape::vehicle::rules::WallPlace;
+use msape::vehicle::WallPlace;
 use msape_plot::{Axis, EventLine, Figure, LimitLine, Series};
 
 /// What is drawn along a wall.

@@ -6,7 +6,8 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::design::structural::Structural;
 use msape::shell::analysis::CaseStress;
-use msape::vehicle::rules::{CarrierMaterial, WallPlace};
+use msape::vehicle::WallPlace;
+use msape::vehicle::rules::CarrierMaterial;
 use msape::vehicle::structure::Construction;
 use msape::vehicle::{ComponentKind, Vehicle};
 

@@ -6,7 +6,7 @@ use crate::design::structural::{Structural, least_margin};
 use crate::quantity::Module;
 use crate::shell::analysis::{CarrierAnalysis, CaseStress};
 use crate::units::Dimension;
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::WallPlace;
 
 fn structural<T>(answer: &Answer, get: impl Fn(&Structural) -> Option<T>) -> Option<T> {
     answer.design.as_ref()?.structural.as_ref().and_then(get)

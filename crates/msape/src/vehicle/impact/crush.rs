@@ -17,10 +17,10 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.5, whose equations 1, 4 and 6 are limits; \[hairer-norsett-wanner-1993\] section II.5.
 
-use crate::vehicle::impact::EARTH_G_M_S2;
 use crate::vehicle::impact::absorber::Absorber;
 use crate::vehicle::impact::history::{History, Recorded};
 use crate::vehicle::impact::soil::Soil;
+use crate::vehicle::kinds::EARTH_G_M_S2;
 use numerics::ode::event::{Direction, crossing_sampled};
 use numerics::ode::{Integrator, Method, Step, Tolerance};
 use serde::{Deserialize, Serialize};
@@ -317,9 +317,9 @@ mod tests {
     use crate::vehicle::forebody::Forebody;
     use crate::vehicle::impact::absorber::Shape;
     use crate::vehicle::impact::foam::CrushLaw;
-    use crate::vehicle::impact::ground::Striker;
+    use crate::vehicle::impact::striker::Striker;
     use crate::vehicle::impact::{foam_strength_pa, penetration_load_earth_g, required_stroke_m};
-    use crate::vehicle::input::Concept;
+    use crate::vehicle::kinds::Concept;
     use numerics::math::{PI, RADIANS_PER_DEGREE};
 
     /// Never densifies, hardly bends.

@@ -17,9 +17,8 @@
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
 
-use crate::vehicle::forebody::Forebody;
-use crate::vehicle::impact::footprint::Footprint;
 use crate::vehicle::impact::soil::Soil;
+use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::{self, Penetrator};
 use serde::{Deserialize, Serialize};
 
@@ -65,19 +64,6 @@ pub struct Penetrability {
     pub s_number_max: f64,
 }
 
-/// A vehicle that meets the ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Striker {
-    /// Mass, kg.
-    pub mass_kg: f64,
-    /// Speed, m/s.
-    pub speed_m_s: f64,
-    /// Twice the nose radius, m.
-    pub nose_diameter_m: f64,
-    /// Cross-sections of the forebody.
-    pub footprint: Footprint,
-}
-
 /// Load of a rigid vehicle in the ground, Earth g.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RigidBodyLoad {
@@ -87,18 +73,6 @@ pub struct RigidBodyLoad {
     pub least_earth_g: f64,
     /// Largest of the range, Earth g.
     pub largest_earth_g: f64,
-}
-
-impl Striker {
-    /// A vehicle with this forebody.
-    pub fn new(forebody: &Forebody, mass_kg: f64, speed_m_s: f64) -> Striker {
-        Striker {
-            mass_kg,
-            speed_m_s,
-            nose_diameter_m: 2.0 * forebody.nose_radius_m,
-            footprint: Footprint::new(forebody),
-        }
-    }
 }
 
 /// What resists.
@@ -202,6 +176,7 @@ fn young_soil(penetrability: f64, striker: &Striker) -> Soil {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vehicle::forebody::Forebody;
     use numerics::math::RADIANS_PER_DEGREE;
 
     const CLAY: &str = include_str!("../../../data/grounds/uttr-clay.toml");

@@ -17,14 +17,17 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.5.
 
+use crate::vehicle::Vehicle;
 use crate::vehicle::impact::absorber::{Absorber, Shape};
 use crate::vehicle::impact::crush::{Pulse, Touchdown, pulse};
-use crate::vehicle::impact::ground::Striker;
+use crate::vehicle::impact::foam_density_kg_m3;
 use crate::vehicle::impact::soil::Soil;
-use crate::vehicle::impact::{CrushingMass, foam_density_kg_m3};
-use crate::vehicle::input::{Concept, VehicleInput};
+use crate::vehicle::impact::striker::Striker;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::ComponentKind;
+use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::CrushingMass;
 use crate::vehicle::remarks::foam_strength_at_pa;
-use crate::vehicle::{ComponentKind, Vehicle};
 use numerics::math::{self, PI};
 use serde::{Deserialize, Serialize};
 

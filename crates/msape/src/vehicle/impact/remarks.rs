@@ -17,8 +17,9 @@
 use crate::finding::{Finding, Severity};
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::crush::PulseEnd;
-use crate::vehicle::impact::ground::{Ground, Striker};
+use crate::vehicle::impact::ground::Ground;
 use crate::vehicle::impact::landing::Landing;
+use crate::vehicle::impact::striker::Striker;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 /// Loads up to this part over the limit are rounding and elastic ringing.

@@ -14,10 +14,10 @@
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
 
-use crate::vehicle::impact::EARTH_G_M_S2;
 use crate::vehicle::impact::footprint::Footprint;
-use crate::vehicle::impact::ground::Striker;
+use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::AREA_EXPONENT;
+use crate::vehicle::kinds::EARTH_G_M_S2;
 use numerics::{math, root};
 
 /// Relative error of the depth of a rigid vehicle.

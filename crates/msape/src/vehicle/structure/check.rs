@@ -15,7 +15,7 @@
 use super::size::{AxialLoads, PressureShell, WallLoads};
 use super::{Carrier, Construction, LaunchLoad, Structure, Wall};
 use crate::vehicle::input::VehicleInput;
-use crate::vehicle::rules::WallPlace;
+use crate::vehicle::kinds::WallPlace;
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
 

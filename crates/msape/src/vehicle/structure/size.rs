@@ -20,10 +20,12 @@
 
 use super::capacity::{Cap, Cone};
 use super::{Carrier, LaunchLoad, Needs, Structure, Wall};
-use crate::vehicle::impact::EARTH_G_M_S2;
 use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::ComponentKind;
+use crate::vehicle::kinds::EARTH_G_M_S2;
 use crate::vehicle::layout::Layout;
-use crate::vehicle::mass::{Component, ComponentKind, MassProperties};
+use crate::vehicle::mass::Component;
+use crate::vehicle::mass::MassProperties;
 use numerics::math::{FRAC_PI_2, PI, atan2};
 
 /// A cone between two rings under external pressure with its spherical cap, or a cap alone.

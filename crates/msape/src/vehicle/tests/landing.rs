@@ -4,8 +4,8 @@ use super::*;
 use crate::finding::Severity;
 use crate::vehicle::impact::crush::{Pulse, PulseEnd, Touchdown, pulse};
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
+use crate::vehicle::impact::remarks;
 use crate::vehicle::impact::soil::Soil;
-use crate::vehicle::impact::{self, remarks};
 use numerics::math::FRAC_PI_2;
 
 fn on(ground: &str, mut input: VehicleInput) -> (VehicleInput, Vehicle, Landing) {
@@ -201,6 +201,6 @@ fn a_density_that_is_given_decides_the_plateau() {
     // Rohacell 110: 3.0 MPa
     assert_eq!(landing.absorber.law.plateau_pa, 3.0e6);
     let area_m2 = landing.absorber.area_m2(0.01);
-    let plateau_g = 3.0e6 * area_m2 / (9.0 * impact::EARTH_G_M_S2);
+    let plateau_g = 3.0e6 * area_m2 / (9.0 * EARTH_G_M_S2);
     assert!(landing.rigid_surface.peak_load_earth_g >= plateau_g * (1.0 - 1e-12));
 }

@@ -1,0 +1,142 @@
+//! The kinds of which a vehicle is made: concept, components, walls, foams.
+
+use serde::{Deserialize, Serialize};
+
+/// Standard gravity, m/s².
+pub const EARTH_G_M_S2: f64 = 9.80665;
+
+/// The two concepts of section 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Concept {
+    /// Payload in a foam-filled impact sphere with a shell.
+    Msr,
+    /// Payload nested in impact foam.
+    NonMsr,
+}
+
+/// The parts of a vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ComponentKind {
+    /// Heat shield of the forebody.
+    ForebodyTps,
+    /// Bond under it.
+    Bond,
+    /// Carrier structure of the forebody.
+    ForebodyCarrier,
+    /// Heat shield of the aftbody.
+    AftbodyTps,
+    /// Carrier structure of the aftbody.
+    AftbodyCarrier,
+    /// Cylinder wall from forebody carrier to attached structure.
+    PrimaryStructure,
+    /// Filling of the wing.
+    WingInsulation,
+    /// Foam around or under the payload.
+    ImpactFoam,
+    /// Shell of the impact sphere.
+    ImpactShell,
+    /// Foam around the impact sphere.
+    BodyFoam,
+    /// Filling of the lid.
+    LidInsulation,
+    /// Payload.
+    Payload,
+}
+
+impl ComponentKind {
+    /// Name in plain words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::ForebodyTps => "Forebody TPS",
+            Self::Bond => "Bond",
+            Self::ForebodyCarrier => "Forebody carrier structure",
+            Self::AftbodyTps => "Aftbody TPS",
+            Self::AftbodyCarrier => "Aftbody carrier structure",
+            Self::PrimaryStructure => "Primary structure",
+            Self::WingInsulation => "Wing insulation",
+            Self::ImpactFoam => "Impact foam",
+            Self::ImpactShell => "Impact shell",
+            Self::BodyFoam => "Body foam",
+            Self::LidInsulation => "Lid insulation",
+            Self::Payload => "Payload",
+        }
+    }
+}
+
+/// The three walls that a [`CarrierMaterial`] can make.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WallPlace {
+    /// Under the forebody's heat shield.
+    Forebody,
+    /// Under the aftbody's heat shield.
+    Aftbody,
+    /// Between forebody and attached structure.
+    Primary,
+}
+
+impl WallPlace {
+    /// All, in the order of tables.
+    pub const ALL: [WallPlace; 3] = [Self::Forebody, Self::Aftbody, Self::Primary];
+
+    /// Name in plain words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Forebody => "Forebody carrier",
+            Self::Aftbody => "Aftbody carrier",
+            Self::Primary => "Primary structure",
+        }
+    }
+}
+
+/// Impact foam as equations 4 and 6 ask for it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Foam {
+    /// Thickness, m.
+    pub thickness_m: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// A foam and its strength.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FoamGrade {
+    /// Name.
+    pub name: String,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+    /// Compressive strength, Pa.
+    pub compressive_strength_pa: f64,
+    /// Key in the list of references.
+    pub source: String,
+}
+
+/// Densities of what fills the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ComponentDensities {
+    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength of equation 6, and adds the panels.
+    pub impact_foam_kg_m3: Option<f64>,
+    /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
+    pub impact_panels_kg_m3: f64,
+    /// Impact shell, kg/m³.
+    pub impact_shell_kg_m3: f64,
+    /// Body foam, kg/m³.
+    pub body_foam_kg_m3: f64,
+    /// Lid insulation, kg/m³.
+    pub lid_insulation_kg_m3: f64,
+    /// Wing insulation, kg/m³.
+    pub wing_insulation_kg_m3: f64,
+}
+
+/// What crushes the impact foam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum CrushingMass {
+    /// The payload alone, as in equations 4 and 6.
+    #[default]
+    Payload,
+    /// The whole impact sphere of the MSR concept, which moves with the payload.
+    ImpactSphere,
+}
