@@ -314,7 +314,7 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
         .chars()
         .collect();
     for (name, text) in [("a.csv", csv), ("a.dxf", dxf)] {
-        let whole = vehicle::body::import::read(name, text, None).unwrap();
+        let whole = cad::outline::read(name, text, None).unwrap();
         assert!(vehicle::body::from_rows(name, &whole).is_ok());
         for _ in 0..3_000 {
             let mut spoiled: Vec<char> = text.chars().collect();
@@ -328,7 +328,7 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
                 }
             }
             let spoiled: String = spoiled.into_iter().collect();
-            match vehicle::body::import::read(name, &spoiled, None) {
+            match cad::outline::read(name, &spoiled, None) {
                 Ok(rows) => drop(vehicle::body::from_rows(name, &rows)),
                 Err(faults) => assert!(faults.iter().all(|fault| !fault.to_string().is_empty())),
             }

@@ -1,7 +1,7 @@
 //! The arguments.
 
+use cad::export::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use msape::export::Format;
 use msape::table::kml::Instant;
 use msape::units::{Dimension, canonical, parse_number};
 use std::path::PathBuf;

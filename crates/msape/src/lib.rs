@@ -37,7 +37,6 @@
 //!
 //! Beside them:
 //!
-//! - [`export`]: the vehicle as CAD, mesh and drawing files.
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
@@ -61,7 +60,6 @@ pub mod answer;
 pub mod benchmark;
 pub mod case;
 pub mod design;
-pub mod export;
 pub mod finding;
 pub mod flight;
 pub mod heating;
