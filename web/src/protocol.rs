@@ -36,7 +36,7 @@ pub enum Told {
     TableRead(Result<Vec<Vec<f64>>, Vec<String>>),
 }
 
-/// Repetitions of a job of [`msape::benchmark::JOBS`].
+/// Repetitions of a job of [`benchmark::JOBS`].
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Batch {
     /// Index of the job.

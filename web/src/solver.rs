@@ -3,7 +3,7 @@
 use crate::aerodynamics::{self, Kept};
 use crate::clock::now_ms;
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
-use msape::benchmark::{Bench, JOBS};
+use benchmark::{Bench, JOBS};
 use msape::library::DataError;
 use msape::problem::attitude_of_design;
 use msape::{Answer, Case, InputError, Library, Request, design, fly};

@@ -43,7 +43,6 @@
 //! - [`finding`]: use outside a model's range, as a value beside the result.
 //! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
 //! - [`validation`]: the shipped cases beside their references.
-//! - [`benchmark`]: the jobs by which speed is measured.
 //!
 //! # What is deliberately absent
 //!
@@ -57,7 +56,6 @@
 
 pub mod aero;
 pub mod answer;
-pub mod benchmark;
 pub mod case;
 pub mod design;
 pub mod finding;

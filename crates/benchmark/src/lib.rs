@@ -3,14 +3,14 @@
 
 pub mod kernel;
 
-use crate::case::{Case, InputError};
-use crate::design::structural::Structural;
-use crate::design::{Design, coupling};
-use crate::flight::mission::Body;
-use crate::flight::{self, Flight, Request};
-use crate::library::{DataError, Library, data_file};
-use crate::problem::{DesignProblem, FlightProblem};
-use crate::vehicle;
+use msape::case::{Case, InputError};
+use msape::design::structural::Structural;
+use msape::design::{Design, coupling};
+use msape::flight::mission::Body;
+use msape::flight::{self, Flight, Request};
+use msape::library::{DataError, Library, data_file};
+use msape::problem::{DesignProblem, FlightProblem};
+use msape::vehicle;
 use std::hint::black_box;
 
 /// What the jobs work on.
@@ -173,7 +173,7 @@ fn shipped<T>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Outcome;
+    use msape::Outcome;
 
     #[test]
     fn what_is_measured_is_a_flight_to_the_ground_and_designs_that_converge() {

@@ -1,18 +1,13 @@
-//! `cargo bench --package msape --bench aero`: how long the database of a new outline and one look-up take.
-#![allow(
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    missing_docs,
-    reason = "a measurement is not the core: it reads the clock and prints"
-)]
+//! `cargo bench --package msape-benchmark --bench aero`: how long the database of a new outline and one look-up take.
+#![allow(missing_docs, reason = "nothing uses a benchmark")]
 
 #[path = "solve/measure.rs"]
 mod measure;
 
+use benchmark::kernel;
 use measure::Measurement;
 use msape::Library;
 use msape::aero::standard::AeroBody;
-use msape::benchmark::kernel;
 use std::hint::black_box;
 
 fn main() {

@@ -1,16 +1,11 @@
-//! `cargo bench --package msape`: how long a trajectory, a vehicle and a design take, as ratios to bare kernels measured
+//! `cargo bench --package msape-benchmark`: how long a trajectory, a vehicle and a design take, as ratios to bare kernels measured
 //! in the same run, so that figures of different machines can be compared.
-#![allow(
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    missing_docs,
-    reason = "a measurement is not the core: it reads the clock and prints"
-)]
+#![allow(missing_docs, reason = "nothing uses a benchmark")]
 
 mod measure;
 
+use benchmark::{Bench, JOBS, NAMES, kernel};
 use measure::Measurement;
-use msape::benchmark::{Bench, JOBS, NAMES, kernel};
 use msape::flight::{self, Request};
 
 fn main() {
