@@ -16,16 +16,16 @@
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
 
+use super::flown::Flown;
 use super::inputs::DesignInput;
 use super::misfit;
+use super::sized::Sized;
 use super::{Design, Pass, Solution};
 use crate::finding::Finding;
 use crate::flight::mission::{Body, Model};
-use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
+use crate::flight::{self, Request};
 use crate::outcome::Outcome;
-use crate::soak::SoakInput;
-use crate::tps::mer::{self, Sizing};
-use crate::tps::{Environment, Side, limits};
+use crate::tps::limits;
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
 use crate::vehicle::{self, Vehicle, VehicleInput};
@@ -137,89 +137,6 @@ fn relax(vehicle: &mut VehicleInput, relaxation: f64, number: u32, flown: &Flown
         &mut vehicle.aftbody_tps_thickness_m,
         sized.aftbody.thickness_m,
     );
-}
-
-/// A flight of one pass.
-struct Flown {
-    flight: Flight,
-    outcome: Outcome,
-    reason: Option<String>,
-    terminal_speed_m_s: f64,
-    /// Speed at impact, or the terminal speed where the flight does not come down.
-    impact_speed_m_s: f64,
-}
-
-impl Flown {
-    fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
-        let mission = &input.mission;
-        let (flight, outcome, reason) = match model {
-            Model::AllenEggers => (
-                allen_eggers::fly(mission, body, Request::Nothing),
-                Outcome::Landed,
-                None,
-            ),
-            Model::ThreeDof => {
-                let record = three_dof::integrate(mission, body);
-                let flight =
-                    summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
-                (flight, record.outcome, record.reason)
-            }
-        };
-        let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
-        let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
-        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped);
-        let impact_speed_m_s = if came_down {
-            flight.final_speed_m_s
-        } else {
-            terminal_speed_m_s
-        };
-        Flown {
-            flight,
-            outcome,
-            reason,
-            terminal_speed_m_s,
-            impact_speed_m_s,
-        }
-    }
-}
-
-/// Heat shields and payload temperature of one pass.
-struct Sized {
-    environment: Environment,
-    aft_environment: Environment,
-    forebody: Sizing,
-    aftbody: Sizing,
-    soak: SoakInput,
-    payload_temperature_k: f64,
-}
-
-impl Sized {
-    fn new(input: &DesignInput, vehicle: &Vehicle, flown: &Flown) -> Sized {
-        let flight = &flown.flight;
-        let environment = Environment {
-            side: Side::Forebody,
-            peak_heat_flux_w_m2: flight.peak_total_margined_heat_flux_w_m2.value,
-            heat_load_j_m2: flight.total_margined_heat_load_j_m2(),
-            peak_pressure_pa: flight.peak_stagnation_pressure_pa.value,
-            entry_speed_m_s: flight.entry_relative.speed_m_s,
-            entry_flight_path_angle_rad: flight.entry_relative.flight_path_angle_rad,
-            time_above_limit_s: None,
-        };
-        let aft_environment = environment.aftbody(&input.afterbody);
-        let soak = SoakInput {
-            peak_heat_flux_w_m2: environment.peak_heat_flux_w_m2,
-            heat_load_j_m2: environment.heat_load_j_m2,
-            diameter_m: vehicle.dimensions.diameter_m,
-        };
-        Sized {
-            forebody: mer::size(&input.forebody_material, &environment),
-            aftbody: mer::size(&input.aftbody_material, &aft_environment),
-            payload_temperature_k: input.soak.peak_temperature_k(&soak),
-            environment,
-            aft_environment,
-            soak,
-        }
-    }
 }
 
 /// Values of [`super::crossings::CROSSINGS`] in one pass.
