@@ -87,6 +87,6 @@ pub struct Design {
     pub structural: Option<Structural>,
     /// Number of passes.
     pub passes: u32,
-    /// Change of the entry mass in the last pass, kg.
+    /// Estimated distance of the entry mass from its fixed point, kg.
     pub mass_residual_kg: Option<f64>,
 }

@@ -2,6 +2,7 @@
 
 use super::{Answer, Outcome};
 use crate::finding::{Adjustment, Finding, Severity};
+use crate::flight::mission::Model;
 use crate::flight::{Flight, Peak, Trajectory};
 use crate::planet::horizon::Velocity;
 use crate::quantity::trajectory::columns;
@@ -39,7 +40,7 @@ pub fn flight() -> Answer {
         outcome: Outcome::Landed,
         reason: None,
         flight: Some(Flight {
-            model: "three-dof".to_string(),
+            model: Model::ThreeDof,
             entry_relative: velocity,
             entry_inertial: velocity,
             peak_deceleration_earth_g: peak(29.84381, 1.0),

@@ -25,7 +25,7 @@ impl Flown {
                 Outcome::Landed,
                 None,
             ),
-            Model::ThreeDof => {
+            Model::ThreeDof | Model::SixDof => {
                 let record = three_dof::integrate(mission, body);
                 let flight =
                     summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
