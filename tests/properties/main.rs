@@ -4,13 +4,17 @@
 //! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
+//! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
+//! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 
+mod coupling;
 mod designs;
 mod flights;
 mod garbage;
 mod geometry;
 mod text;
+mod versions;
 
 use proptest::test_runner::{Config, RngSeed};
 

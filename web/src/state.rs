@@ -90,6 +90,8 @@ pub struct State {
     pub notice: RwSignal<String>,
     /// Faults of the last file that was opened.
     pub file_faults: RwSignal<Vec<String>>,
+    /// What changed since the last case that was opened was made by an earlier version.
+    pub version_remarks: RwSignal<Vec<String>>,
     /// Look and depth of the page.
     pub preferences: Preferences,
     /// What a case may name.
@@ -129,6 +131,7 @@ impl State {
             protected: RwSignal::new(None),
             notice: RwSignal::new(String::new()),
             file_faults: RwSignal::new(Vec::new()),
+            version_remarks: RwSignal::new(Vec::new()),
             preferences,
             library: stored_library,
             flight_fields: StoredValue::new(None),

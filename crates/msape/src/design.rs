@@ -3,6 +3,7 @@
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: its drag, by name or of its own outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
 //! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
@@ -10,9 +11,11 @@
 pub mod coupling;
 pub mod crossings;
 pub mod drag;
+mod flown;
 pub mod inputs;
 pub mod misfit;
 mod pass;
+mod sized;
 pub mod structural;
 
 pub use pass::Pass;
@@ -84,6 +87,6 @@ pub struct Design {
     pub structural: Option<Structural>,
     /// Number of passes.
     pub passes: u32,
-    /// Change of the entry mass in the last pass, kg.
+    /// Estimated distance of the entry mass from its fixed point, kg.
     pub mass_residual_kg: Option<f64>,
 }

@@ -51,8 +51,8 @@ pub struct Peak {
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
-    /// Model that flew it: `three-dof`, `six-dof` or `allen-eggers`.
-    pub model: String,
+    /// Model that flew it.
+    pub model: Model,
     /// Entry state relative to the planet.
     pub entry_relative: Velocity<f64>,
     /// Inertial entry state.

@@ -222,12 +222,15 @@ pub fn data_file(path: &str) -> Option<&'static str> {
         .map(|(_, text)| *text)
 }
 
-/// Paths and texts of the data files in one folder, such as `planets`.
+/// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
 pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let prefix = format!("{folder}/");
     FILES
         .iter()
-        .filter(move |(name, _)| name.starts_with(&prefix))
+        .filter(move |(name, _)| {
+            let inside = name.strip_prefix(&prefix);
+            inside.is_some_and(|file| !file.contains('/'))
+        })
         .map(|(name, text)| (*name, *text))
 }
 

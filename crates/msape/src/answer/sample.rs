@@ -5,6 +5,7 @@ use crate::case::Case;
 use crate::design::Design;
 use crate::design::inputs::DesignInput;
 use crate::finding::{Adjustment, Finding, Severity};
+use crate::flight::mission::Model;
 use crate::flight::{Flight, Peak, Request, Trajectory};
 use crate::library::{Library, data_file};
 use crate::planet::horizon::Velocity;
@@ -57,7 +58,7 @@ pub fn flight() -> Answer {
         outcome: Outcome::Landed,
         reason: None,
         flight: Some(Flight {
-            model: "three-dof".to_string(),
+            model: Model::ThreeDof,
             entry_relative: velocity,
             entry_inertial: velocity,
             peak_deceleration_earth_g: peak(29.84381, 1.0),

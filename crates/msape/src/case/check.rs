@@ -47,7 +47,7 @@ pub struct Reader<'a> {
     case: &'a Case,
     /// Faults so far.
     pub faults: Vec<InputError>,
-    /// Numbers outside their usual range.
+    /// Numbers outside their usual range, and defaults that changed since the case was written.
     pub findings: Vec<Finding>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             case,
             faults: Vec::new(),
-            findings: Vec::new(),
+            findings: case.version_note().into_iter().collect(),
         };
         for key in case.values.keys().filter(|key| input::find(key).is_none()) {
             let message = if reader.faults.len() < HINTS_MAX {

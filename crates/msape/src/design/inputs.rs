@@ -32,11 +32,11 @@ pub struct DesignInput {
     pub shoulder: Shoulder,
     /// Drag coefficient against Mach number.
     pub drag: DesignDrag,
-    /// Change of the entry mass below which a design is converged, kg.
+    /// Estimated distance of the entry mass from its fixed point below which a design is converged, kg.
     pub mass_criterion_kg: f64,
     /// Passes after which an answer is given as it is.
     pub max_iterations: u32,
-    /// Fraction of each change that a pass applies.
+    /// Fraction of a change that a pass applies where earlier passes do not yet explain it.
     pub relaxation: f64,
 }
 

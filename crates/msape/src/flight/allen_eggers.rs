@@ -17,7 +17,7 @@
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
 
 use super::equations::{CONVECTIVE, RADIATIVE, STATES};
-use super::mission::{Body, Mission};
+use super::mission::{Body, Mission, Model};
 use super::motion::Motion;
 use super::sample::{self, EARTH_G_M_S2, GAMMA};
 use super::trajectory::{Request, Trajectory};
@@ -297,7 +297,7 @@ impl<'a> Sum<'a> {
         });
         let final_speed_m_s = (end[3] * end[3] + end[4] * end[4] + end[5] * end[5]).sqrt();
         Flight {
-            model: "allen-eggers".to_string(),
+            model: Model::AllenEggers,
             entry_relative: mission.start.relative,
             entry_inertial: mission.start.inertial,
             peak_deceleration_earth_g: self.exact_deceleration(deceleration),

@@ -31,7 +31,7 @@ pub mod rigid;
 
 use super::equations::Equations;
 use super::integration::{self, Record};
-use super::mission::{Body, Mission};
+use super::mission::{Body, Mission, Model};
 use super::{Flight, Request, summary, three_dof};
 use crate::outcome::Outcome;
 use events::Marks;
@@ -71,7 +71,7 @@ pub fn fly(
     let record = integrate(mission, body, rigid);
     let motion = motion(mission, body, rigid);
     let mut flight = summary::summarize(motion, &record, request);
-    flight.model = "six-dof".to_string();
+    flight.model = Model::SixDof;
     let marks = Marks {
         peak_heating_time_s: flight.peak_total_heat_flux_w_m2.time_s,
         peak_deceleration_time_s: flight.peak_deceleration_earth_g.time_s,

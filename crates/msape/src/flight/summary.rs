@@ -3,6 +3,7 @@
 use super::Flight;
 use super::equations::{CONVECTIVE, RADIATIVE};
 use super::integration::{Leg, Record};
+use super::mission::Model;
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::sample;
@@ -31,7 +32,7 @@ pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
     let end = sample::position(mission, &head(&y_end));
     let at_peak = flight.around(deceleration.time_s);
     Flight {
-        model: "three-dof".to_string(),
+        model: Model::ThreeDof,
         entry_relative: mission.start.relative,
         entry_inertial: mission.start.inertial,
         peak_deceleration_earth_g: deceleration,

@@ -22,9 +22,9 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("number_of_iterations", "Number of Iterations", Module::Coupling, |a| design(a, |d| f64::from(d.passes)))
         .help("Passes through the modules.", "NASA/TM-2014-218507, section 2.2")
         .report(),
-    Output::new("mass_residual_kg", "Mass Change in the Last Pass", Module::Coupling, |a| a.design.as_ref().and_then(|d| d.mass_residual_kg))
+    Output::new("mass_residual_kg", "Mass Left to Settle", Module::Coupling, |a| a.design.as_ref().and_then(|d| d.mass_residual_kg))
         .unit(Dimension::Mass, "kg")
-        .help("Change of the entry mass in the last pass.", "NASA/TM-2014-218507, section 2.2"),
+        .help("Estimated distance of the entry mass from where further passes would lead it.", "NASA/TM-2014-218507, section 2.2"),
     Output::new("diameter_m", "Vehicle Diameter", Module::Geometry, |a| design(a, |d| d.vehicle.dimensions.diameter_m))
         .unit(Dimension::Length, "m")
         .help("Largest diameter after the closing rules.", "NASA/TM-2014-218507, Appendix D"),

@@ -122,7 +122,7 @@ pub(super) const INPUTS: &[Input] = &[
         .usual(0.0001, 1.0)
         .preset(Preset::Number(0.001))
         .basic()
-        .help("Change of the entry mass between passes below which a design is converged.", RUN_PAGE),
+        .help("A design is converged when its entry mass is estimated to be no further than this from where further passes would lead it.", RUN_PAGE),
     Input::number("design.max_iterations", "Max Number of Iterations", Group::Solver, Dimension::One, Range::closed(1.0, 10_000.0))
         .usual(1.0, 200.0)
         .whole()
@@ -132,5 +132,5 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("design.relaxation", "Relaxation", Group::Solver, Dimension::One, Range::above(0.0, 1.5))
         .usual(0.3, 1.0)
         .preset(Preset::Number(1.0))
-        .help("Fraction of each change that a pass applies; 1 is plain Gauss-Seidel.", "convention of this program"),
+        .help("Fraction of a change that a pass applies where earlier passes do not yet tell how the change goes on; the answer does not depend on it.", "convention of this program"),
 ];
