@@ -199,8 +199,7 @@ fn misfit(misfit: &Misfit) -> &'static str {
         Misfit::WingTooShallow { .. } => "wing too shallow",
         Misfit::WingTooSteep => "wing too steep",
         Misfit::NoRoomForLayers { .. } => "layers cross",
-        Misfit::PayloadWiderThanLid { .. } => "payload crosses the primary structure",
-        Misfit::NotConverged { .. } => "masses and geometry did not settle",
+        Misfit::NotConverged { .. } => "walls did not settle",
     }
 }
 

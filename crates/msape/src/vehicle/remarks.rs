@@ -50,7 +50,18 @@ pub fn adjustments(
             key: "foam_thickness_m".to_owned(),
             from: foam_m,
             to: layout.foam_thickness_m,
-            reason: "The impact foam was thickened beyond the required stroke, as the lid would stand too low for its wing."
+            reason: "The impact foam was thickened beyond the required stroke, as the lid, tied to the impact sphere, would stand too low for its wing."
+                .to_owned(),
+            source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
+        });
+    }
+    let gap_m = input.rules.payload_lid_gap_m;
+    if input.concept == Concept::NonMsr && layout.lid_insulation_thickness_m > gap_m + ROUNDING_M {
+        list.push(Adjustment {
+            key: "lid_gap_m".to_owned(),
+            from: gap_m,
+            to: layout.lid_insulation_thickness_m,
+            reason: "The lid was raised over the payload and the primary structure lengthened, as the lid about the centre of gravity would not let the payload pass or would stand too low for its wing."
                 .to_owned(),
             source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
         });
