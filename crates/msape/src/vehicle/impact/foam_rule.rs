@@ -57,6 +57,8 @@ pub struct FoamRule<'a> {
     pub least_thickness_m: f64,
     /// Strength of equation 6, Pa.
     pub equation_6_pa: f64,
+    /// End of the plateau of the foam that the least thickness with the largest fraction asks for.
+    plateau_strain: f64,
     input: &'a VehicleInput,
 }
 
@@ -82,9 +84,11 @@ impl FoamRule<'_> {
             required_thickness_m: 0.0,
             least_thickness_m: input.rules.foam_thickness_min_m,
             equation_6_pa,
+            plateau_strain: 0.0,
             input,
         };
         let usable = rule.largest_efficiency();
+        rule.plateau_strain = usable + rule.elastic_part();
         rule.stroke_efficiency = match input.impact.stroke_efficiency {
             Some(asked) => asked.min(usable),
             None => usable,
@@ -112,18 +116,19 @@ impl FoamRule<'_> {
         Supply::new(self.input)
     }
 
-    /// Part of the thickness that a foam can be crushed by, counted as stroke of equation 4.
-    fn usable(&self, law: &CrushLaw) -> f64 {
+    /// Part of the thickness that the elastic branch takes from the stroke of equation 4.
+    fn elastic_part(&self) -> f64 {
         match self.input.concept {
-            Concept::Msr => law.plateau_strain(),
-            Concept::NonMsr => law.plateau_strain() - 0.5 * law.yield_strain(),
+            Concept::Msr => 0.0,
+            Concept::NonMsr => 0.5 * self.supply().law(self.equation_6_pa).yield_strain(),
         }
     }
 
     /// The largest fraction with which the foam of the least thickness keeps to its plateau.
     fn largest_efficiency(&self) -> f64 {
         let supply = self.supply();
-        let softest = self.usable(&supply.law(0.0));
+        let usable = |law: CrushLaw| law.plateau_strain() - self.elastic_part();
+        let softest = usable(supply.law(0.0));
         let excess = |efficiency: f64| {
             let strength_pa = match (self.input.impact.foam_strength, self.input.concept) {
                 (FoamStrength::CrushLaw, Concept::Msr) if self.stroke_m > 0.0 => {
@@ -132,7 +137,7 @@ impl FoamRule<'_> {
                 // in a column the stroke of equation 4 asks for the strength of equation 6
                 _ => self.equation_6_pa,
             };
-            self.usable(&supply.law(strength_pa)) - efficiency
+            usable(supply.law(strength_pa)) - efficiency
         };
         // stronger foam is denser and its plateau shorter: the excess falls throughout
         root::brent(excess, LEAST_EFFICIENCY, softest, RESOLUTION).unwrap_or(softest)
@@ -160,8 +165,9 @@ impl FoamRule<'_> {
         let strength_pa = |strain: f64| self.needed_pa(thickness_m, strain * thickness_m);
         let left = |strain: f64| supply.law(strength_pa(strain)).plateau_strain() - strain;
         let softest = supply.law(0.0).plateau_strain();
-        let strain = root::brent(left, LEAST_EFFICIENCY, softest, RESOLUTION);
-        strength_pa(strain.unwrap_or(softest))
+        // thicker foam can be softer, and its plateau longer; at the least thickness it is the one found there
+        let strain = root::brent(left, self.plateau_strain, softest, RESOLUTION);
+        strength_pa(strain.unwrap_or(self.plateau_strain))
     }
 
     /// Strength that takes the energy at a thickness within a crush on the plateau, m, Pa.

@@ -28,6 +28,8 @@ use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 /// Loads up to this part over the limit are rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
+/// Crush beyond the plateau up to this part is that of a landing a little faster than the pass before had it.
+const PLATEAU_TOLERANCE: f64 = 1e-3;
 /// Share of the kinetic energy that may be sideways.
 const SIDEWAYS_SHARE: f64 = 0.01;
 /// Depth in diameters from which Young's equation holds.
@@ -228,7 +230,7 @@ fn densified(vehicle: &Vehicle, landing: &Landing) -> Option<Finding> {
     } else {
         String::new()
     };
-    (margin < 0.0).then(|| Finding {
+    (margin < -PLATEAU_TOLERANCE).then(|| Finding {
         severity: Severity::Note,
         model: "crush dynamics".to_string(),
         key: "foam_densification_margin".to_string(),
