@@ -77,7 +77,7 @@ fn sampled(sequence: &mut Sequence, templates: &[VehicleInput]) -> VehicleInput 
     input.loads.peak_stagnation_pressure_pa = sequence.between(5e3, 2e5);
     input.loads.terminal_speed_m_s = sequence.between(15.0, 50.0);
     input.impact.crush_load_limit_earth_g = sequence.between(500.0, 5000.0);
-    input.impact.stroke_efficiency = sequence.between(0.3, 0.9);
+    input.impact.stroke_efficiency = Some(sequence.between(0.3, 0.9));
     input
 }
 

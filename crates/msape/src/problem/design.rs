@@ -9,6 +9,7 @@ use crate::library::{Library, Named, named};
 use crate::quantity::input::OWN_OUTLINE;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::CrushingMass;
+use crate::vehicle::FoamStrength;
 use crate::vehicle::ImpactInput;
 use crate::vehicle::WallPlace;
 use crate::vehicle::structure::{Carrier, Construction};
@@ -70,13 +71,14 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
     let aft_name = aftbody_material(reader, library);
     let ground_name = choice(reader, "design.ground", &library.grounds);
+    let foam_strength = reader.choice("design.foam_strength", &["crush-law", "equation-6"]);
+    let efficiency = reader.number("design.stroke_efficiency");
     let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
     let aero_name = aerodynamics(reader, library);
     let numbers = [
         "cone_half_angle_deg",
         "mass_margin",
         "crush_load_limit_earth_g",
-        "stroke_efficiency",
         "terminal_drag_coefficient",
         "mass_criterion_kg",
         "max_iterations",
@@ -87,7 +89,6 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         cone_deg,
         margin,
         crush_limit,
-        efficiency,
         terminal_drag,
         criterion,
         iterations,
@@ -143,7 +144,11 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         structure_loads: library.vehicle.structure_loads().ok()?,
         impact: ImpactInput {
             crush_load_limit_earth_g: crush_limit?,
-            stroke_efficiency: efficiency?,
+            stroke_efficiency: efficiency,
+            foam_strength: match foam_strength? {
+                "equation-6" => FoamStrength::Equation6,
+                _ => FoamStrength::CrushLaw,
+            },
             ground: named(&library.grounds, ground_name?)?.clone(),
             foam: library.impact_foam.clone(),
             crushing_mass: match crushing_mass? {

@@ -72,7 +72,8 @@ pub(super) fn msr() -> VehicleInput {
         structure_loads: data.structure_loads().unwrap(),
         impact: ImpactInput {
             crush_load_limit_earth_g: 3500.0,
-            stroke_efficiency: 0.55,
+            stroke_efficiency: None,
+            foam_strength: FoamStrength::CrushLaw,
             ground: Ground::parse(include_str!("../../data/grounds/uttr-clay.toml")).unwrap(),
             foam: FoamKind::parse(include_str!("../../data/foams/pmi.toml")).unwrap(),
             crushing_mass: CrushingMass::Payload,

@@ -218,7 +218,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .report(),
     Output::new("foam_strength_pa", "Foam Crush Strength", Module::Impact, |a| design(a, |d| d.vehicle.impact.foam_strength_pa))
         .unit(Dimension::Pressure, "MPa")
-        .help("Compressive strength that the foam needs.", "NASA/TM-2014-218507, equation 6"),
+        .help("Compressive strength asked for: by the crush law, or by equation 6 where the case says so.", "NASA/TM-2014-218507, section 3.1.5 and equation 6"),
     Output::new("impact_energy_j", "Impact Energy (J)", Module::Impact, |a| design(a, |d| d.vehicle.impact.impact_energy_j))
         .help("Kinetic energy of the vehicle at impact, in J.", "NASA/TM-2014-218507, section 3.1.5"),
     Output::new("impact_sphere_diameter_m", "Impact Sphere Diameter", Module::Impact, |a| design(a, |d| d.vehicle.dimensions.impact_sphere_diameter_m))

@@ -86,9 +86,16 @@ pub(super) const INPUTS: &[Input] = &[
         .basic()
         .help("Design impact load of the payload on a rigid surface; a higher one needs less stroke. Not printed; 3500 g is assumed, with which the vehicle of Table 15 closes.", IMPACT),
     Input::number("design.stroke_efficiency", "Stroke Efficiency", Group::Impact, Dimension::One, RATIO)
-        .usual(0.3, 0.9)
-        .preset(Preset::Number(0.55))
-        .help("Fraction of the foam thickness that can be crushed; 0.5 to 0.6 agrees with the geometry of Table 9.", ASSUMED),
+        .usual(0.3, 0.5)
+        .help("Fraction of the foam thickness that can be crushed; when absent, the end of the plateau of the foam in use (for a slab less half of its elastic strain). A larger one is reduced to it.", IMPACT),
+    Input::new(
+        "design.foam_strength",
+        "Foam Strength",
+        Group::Impact,
+        Kind::Choice(Choices::Fixed(&[("crush-law", "Crush law"), ("equation-6", "Equation 6")])),
+    )
+    .preset(Preset::Name("crush-law"))
+    .help("Where the crush strength of the impact foam comes from: the law by which the landing is judged, with which the payload keeps its limit, or equation 6 as printed, over the payload's cross-section.", IMPACT),
     Input::new("design.ground", "Ground", Group::Impact, Kind::Choice(Choices::Grounds))
         .preset(Preset::Name("uttr-clay"))
         .help("Ground on which the vehicle lands; the load on a rigid surface is shown beside it.", IMPACT),

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! with masses in kg, x the way of the payload's side and z that of the vehicle into the ground in m, s the crush, F the force of
-//! the foam and S that of the ground in N, energies in J, V the speed in m/s. Foam that is unloaded follows its elastic line until
-//! it is crushed further. A vehicle that stops stays, until the foam pushes harder than the ground holds.
+//! the foam and S that of the ground in N, energies in J, V the speed in m/s. Foam that is unloaded goes back elastically, and forth on
+//! the same way until it is crushed further ([`Absorber::unloading_n`]). A vehicle that stops stays, until the foam pushes harder than the ground holds.
 //!
 //! # Valid
 //! Vertical, without gravity (1 g among hundreds), rigid payload and rigid vehicle. On rigid ground the vehicle's side stops
@@ -85,11 +85,9 @@ pub struct Pulse {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Foam {
     Crushing,
-    /// Below the largest crush so far, on the elastic line from there.
+    /// Below the largest crush so far, on the elastic way back from there.
     Elastic {
         crush_m: f64,
-        force_n: f64,
-        stiffness_n_m: f64,
     },
 }
 
@@ -126,13 +124,10 @@ impl Motion {
         let crush = y[0] - y[2];
         match self.foam {
             Foam::Crushing => self.touchdown.absorber.force_n(crush),
-            Foam::Elastic {
-                crush_m,
-                force_n,
-                stiffness_n_m,
-            } => (force_n - stiffness_n_m * (crush_m - crush))
-                .min(self.touchdown.absorber.force_n(crush.max(crush_m)))
-                .max(0.0),
+            Foam::Elastic { crush_m } if crush < crush_m => {
+                self.touchdown.absorber.unloading_n(crush_m, crush)
+            }
+            Foam::Elastic { .. } => self.touchdown.absorber.force_n(crush),
         }
     }
 
@@ -191,13 +186,9 @@ impl Motion {
                     look(Event::FoamBends, rises(&|y| y[0] - y[2] - bend_m));
                 }
             }
-            Foam::Elastic {
-                crush_m,
-                force_n,
-                stiffness_n_m,
-            } => {
+            Foam::Elastic { crush_m } => {
                 look(Event::FoamCrushesOn, rises(&|y| y[0] - y[2] - crush_m));
-                let free_m = crush_m - force_n / stiffness_n_m;
+                let free_m = crush_m - self.touchdown.absorber.elastic_way_m(crush_m);
                 let touches = |y: &[f64; STATES]| y[0] - y[2] - free_m;
                 look(Event::FoamTouches, crosses(&touches, Direction::Either));
             }
@@ -216,12 +207,9 @@ impl Motion {
             }
             Event::VehicleYields => self.vehicle = Vehicle::Moving,
             Event::FoamRelaxes => {
-                let crush_m = y[0] - y[2];
                 self.foam = Foam::Elastic {
-                    crush_m,
-                    force_n: self.foam_n(y),
-                    stiffness_n_m: self.touchdown.absorber.unloading_n_m(crush_m),
-                };
+                    crush_m: y[0] - y[2],
+                }
             }
             Event::FoamCrushesOn => self.foam = Foam::Crushing,
             Event::FoamBends => self.bends += 1,

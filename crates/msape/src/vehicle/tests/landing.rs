@@ -43,7 +43,7 @@ fn on_a_rigid_surface_the_foam_takes_the_energy_of_the_payload() {
 fn non_msr_foam_on_its_plateau_has_the_design_load_of_equations_4_and_6() {
     let mut input = galahad();
     // a plateau of 0.50 of the thickness: half of it is used
-    input.impact.stroke_efficiency = 0.45;
+    input.impact.stroke_efficiency = Some(0.45);
     let (_, vehicle, landing) = on("rigid", input);
     assert!((landing.rigid_surface.peak_load_earth_g / 1500.0 - 1.0).abs() < 1e-9);
     // equation 4, and half of the elastic crush: 1.5 % of the thickness
