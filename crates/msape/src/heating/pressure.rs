@@ -104,7 +104,10 @@ impl StagnationPressure {
                 "5 to 7 % below the report's Navier-Stokes results: it is not conservative"
             }
         };
-        let message = format!("Stagnation pressure is that of {}: {beside}.", self.model.label());
+        let message = format!(
+            "Stagnation pressure is that of {}: {beside}.",
+            self.model.label()
+        );
         vec![Finding {
             severity: Severity::Note,
             model: "stagnation pressure".into(),
