@@ -24,6 +24,7 @@ use crate::design::structural::Structural;
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
 use crate::outcome::Outcome;
+use crate::tps::Environment;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::landing::Landing;
@@ -71,6 +72,10 @@ pub struct Design {
     pub shoulder_heat_flux_w_m2: f64,
     /// The same over that of the stagnation point.
     pub shoulder_heat_flux_ratio: f64,
+    /// Heat load on the shoulder with margins, with the factor of the flux, J/m².
+    pub shoulder_heat_load_j_m2: f64,
+    /// The point of the forebody at which its heat shield is judged, and what it goes through.
+    pub forebody_judged: Environment,
     /// Largest pressure on the aftbody, Pa.
     pub aftbody_pressure_pa: f64,
     /// Peak temperature of the payload container, K.

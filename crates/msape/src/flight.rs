@@ -142,6 +142,8 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
         speed_m_s: peak.speed_m_s,
         nose_radius_m: body.nose_radius_m,
     });
+    let pressure_pa = flight.peak_stagnation_pressure_pa.value;
+    findings.extend(mission.heating.pressure.findings(pressure_pa));
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }

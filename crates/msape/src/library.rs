@@ -8,6 +8,7 @@ use crate::aero::euler::EulerCorrection;
 use crate::aero::standard::{AxialForces, Standard};
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
+use crate::heating::pressure::PressureFit;
 use crate::heating::shoulder::Shoulder;
 use crate::heating::sutton_graves::SuttonGraves;
 use crate::heating::tauber_sutton::TauberSutton;
@@ -59,6 +60,8 @@ pub struct HeatingModels {
     pub afterbody: Afterbody,
     /// Shoulder factor.
     pub shoulder: Shoulder,
+    /// Stagnation pressure by equation 9.
+    pub pressure_fit: PressureFit,
 }
 
 /// Everything a case may name.
@@ -131,6 +134,7 @@ impl Library {
                 wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
                 afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
                 shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
+                pressure_fit: parsed("heating/stagnation-pressure.toml", PressureFit::parse)?,
             },
             materials: folder("materials", TpsMaterial::parse)?,
             concepts: folder("concepts", Concept::parse)?,

@@ -181,8 +181,8 @@ fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
         flown.impact_speed_m_s,
         flown.flight.peak_deceleration_earth_g.value,
         flown.flight.peak_stagnation_pressure_pa.value,
-        sized.environment.peak_heat_flux_w_m2,
-        sized.environment.heat_load_j_m2,
+        sized.stagnation.peak_heat_flux_w_m2,
+        sized.stagnation.heat_load_j_m2,
         sized.forebody.thickness_m,
         sized.aftbody.thickness_m,
     ]
@@ -277,9 +277,6 @@ impl Finished<'_> {
         } = self;
         let flight = with_history(input, request, &body, flown.flight);
         let adjustments = vehicle.adjustments.clone();
-        let shoulder_ratio =
-            2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
-        let shoulder_factor = input.shoulder.ratio(shoulder_ratio);
         let last = passes.last();
         let reason = match outcome {
             Outcome::NotConverged => {
@@ -301,8 +298,10 @@ impl Finished<'_> {
             aftbody_tps_density_kg_m3: input.vehicle.aftbody_tps_density_kg_m3,
             aftbody_heat_flux_w_m2: sized.aft_environment.peak_heat_flux_w_m2,
             aftbody_heat_load_j_m2: sized.aft_environment.heat_load_j_m2,
-            shoulder_heat_flux_w_m2: sized.environment.peak_heat_flux_w_m2 * shoulder_factor,
-            shoulder_heat_flux_ratio: shoulder_factor,
+            shoulder_heat_flux_w_m2: sized.stagnation.peak_heat_flux_w_m2 * sized.shoulder_factor,
+            shoulder_heat_load_j_m2: sized.stagnation.heat_load_j_m2 * sized.shoulder_factor,
+            shoulder_heat_flux_ratio: sized.shoulder_factor,
+            forebody_judged: sized.environment,
             aftbody_pressure_pa: sized.aft_environment.peak_pressure_pa,
             payload_temperature_k: sized.payload_temperature_k,
             impact_drag_coefficient: input.drag.subsonic(),
@@ -368,6 +367,11 @@ impl Finished<'_> {
         );
         findings.extend(flight::findings(&input.mission, body, &flown.flight));
         findings.extend(input.shoulder.findings(shoulder_ratio));
+        findings.push(
+            sized
+                .environment
+                .judged(input.judged_at, sized.shoulder_factor),
+        );
         findings.extend(input.soak.findings(&sized.soak));
         findings.extend(vehicle.findings.iter().cloned());
         findings

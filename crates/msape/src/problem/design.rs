@@ -1,12 +1,14 @@
 //! Checks a design.
 
 use super::flight::{Angle, mission};
+use super::heating::choice as fixed;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::quantity::input::OWN_OUTLINE;
+use crate::tps::JudgedAt;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::CrushingMass;
 use crate::vehicle::FoamStrength;
@@ -75,6 +77,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let efficiency = reader.number("design.stroke_efficiency");
     let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
     let aero_name = aerodynamics(reader, library);
+    let judged_at = fixed(reader, "heating.judged_at").and_then(JudgedAt::named);
     let numbers = [
         "cone_half_angle_deg",
         "mass_margin",
@@ -168,6 +171,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         fit_space: library.fit_space.clone(),
         afterbody: library.heating.afterbody.clone(),
         shoulder: library.heating.shoulder.clone(),
+        judged_at: judged_at?,
         drag: match aero_name? {
             OWN_OUTLINE => DesignDrag::Outline {
                 forces: library.axial_forces(),
@@ -175,6 +179,9 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             },
             name => {
                 let force = named(&library.aerodynamics, name)?;
+                let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);
+                let finding = force.other_cone(name, cone, "design.aerodynamics");
+                reader.findings.extend(finding);
                 DesignDrag::Table(force.table.with_subsonic(terminal_drag?))
             }
         },

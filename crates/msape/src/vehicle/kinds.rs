@@ -15,6 +15,16 @@ pub enum Concept {
     NonMsr,
 }
 
+impl Concept {
+    /// Name as the report has it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Msr => "MSR",
+            Self::NonMsr => "non-MSR",
+        }
+    }
+}
+
 /// The parts of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
