@@ -3,6 +3,7 @@
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: its drag, by name or of its own outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
 //! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
@@ -13,13 +14,16 @@ pub mod drag;
 pub mod inputs;
 pub mod misfit;
 mod pass;
+pub mod stability;
 pub mod structural;
 
 pub use pass::Pass;
 
+use crate::aero::stability::Stability;
 use crate::design::structural::Structural;
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
+use crate::flight::six_dof::turning::Turning;
 use crate::outcome::Outcome;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
@@ -82,6 +86,10 @@ pub struct Design {
     pub payload_mass_kg: f64,
     /// Structural rules and shell model, computed once when the passes are done; absent where a study leaves it out.
     pub structural: Option<Structural>,
+    /// Static margin and trims, computed once when the passes are done; absent where a study leaves them out.
+    pub stability: Option<Stability>,
+    /// Entries from a set of attitudes and rates; absent where nobody asked for them.
+    pub turning: Option<Turning>,
     /// Number of passes.
     pub passes: u32,
     /// Change of the entry mass in the last pass, kg.
