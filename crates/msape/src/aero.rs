@@ -29,10 +29,12 @@ pub mod integral;
 pub mod newtonian;
 pub mod polar;
 pub mod shadow;
+pub mod stability;
 pub mod standard;
 pub mod stored;
 pub mod surface;
 pub mod table;
+pub mod trim;
 
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};

@@ -4,6 +4,7 @@
 //! - [`drag`]: its drag, by name or of its own outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
 //! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
+//! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
 //! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
@@ -16,13 +17,16 @@ pub mod inputs;
 pub mod misfit;
 mod pass;
 mod sized;
+pub mod stability;
 pub mod structural;
 
 pub use pass::Pass;
 
+use crate::aero::stability::Stability;
 use crate::design::structural::Structural;
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
+use crate::flight::six_dof::turning::Turning;
 use crate::outcome::Outcome;
 use crate::tps::Environment;
 use crate::tps::mer::Sizing;
@@ -90,6 +94,10 @@ pub struct Design {
     pub payload_mass_kg: f64,
     /// Structural rules and shell model, computed once when the passes are done; absent where a study leaves it out.
     pub structural: Option<Structural>,
+    /// Static margin and trims, computed once when the passes are done; absent where a study leaves them out.
+    pub stability: Option<Stability>,
+    /// Entries from a set of attitudes and rates; absent where nobody asked for them.
+    pub turning: Option<Turning>,
     /// Number of passes.
     pub passes: u32,
     /// Estimated distance of the entry mass from its fixed point, kg.

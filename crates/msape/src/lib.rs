@@ -65,6 +65,7 @@ pub mod library;
 pub mod outcome;
 pub mod planet;
 pub mod problem;
+pub mod progress;
 pub mod quantity;
 pub mod shell;
 pub mod soak;

@@ -309,6 +309,8 @@ impl Finished<'_> {
             cone_half_angle_rad: input.vehicle.cone_half_angle_rad,
             payload_mass_kg: input.vehicle.payload_mass_kg,
             structural: None,
+            stability: None,
+            turning: None,
             passes: passes.len() as u32,
             mass_residual_kg: last.and_then(|pass| pass.mass_distance_kg),
             landing,

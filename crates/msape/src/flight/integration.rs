@@ -20,6 +20,7 @@ use super::motion::Motion;
 use crate::aero::DragTable;
 use crate::outcome::Outcome;
 use crate::planet::Gravity;
+use crate::progress::{Progress, Unwatched};
 use gate::{Gate, Place, place, speed_m_s};
 use numerics::ode::{Integrator, OdeError, Step, Tolerance};
 
@@ -67,8 +68,17 @@ pub struct Record<const N: usize> {
 
 /// Integrates a motion from a state.
 pub fn integrate<'a, M: Motion<'a, N>, const N: usize>(motion: M, start: [f64; N]) -> Record<N> {
+    integrate_watched(motion, start, &mut Unwatched)
+}
+
+/// The same; who watches hears before each step which part of the fall is done, and may stop it there.
+pub fn integrate_watched<'a, M: Motion<'a, N>, const N: usize>(
+    motion: M,
+    start: [f64; N],
+    progress: &mut dyn Progress,
+) -> Record<N> {
     let mut flight = Integration::new(motion, start);
-    let (outcome, reason) = flight.run();
+    let (outcome, reason) = flight.run(progress);
     Record {
         start,
         start_layer: flight.start_layer,
@@ -159,8 +169,10 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
         }
     }
 
-    fn run(&mut self) -> (Outcome, Option<String>) {
+    fn run(&mut self, progress: &mut dyn Progress) -> (Outcome, Option<String>) {
         let mission = self.motion.point().mission;
+        let start_m = self.here.altitude_m;
+        let fall_m = (start_m - self.ground_m).max(1.0);
         let t_end = mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S);
         if self.here.altitude_m <= self.ground_m && self.here.climb_m_s < 0.0 {
             return self.grounded();
@@ -170,6 +182,10 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
                 let reason = (mission.stop.time_s.is_none())
                     .then(|| "still in flight after 30 days".to_string());
                 return (Outcome::Stopped, reason);
+            }
+            let done = ((start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0);
+            if progress.advance(done).is_break() {
+                return (Outcome::Stopped, Some("stopped on request".to_string()));
             }
             let motion = self.motion;
             let layer = motion.point().layer;

@@ -1,18 +1,24 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
 use super::freedom::{TOLERANCE_DATABASE, one_row};
-use super::{FlightProblem, attitude, design};
+use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;
 use crate::aero::standard::AeroBody;
+use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
 use crate::design::Design;
+use crate::finding::{Finding, Severity};
+use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::Model;
 use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, OfOutline, Reference};
 use crate::flight::six_dof::attitude::at_start;
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
+use crate::flight::six_dof::turning::turning;
 use crate::library::Library;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::ode::Method;
 
@@ -28,6 +34,7 @@ pub fn attitude_of_design(
 ) -> Result<FlightProblem, Vec<InputError>> {
     let mut reader = Reader::new(case);
     let input = design::design(&mut reader, library);
+    remark_unused(&mut reader);
     let given = attitude::given(&mut reader);
     let rates = one_row::<3>(&mut reader, "attitude.body_rates_deg_s").flatten();
     let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
@@ -92,6 +99,100 @@ pub fn attitude_of_design(
         outline: None,
         findings: reader.findings,
     })
+}
+
+/// Whether a case leaves its vehicle to be designed: it has a section `[design]` and neither a mass nor an outline of its own.
+pub fn leaves_vehicle_to_design(case: &Case) -> bool {
+    let given = |start: &str| case.values.keys().any(|key| key.starts_with(start));
+    given("design.") && !given("outline.") && !case.values.contains_key("vehicle.mass_kg")
+}
+
+/// Whether `fly` flies the vehicle of a design as a rigid body.
+pub(super) fn flies_design(case: &Case) -> bool {
+    let dof = case.text("vehicle.dof");
+    leaves_vehicle_to_design(case) && dof.is_some_and(|dof| dof.trim() == "6")
+}
+
+/// The answer of a design, flown as a rigid body; without a vehicle the outcome of the design is the answer.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn fly_designed(
+    case: &Case,
+    library: &Library,
+    designed: &Answer,
+    request: Request,
+) -> Result<Answer, Vec<InputError>> {
+    let Some(design) = &designed.design else {
+        return Ok(Answer {
+            passes: Vec::new(),
+            ..designed.clone()
+        });
+    };
+    let mut answer = attitude_of_design(case, library, design)?.solve(&case.name, request);
+    answer.adjustments.clone_from(&designed.adjustments);
+    answer.findings.push(flown(designed.outcome, design));
+    Ok(answer)
+}
+
+/// Adds to the answer of a design its entries from a set of attitudes and rates; nothing where there is no vehicle.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn add_turning(
+    case: &Case,
+    library: &Library,
+    designed: &mut Answer,
+    progress: &mut dyn Progress,
+) -> Result<(), Vec<InputError>> {
+    if let Some(design) = &mut designed.design {
+        let FlightProblem { mission, body, .. } = attitude_of_design(case, library, design)?;
+        design.turning = turning(&mission, &body, progress);
+    }
+    Ok(())
+}
+
+/// The vehicle that was flown, and whether its design had settled.
+fn flown(outcome: Outcome, design: &Design) -> Finding {
+    let vehicle = &design.vehicle;
+    let mass = &vehicle.mass;
+    let (severity, settled) = match outcome {
+        Outcome::Converged => (Severity::Note, String::new()),
+        other => (
+            Severity::Extrapolated,
+            format!(" The design is {}.", other.name()),
+        ),
+    };
+    Finding {
+        severity,
+        model: "design".to_string(),
+        key: String::new(),
+        value: None,
+        valid: (None, None),
+        message: format!(
+            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, centre of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
+            mass.mass_kg,
+            vehicle.dimensions.diameter_m,
+            vehicle.dimensions.cg_from_apex_m,
+            mass.ixx_kg_m2,
+            mass.iyy_kg_m2,
+        ),
+        source: "the design of the case".to_string(),
+        field: None,
+    }
+}
+
+/// Keys of a vehicle that play a part beside a design.
+const BESIDE_DESIGN: [&str; 2] = ["vehicle.dof", "vehicle.cg_m"];
+
+/// Keys of a vehicle that are given and play no part are remarked.
+fn remark_unused(reader: &mut Reader) {
+    let unused = |key: &str| {
+        key.starts_with("vehicle.")
+            && !key.starts_with("vehicle.aerodynamics")
+            && !BESIDE_DESIGN.contains(&key)
+    };
+    freedom::unused(reader, "the attitude of a design", unused);
 }
 
 #[cfg(test)]

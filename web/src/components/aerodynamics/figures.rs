@@ -5,7 +5,7 @@ use crate::display::input_number;
 use msape::aero::bridging::{CONTINUUM, FREE_MOLECULAR};
 use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
-use msape::aero::polar::Trim;
+use msape::aero::trim::Trim;
 use msape_plot::{Axis, EventLine, Figure, Kind, LimitLine, Marker, Scale, Series, Style};
 
 /// What a figure is drawn over.
