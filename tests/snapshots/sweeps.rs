@@ -77,7 +77,10 @@ fn jumps(values: &[f64]) -> Vec<usize> {
     let step = |i: usize| (values[i + 1] - values[i]).abs();
     (0..values.len().saturating_sub(1))
         .filter(|i| {
-            let around = [i.checked_sub(1), Some(i + 1).filter(|j| j + 1 < values.len())];
+            let around = [
+                i.checked_sub(1),
+                Some(i + 1).filter(|j| j + 1 < values.len()),
+            ];
             let largest = around.into_iter().flatten().map(step).fold(0.0, f64::max);
             step(*i) > JUMP * largest && step(*i) > SMALL * values[*i].abs()
         })
@@ -139,7 +142,9 @@ fn no_sweep_jumps_without_a_reason_and_the_picture_is_that_of_the_documentation(
     for (case, panels) in panels {
         let sheet = sheet(&panels);
         let name = format!("docs/sweeps-{case}.svg");
-        let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(&name);
+        let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+            .join("..")
+            .join(&name);
         if env::var_os("UPDATE_SNAPSHOTS").is_some() {
             fs::write(&file, sheet).unwrap();
         } else if fs::read_to_string(&file).unwrap_or_default() != sheet {

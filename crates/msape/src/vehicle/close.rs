@@ -24,7 +24,9 @@ use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit, Trial};
-use crate::vehicle::mass::{Component, Densities, MassProperties, Masses, components, masses, total};
+use crate::vehicle::mass::{
+    Component, Densities, MassProperties, Masses, components, masses, total,
+};
 use crate::vehicle::structure::{Structure, Wall, size};
 use crate::vehicle::{msr, non_msr};
 use numerics::root;
@@ -109,11 +111,7 @@ pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<C
 }
 
 /// Lays the vehicle out at a diameter.
-pub fn attempt(
-    input: &VehicleInput,
-    diameter_m: f64,
-    foam: &FoamRule,
-) -> Result<Attempt, Misfit> {
+pub fn attempt(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Attempt, Misfit> {
     let radius_m = diameter_m / 2.0;
     let payload_radius_m = input.payload_diameter_m() / 2.0;
     if payload_radius_m >= radius_m {
@@ -160,7 +158,7 @@ fn least_walls(input: &VehicleInput) -> Structure {
 /// A diameter being tried.
 struct Candidate<'a> {
     input: &'a VehicleInput,
-    foam: &'a FoamRule,
+    foam: &'a FoamRule<'a>,
     forebody: Forebody,
     payload_radius_m: f64,
     /// Walls of the last turn.

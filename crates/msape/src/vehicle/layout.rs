@@ -227,7 +227,9 @@ impl Frame<'_> {
             let slope_rad = outline.wing_slope_rad.max(least).min(most);
             self.shoulder_floor_m(slope_rad) - outline.forebody.shoulder_radius_m
         };
-        let mut floor_m = self.shoulder_floor_m(least).min(self.shoulder_floor_m(most));
+        let mut floor_m = self
+            .shoulder_floor_m(least)
+            .min(self.shoulder_floor_m(most));
         let mut trial = lay_out(floor_m);
         let mut lack = lack_m(&trial);
         let mut before: Option<(f64, f64)> = None;
@@ -296,14 +298,23 @@ impl Frame<'_> {
         (outline, room_m, misfit)
     }
 
-    fn misfit(&self, outline: &Outline, edge: Point, slope: Option<f64>, room_m: f64) -> Option<Misfit> {
+    fn misfit(
+        &self,
+        outline: &Outline,
+        edge: Point,
+        slope: Option<f64>,
+        room_m: f64,
+    ) -> Option<Misfit> {
         let forebody = &outline.forebody;
         let (nose_r_m, shoulder_r_m) = (
             forebody.nose_tangent(0.0).r_m,
             forebody.shoulder_tangent(0.0).r_m,
         );
         if nose_r_m >= shoulder_r_m {
-            return Some(Misfit::NoseWiderThanShoulder { nose_r_m, shoulder_r_m });
+            return Some(Misfit::NoseWiderThanShoulder {
+                nose_r_m,
+                shoulder_r_m,
+            });
         }
         let too_wide = Misfit::LidWiderThanShoulder {
             annulus_r_m: edge.r_m,
@@ -325,7 +336,8 @@ impl Frame<'_> {
         let corner_r = outline.annulus_outer_r_m(aft);
         let wall_r = outline.lid_foot_r_m(aft) + self.depths.primary_m;
         let crossed = wall_r >= corner_r
-            || forebody.depth_x_m(fore, corner_r) > outline.attached_structure_x_m - aft + ROUNDING_M
+            || forebody.depth_x_m(fore, corner_r)
+                > outline.attached_structure_x_m - aft + ROUNDING_M
             || aft >= outline.lid_radius_m;
         crossed.then_some(Misfit::NoRoomForLayers {
             layers_m: fore + aft,
