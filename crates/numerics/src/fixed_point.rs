@@ -48,10 +48,8 @@ pub struct Proposal<const N: usize> {
     /// The damped step alone, where `next` does not do.
     pub damped: [f64; N],
     /// Distance of the watched number from its value at the fixed point, as the remembered steps tell it; absent while
-    /// there are none.
+    /// there are none. What they leave unexplained of the residual counts as much as the steepest of them.
     pub distance: Option<f64>,
-    /// Largest part of a variable that the remembered steps leave unexplained in the residual.
-    pub unexplained: f64,
 }
 
 /// The iteration: its memory of steps and its relaxation.
@@ -127,8 +125,8 @@ impl<const N: usize> Anderson<N> {
                 damped
             },
             damped,
-            distance: (!self.steps.is_empty()).then_some(distance.abs()),
-            unexplained: (0..N).fold(0.0, |most: f64, i| most.max((rest[i] / size[i]).abs())),
+            distance: (!self.steps.is_empty())
+                .then(|| distance.abs() + self.slope(&size) * largest(&rest, &size)),
         }
     }
 
@@ -149,6 +147,19 @@ impl<const N: usize> Anderson<N> {
         }
         self.place = Some(place);
         worse
+    }
+
+    /// Steepest change of the watched number for a part of a variable.
+    fn slope(&self, size: &[f64; N]) -> f64 {
+        let slopes = self.steps.iter().map(|step| {
+            let part = largest(&step.dx, size);
+            if part > 0.0 {
+                (step.dwatched / part).abs()
+            } else {
+                0.0
+            }
+        });
+        slopes.fold(0.0, f64::max)
     }
 
     /// γ of the remembered steps, the newest first; zero for one that says the same as the newest.
@@ -188,6 +199,11 @@ fn is_safe<const N: usize>(x: &[f64; N], next: &[f64; N], r: &[f64; N], size: &[
 
 fn dot<const N: usize>(a: &[f64; N], b: &[f64; N], size: &[f64; N]) -> f64 {
     (0..N).map(|i| (a[i] / size[i]) * (b[i] / size[i])).sum()
+}
+
+/// Largest part of a variable.
+fn largest<const N: usize>(a: &[f64; N], size: &[f64; N]) -> f64 {
+    (0..N).fold(0.0, |most: f64, i| most.max((a[i] / size[i]).abs()))
 }
 
 fn square<const N: usize>(a: &[f64; N], size: &[f64; N]) -> f64 {

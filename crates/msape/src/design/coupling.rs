@@ -1,15 +1,15 @@
 //! The passes: Gauss-Seidel over the modules, accelerated; closed-form flight first, integrated flight near convergence.
 //!
 //! ```text
-//! x ← x − Σ γⱼ Δxⱼ + ω (f(x) − x − Σ γⱼ Δrⱼ)      until |Σ γⱼ ΔMⱼ| + u M < criterion
+//! x ← x − Σ γⱼ Δxⱼ + ω (f(x) − x − Σ γⱼ Δrⱼ)      until |Σ γⱼ ΔMⱼ| + u s < criterion
 //! answer: the vehicle of f(x) with the flight of the vehicle of x
 //! ```
 //!
 //! with x the entry load, stagnation pressure, speed at impact and both heat-shield thicknesses; f runs through geometry,
 //! mass, impact and structure, then flight, heating, soak and heat shield; ω the relaxation, M the entry mass in kg, Δ the
 //! last two steps and γ their parts ([`numerics::fixed_point`]). Σ γⱼ ΔMⱼ is how far the mass stands from its fixed point
-//! as the last steps tell it; u, the largest part of a coupling number that they leave unexplained, counts as if the mass
-//! followed it in proportion, which is more than any of the five does.
+//! as the last steps tell it; u is the largest part of a coupling number that they leave unexplained, s the steepest
+//! change of the mass for such a part that they saw.
 //!
 //! The answer's walls, foam and heat shields are made for the flight that it prints. That flight was flown by the vehicle
 //! before, whose mass differs by less than the criterion: the one place where two passes meet.
@@ -75,9 +75,7 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
         let sized = Sized::new(input, &vehicle, &flown);
         let found = found(&flown, &sized);
         let proposal = anderson.propose(taken(&vehicle_input), found, mass_kg);
-        let distance_kg = proposal
-            .distance
-            .map(|distance| distance + proposal.unexplained * mass_kg);
+        let distance_kg = proposal.distance;
         let same_model = passes
             .last()
             .is_some_and(|before| before.flight_model == model);
