@@ -13,10 +13,10 @@ use proptest::test_runner::TestRunner;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
+pub static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
 /// A case of the run page.
-fn run_page() -> impl Strategy<Value = Case> {
+pub fn run_page() -> impl Strategy<Value = Case> {
     let concepts = LIBRARY.concepts.iter().map(|(name, _)| name.clone());
     let aft = LIBRARY.aftbody_materials().map(|(name, _)| name.clone());
     let payload = prop_oneof![

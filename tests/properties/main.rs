@@ -5,11 +5,13 @@
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
+//! - [`landings`]: the limit of the payload, equations 3 and 5.
 
 mod designs;
 mod flights;
 mod garbage;
 mod geometry;
+mod landings;
 mod text;
 
 use proptest::test_runner::{Config, RngSeed};
