@@ -106,7 +106,7 @@ pub(super) const INPUTS: &[Input] = &[
         Kind::Choice(Choices::Fixed(&[("payload", "Payload"), ("impact-sphere", "Impact sphere with payload")])),
     )
     .preset(Preset::Name("payload"))
-    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept.", IMPACT),
+    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept. The foam is made for the payload alone.", IMPACT),
     Input::number("design.terminal_drag_coefficient", "Terminal Drag Coefficient", Group::Models, Dimension::One, Range::above(0.0, 5.0))
         .usual(0.5, 1.1)
         .preset(Preset::Number(0.73))
