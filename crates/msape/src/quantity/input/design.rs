@@ -120,6 +120,9 @@ pub(super) const INPUTS: &[Input] = &[
     density("design.density_kg_m3.aftbody_carrier_structure", "Aftbody Carrier Structure Density"),
     density("design.density_kg_m3.primary_structure", "Primary Structure Density"),
     density("design.density_kg_m3.impact_foam", "Foam Density"),
+    Input::number("design.density_kg_m3.impact_panels", "Impact Panels Density", Group::Densities, Dimension::Density, Range::closed(0.0, 25_000.0))
+        .unit("kg/m^3")
+        .help("Radial composite panels of the MSR impact sphere, smeared over its foam and added to it; when absent, that of the vehicle's data file, which is calibrated on Table 15.", ASSUMED),
     density("design.density_kg_m3.impact_shell", "Impact Shell Density"),
     density("design.density_kg_m3.body_foam", "Body Foam Density"),
     density("design.density_kg_m3.lid_insulation", "Lid Density"),
