@@ -41,7 +41,8 @@ impl Frame<'_> {
     fn foam_to_add_m(&self, lack_m: f64) -> f64 {
         let (s, c) = sin_cos(self.steepest_rad());
         let sin_theta = self.forebody.sin_cos().0;
-        let sphere = self.payload_radius_m + self.foam_thickness_m + self.rules.impact_shell_thickness_m;
+        let sphere =
+            self.payload_radius_m + self.foam_thickness_m + self.rules.impact_shell_thickness_m;
         let nose = self.forebody.nose_radius_m - self.depths.fore_m();
         let on_nose = lack_m / (c - s);
         // until it leaves the nose, then in the cone
@@ -84,7 +85,8 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
         .min(most_gap);
     let (outline, room_m, misfit) = frame.outline(frame.msr_lid(foam, gap), &wing);
     let too_thick = foam - frame.foam_thickness_m > MOST_ADDED_FOAM_M;
-    let body_foam = gap * rules.body_foam_gap_m / (rules.body_foam_gap_m + rules.lid_insulation_gap_m);
+    let body_foam =
+        gap * rules.body_foam_gap_m / (rules.body_foam_gap_m + rules.lid_insulation_gap_m);
     Trial {
         layout: Layout {
             outline,
@@ -97,7 +99,11 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
             lid_insulation_thickness_m: gap - body_foam,
         },
         room_m,
-        misfit: if too_thick { Some(Misfit::WingTooSteep) } else { misfit },
+        misfit: if too_thick {
+            Some(Misfit::WingTooSteep)
+        } else {
+            misfit
+        },
     }
 }
 

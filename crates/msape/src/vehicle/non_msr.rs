@@ -31,7 +31,8 @@ use numerics::root;
 impl Frame<'_> {
     fn payload_x_m(&self) -> f64 {
         let radius_m = self.payload_radius_m + self.foam_thickness_m;
-        self.forebody.resting_ball_x_m(self.depths.fore_m(), radius_m)
+        self.forebody
+            .resting_ball_x_m(self.depths.fore_m(), radius_m)
     }
 
     fn lid_at(&self, radius_m: f64, foot_x_m: f64) -> Lid {
