@@ -1,5 +1,6 @@
 //! Whole vehicles: conservation of volume, closing over the trade space, the report's cases.
 
+mod closing;
 mod landing;
 mod trade_space;
 
