@@ -7,12 +7,14 @@
 //! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
+//! - [`landings`]: the limit of the payload, equations 3 and 5.
 
 mod coupling;
 mod designs;
 mod flights;
 mod garbage;
 mod geometry;
+mod landings;
 mod text;
 mod versions;
 

@@ -4,6 +4,7 @@
 //! result changed, from what to what, and why.
 
 mod figures;
+mod reorientation;
 mod sweeps;
 
 use msape::Library;

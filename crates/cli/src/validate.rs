@@ -59,12 +59,15 @@ pub fn validate(arguments: &Validate) -> Done {
     Ok(ExitCode::from(u8::from(misses > 0)))
 }
 
+/// Comparisons by name, and capsules.
+type Chosen = (Vec<(String, File)>, Vec<Capsule>);
+
 /// The comparisons and the capsules that were named; all where none was.
 fn chosen(
     mut files: Vec<(String, File)>,
     mut capsules: Vec<Capsule>,
     names: &[String],
-) -> Result<(Vec<(String, File)>, Vec<Capsule>), Failure> {
+) -> Result<Chosen, Failure> {
     let mut known: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     for capsule in &capsules {
         if !known.contains(&capsule.name.as_str()) {

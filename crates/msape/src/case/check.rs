@@ -370,7 +370,9 @@ mod tests {
         let case = read("[entry]\nspeed_m_s=9000.0");
         let mut reader = Reader::new(&case);
         assert_eq!(reader.number("entry.speed_m_s"), Some(9000.0));
-        assert_eq!(reader.findings[0].valid, (Some(10_000.0), Some(16_000.0)));
+        let about = |finding: &&Finding| finding.key == "entry.speed_m_s";
+        let finding = reader.findings.iter().find(about).unwrap();
+        assert_eq!(finding.valid, (Some(10_000.0), Some(16_000.0)));
     }
 
     #[test]

@@ -215,9 +215,9 @@ mod tests {
     fn fit_at_unit_density_and_speed_is_its_constant() {
         let fit = fit();
         assert_eq!(fit.rise_pa(1.0, 1.0), 0.792);
-        // 0.792 × 3e-4^0.00357 × 12000^0.02529 = 0.792 × 0.97146 × 1.26812 = 0.97570 of ρ V² = 43200 Pa
+        // 0.792 × 3e-4^0.00357 × 12000^0.02529 = 0.792 × 0.97146 × 1.26812 = 0.97569 of ρ V² = 43200 Pa
         let ratio: f64 = fit.rise_pa(3e-4, 12e3) / 43200.0;
-        assert!((ratio - 0.97570).abs() < 1e-5, "{ratio}");
+        assert!((ratio - 0.97569).abs() < 1e-5, "{ratio}");
     }
 
     #[test]

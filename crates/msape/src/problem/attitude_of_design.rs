@@ -243,4 +243,61 @@ mod tests {
             "{faults:?}"
         );
     }
+
+    #[test]
+    fn fly_takes_the_vehicle_of_a_design_as_the_page_does() {
+        let library = Library::builtin().unwrap();
+        let mut case = case();
+        case.set("vehicle.dof", "6");
+        case.set("attitude.alpha_deg", "145");
+        let designed = design(&case, &library, Request::Steps).unwrap();
+        let page = attitude_of_design(&case, &library, designed.design.as_ref().unwrap()).unwrap();
+        let page = page.solve(&case.name, Request::Uniform(2.0));
+        let ours = crate::fly(&case, &library, Request::Uniform(2.0)).unwrap();
+        assert_eq!(ours.flight, page.flight);
+        assert_eq!(ours.outcome, page.outcome);
+        assert_eq!(ours.adjustments, designed.adjustments);
+        let said = &ours.findings.last().unwrap().message;
+        assert!(
+            said.contains("Flown is the vehicle of the design"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn a_design_without_a_vehicle_is_the_answer_and_keys_that_play_no_part_are_told() {
+        let library = Library::builtin().unwrap();
+        let mut case = case();
+        case.set("vehicle.dof", "6");
+        case.set("vehicle.inertia_kg_m2", "[[3, 0, 0], [0, 2, 0], [0, 0, 2]]");
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        let problem = attitude_of_design(&case, &library, answer.design.as_ref().unwrap()).unwrap();
+        let told = problem.findings.iter();
+        let told = told.filter(|f| f.key == "vehicle.inertia_kg_m2").count();
+        assert_eq!(told, 1);
+        let none = Answer {
+            outcome: Outcome::NotClosed,
+            flight: None,
+            design: None,
+            ..answer
+        };
+        let answer = fly_designed(&case, &library, &none, Request::Nothing).unwrap();
+        assert_eq!((answer.outcome, answer.flight), (Outcome::NotClosed, None));
+    }
+
+    #[test]
+    fn with_three_degrees_of_freedom_the_way_to_fly_a_design_is_told() {
+        let library = Library::builtin().unwrap();
+        let faults = crate::fly(&case(), &library, Request::Nothing).unwrap_err();
+        let mass = faults.iter().find(|f| f.key == "vehicle.mass_kg").unwrap();
+        assert!(mass.message.contains("vehicle.dof = 6"), "{mass}");
+        // A vehicle of its own is flown as before, whatever else the case says.
+        let mut own = case();
+        own.set("vehicle.dof", "6");
+        own.set("vehicle.mass_kg", "46");
+        assert!(!leaves_vehicle_to_design(&own));
+        own.set("vehicle.mass_kg", "");
+        own.set("outline.preset", "stardust");
+        assert!(!leaves_vehicle_to_design(&own));
+    }
 }

@@ -247,6 +247,7 @@ pub(super) struct Densities {
     pub(super) aftbody_carrier: Option<f64>,
     pub(super) primary: Option<f64>,
     pub(super) impact_foam: Option<f64>,
+    pub(super) impact_panels: Option<f64>,
     pub(super) impact_shell: Option<f64>,
     pub(super) body_foam: Option<f64>,
     pub(super) lid_insulation: Option<f64>,
@@ -263,6 +264,7 @@ impl Densities {
             aftbody_carrier: of("aftbody_carrier_structure"),
             primary: of("primary_structure"),
             impact_foam: of("impact_foam"),
+            impact_panels: of("impact_panels"),
             impact_shell: of("impact_shell"),
             body_foam: of("body_foam"),
             lid_insulation: of("lid_insulation"),
@@ -273,7 +275,7 @@ impl Densities {
     fn fillings(&mut self, of_data: ComponentDensities) -> ComponentDensities {
         ComponentDensities {
             impact_foam_kg_m3: self.impact_foam.or(of_data.impact_foam_kg_m3),
-            impact_panels_kg_m3: of_data.impact_panels_kg_m3,
+            impact_panels_kg_m3: self.impact_panels.unwrap_or(of_data.impact_panels_kg_m3),
             impact_shell_kg_m3: self.impact_shell.unwrap_or(of_data.impact_shell_kg_m3),
             body_foam_kg_m3: self.body_foam.unwrap_or(of_data.body_foam_kg_m3),
             lid_insulation_kg_m3: self.lid_insulation.unwrap_or(of_data.lid_insulation_kg_m3),

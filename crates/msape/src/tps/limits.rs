@@ -156,11 +156,7 @@ fn branch(
     // one beyond the switch is on the second branch, the switch itself on the first
     let [lower, upper] = [switch_heat_flux_w_cm2, switch_heat_flux_w_cm2 + 1.0]
         .map(|flux| material.mer.thickness_cm(sizing.x, flux));
-    let taken = if second {
-        "above it, the second"
-    } else {
-        "up to it, the first"
-    };
+    let taken = if second { "second" } else { "first" };
     let named = Finding {
         severity: Severity::Note,
         model: template.model.into(),
@@ -169,7 +165,7 @@ fn branch(
         valid: (None, None),
         message: format!(
             "The relation jumps at {} W/cm²: with this heat load from {} cm on its first branch to {} cm on its second. \
-             At {} W/cm² it is {taken} that counts.",
+             At {} W/cm² the {taken} counts.",
             short(switch_heat_flux_w_cm2),
             short(lower),
             short(upper),
@@ -434,7 +430,7 @@ mod tests {
             );
             assert_eq!(findings.len(), 1, "{findings:?}");
             let said = &findings[0].message;
-            let counts = format!("the {branch} that counts");
+            let counts = format!("the {branch} counts");
             assert!(
                 said.contains(&counts) && said.contains("1.728 cm") && said.contains("2.543 cm"),
                 "{said}"

@@ -3,10 +3,11 @@
 //! ```text
 //! walls(x)    least fixed point of  walls → geometry(x, walls) → masses → loads → walls,  from the least gauges up
 //! g(x)        centre of gravity of the vehicle laid out about x with these walls
-//! g(x) = x    bracketed between nose tip and aft end; the foremost root
+//! g(x) = x    bracketed among the x that leave room for a wing; the foremost root
 //! ```
 //!
-//! with x in m. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start: what
+//! with x in m. Too far forward the lid is so flat, too far aft its foot stands so high that the wing is too shallow: in between
+//! is the admissible interval; g outside it is not asked for. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start: what
 //! closes at a diameter depends on the input and the diameter alone.
 //!
 //! # Valid
@@ -55,6 +56,13 @@ const PRECISION: f64 = 1e-4;
 /// Room that walls of the least gauge must nearly have, m: thicker ones never give as much back.
 const HOPELESS_M: f64 = -0.02;
 
+/// Step that tells to which side there is more room, and room that is nought but for rounding, m.
+const NEAR_M: f64 = 1e-9;
+
+/// Room that counts for each metre by which a centre of gravity lies beyond the places that leave room: it moves faster with
+/// the diameter than the annulus does.
+const CG_SHARE: f64 = 0.2;
+
 /// Places between nose and aft end at which the foremost root is looked for.
 const PLACES: u32 = 6;
 
@@ -93,7 +101,7 @@ impl Attempt {
                 foam,
             },
         );
-        let mass = total(&components);
+        let mass = total(components.iter().map(Component::part));
         let sized = size::walls(input, &size::loads(input, &layout, &components, &mass));
         Ok(Closed {
             layout,
@@ -198,7 +206,7 @@ impl Candidate<'_> {
     /// The layout about a centre of gravity with walls that carry it, from those at hand on, and its masses.
     fn settle(&mut self, cg_x_m: f64) -> Result<(Trial, Masses), Misfit> {
         let input = self.input;
-        let mut move_m = 0.0;
+        let mut move_m = f64::INFINITY;
         for _ in 0..MOST_TURNS {
             self.turns += 1;
             let trial = self.lay_out(cg_x_m);
@@ -226,42 +234,68 @@ impl Candidate<'_> {
         Err(Misfit::NotConverged { move_m })
     }
 
+    /// How far the centre of gravity lies behind the place about which the vehicle is laid out, m; where the wing is too
+    /// shallow by how much, positive when a place further aft has it less so.
+    fn lead_m(&mut self, x_m: f64) -> Result<f64, Misfit> {
+        let mut trial = self.lay_out(x_m);
+        if trial.room_m >= 0.0 {
+            let (settled, masses) = self.settle(x_m)?;
+            if settled.room_m >= 0.0 {
+                return Ok(masses.cg_x_m - x_m);
+            }
+            trial = settled;
+        }
+        let further = self.lay_out(x_m + NEAR_M);
+        Ok(if further.room_m > trial.room_m {
+            -trial.room_m
+        } else {
+            trial.room_m
+        })
+    }
+
     /// The layout about the centre of gravity that it has.
     fn about_its_own_cg(&mut self) -> Result<Trial, Misfit> {
-        let shoulder = self.forebody.shoulder_center();
-        let payload_x_m = self.forebody.resting_ball_x_m(0.0, self.payload_radius_m);
-        let (nose_x_m, aft_x_m) = (
-            self.forebody.nose_tip_x_m(),
-            shoulder.x_m.max(payload_x_m) + self.payload_radius_m,
-        );
         let tolerance = self.precision_m();
+        let nose_x_m = self.forebody.nose_tip_x_m();
+        let payload_x_m = self.forebody.resting_ball_x_m(0.0, self.payload_radius_m);
+        let aft_x_m = self.forebody.shoulder_center().x_m.max(payload_x_m) + self.payload_radius_m;
+        let step_m = (aft_x_m - nose_x_m) / f64::from(PLACES);
         let mut fault = None;
-        let mut behind_m = |cg_x_m: f64| match self.settle(cg_x_m) {
-            Ok((_, masses)) => masses.cg_x_m - cg_x_m,
+        let mut lead_m = |x_m: f64| match self.lead_m(x_m) {
+            Ok(lead_m) => lead_m,
             Err(misfit) => {
                 fault = Some(misfit);
                 f64::NAN
             }
         };
-        let step_m = (aft_x_m - nose_x_m) / f64::from(PLACES);
-        let mut ahead_x_m = nose_x_m;
-        // with what is laid out about a place aft of the vehicle it ends anyway
-        let end = 4 * PLACES;
-        let beyond = (1..=end)
-            .map(|place| nose_x_m + step_m * f64::from(place))
-            .find(|&x_m| {
-                let found = behind_m(x_m) <= 0.0;
-                if !found {
-                    ahead_x_m = x_m;
-                }
-                found
-            });
-        let cg_x_m = beyond.and_then(|x_m| root::brent(&mut behind_m, ahead_x_m, x_m, tolerance));
-        match (cg_x_m, fault) {
-            (Some(cg_x_m), None) => Ok(self.settle(cg_x_m)?.0),
-            (_, Some(misfit)) => Err(misfit),
-            (None, None) => Err(Misfit::NotConverged { move_m: step_m }),
+        // the foremost: from the nose on, and beyond the vehicle no centre of gravity lies behind
+        let place = |k: u32| nose_x_m + step_m * f64::from(k);
+        let passed = (1..=4 * PLACES).find(|&k| !(lead_m(place(k)) > 0.0));
+        let found =
+            passed.and_then(|k| root::brent(&mut lead_m, place(k - 1), place(k), tolerance));
+        let Some(x_m) = found else {
+            return Err(fault.unwrap_or(Misfit::NotConverged { move_m: step_m }));
+        };
+        let trial = self.lay_out(x_m);
+        if trial.room_m < -NEAR_M {
+            return Ok(trial);
         }
+        let (trial, masses) = self.settle(x_m)?;
+        let off_m = (masses.cg_x_m - x_m).abs();
+        if off_m < self.input.rules.convergence_m {
+            return Ok(trial);
+        }
+        // the last place that leaves room for a wing, and the centre of gravity lies beyond it
+        let about_cg = self.lay_out(masses.cg_x_m);
+        let slope_rad = about_cg.layout.outline.wing_slope_rad;
+        Ok(Trial {
+            room_m: -off_m * CG_SHARE,
+            misfit: about_cg.misfit.or(Some(Misfit::WingTooShallow {
+                slope_rad,
+                least_rad: self.input.rules.wing_slope_min_rad,
+            })),
+            ..trial
+        })
     }
 }
 

@@ -21,6 +21,7 @@ use crate::vehicle::outline::{Outline, smallest_shoulder_radius_m, wing_slope_ra
 use crate::vehicle::rules::Rules;
 use crate::vehicle::segment::Point;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE, sin_cos};
+use numerics::root;
 use serde::{Deserialize, Serialize};
 
 /// Depths of the layers under the outer mould line and thickness of the inner walls.
@@ -176,11 +177,8 @@ impl Misfit {
     }
 }
 
-/// A shoulder this part smaller than the layers ask for is rounding: the slope of a wing at its limit carries that much.
-const SHOULDER_TOLERANCE: f64 = 1e-12;
-
-/// Turns in which the smallest shoulder for the layers is found.
-const SHOULDER_TURNS: usize = 20;
+/// Precision of the smallest shoulder, as part of what counts as rounding.
+const SHOULDER_PRECISION: f64 = 1e-3;
 
 /// At the smallest shoulder a wing at its limit is parallel to the forebody, and the layers touch: to within this, m.
 const ROUNDING_M: f64 = 1e-9;
@@ -227,31 +225,17 @@ impl Frame<'_> {
             let slope_rad = outline.wing_slope_rad.max(least).min(most);
             self.shoulder_floor_m(slope_rad) - outline.forebody.shoulder_radius_m
         };
-        let mut floor_m = self
-            .shoulder_floor_m(least)
-            .min(self.shoulder_floor_m(most));
-        let mut trial = lay_out(floor_m);
-        let mut lack = lack_m(&trial);
-        let mut before: Option<(f64, f64)> = None;
-        for _ in 0..SHOULDER_TURNS {
-            let used_m = trial.layout.outline.forebody.shoulder_radius_m;
-            if lack.abs() <= SHOULDER_TOLERANCE * used_m || (lack < 0.0 && before.is_none()) {
-                return trial;
-            }
-            floor_m = match before {
-                Some((r, then)) if then != lack => used_m - lack * (used_m - r) / (lack - then),
-                _ => used_m + lack,
-            };
-            before = Some((used_m, lack));
-            trial = lay_out(floor_m);
-            lack = lack_m(&trial);
+        let floors = [least, most].map(|slope_rad| self.shoulder_floor_m(slope_rad));
+        let (low_m, high_m) = (floors[0].min(floors[1]), floors[0].max(floors[1]));
+        let trial = lay_out(low_m);
+        if lack_m(&trial) <= ROUNDING_M * SHOULDER_PRECISION {
+            return trial;
         }
-        if lack > ROUNDING_M {
-            trial.misfit = trial.misfit.or(Some(Misfit::NoRoomForLayers {
-                layers_m: self.depths.fore_m() + self.depths.aft_m(),
-            }));
-        }
-        trial
+        // the largest floor is enough for every slope, so that the smallest that is enough lies below it
+        let lack_at_m = |floor_m| lack_m(&lay_out(floor_m));
+        let tolerance_m = ROUNDING_M * SHOULDER_PRECISION;
+        let found = root::bracket(lack_at_m, low_m, high_m, tolerance_m);
+        lay_out(found.map_or(high_m, |[one, other]| one.max(other)))
     }
 
     /// The forebody with another shoulder radius.

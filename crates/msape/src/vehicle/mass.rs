@@ -288,12 +288,43 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
         .collect()
 }
 
+/// What the sum reads of a component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Volume, m³.
+    pub volume_m3: f64,
+    /// Mass without margin, kg.
+    pub mass_kg: f64,
+    /// Mass with margin, kg.
+    pub mass_with_margin_kg: f64,
+    /// Axial position of its centre of gravity from the virtual apex, m.
+    pub cg_x_m: f64,
+    /// Moment of inertia about the axis, with margin, kg m².
+    pub ixx_kg_m2: f64,
+    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    pub iyy_kg_m2: f64,
+}
+
+impl Component {
+    /// What the sum reads of it.
+    pub fn part(&self) -> Part {
+        Part {
+            volume_m3: self.volume_m3,
+            mass_kg: self.mass_kg,
+            mass_with_margin_kg: self.mass_with_margin_kg,
+            cg_x_m: self.cg_x_m,
+            ixx_kg_m2: self.ixx_kg_m2,
+            iyy_kg_m2: self.iyy_kg_m2,
+        }
+    }
+}
+
 /// The sum of all components.
-pub fn total(components: &[Component]) -> MassProperties {
+pub fn total(parts: impl Iterator<Item = Part>) -> MassProperties {
     let mut sum = MassProperties::default();
     let mut moment = 0.0;
     let mut about_apex = 0.0;
-    for c in components {
+    for c in parts {
         sum.mass_kg += c.mass_with_margin_kg;
         sum.mass_without_margin_kg += c.mass_kg;
         sum.volume_m3 += c.volume_m3;

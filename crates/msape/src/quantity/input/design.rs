@@ -106,7 +106,7 @@ pub(super) const INPUTS: &[Input] = &[
         Kind::Choice(Choices::Fixed(&[("payload", "Payload"), ("impact-sphere", "Impact sphere with payload")])),
     )
     .preset(Preset::Name("payload"))
-    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept.", IMPACT),
+    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept. The foam is made for the payload alone.", IMPACT),
     Input::number("design.terminal_drag_coefficient", "Terminal Drag Coefficient", Group::Models, Dimension::One, Range::above(0.0, 5.0))
         .usual(0.5, 1.1)
         .preset(Preset::Number(0.73))
@@ -120,6 +120,9 @@ pub(super) const INPUTS: &[Input] = &[
     density("design.density_kg_m3.aftbody_carrier_structure", "Aftbody Carrier Structure Density"),
     density("design.density_kg_m3.primary_structure", "Primary Structure Density"),
     density("design.density_kg_m3.impact_foam", "Foam Density"),
+    Input::number("design.density_kg_m3.impact_panels", "Impact Panels Density", Group::Densities, Dimension::Density, Range::closed(0.0, 25_000.0))
+        .unit("kg/m^3")
+        .help("Radial composite panels of the MSR impact sphere, smeared over its foam and added to it; when absent, that of the vehicle's data file, which is calibrated on Table 15.", ASSUMED),
     density("design.density_kg_m3.impact_shell", "Impact Shell Density"),
     density("design.density_kg_m3.body_foam", "Body Foam Density"),
     density("design.density_kg_m3.lid_insulation", "Lid Density"),

@@ -323,7 +323,8 @@ mod tests {
                 assert!((ratio - 1.0).abs() < 1e-7, "{ratio}");
             }
             for crush_m in [0.01, 0.05, 0.078] {
-                assert_eq!(foam.unloading_n(crush_m, crush_m), foam.force_n(crush_m));
+                let ratio = foam.unloading_n(crush_m, crush_m) / foam.force_n(crush_m);
+                assert!((ratio - 1.0).abs() < 1e-10, "{ratio}");
                 let h = 1e-9;
                 let before = foam.unloading_n(crush_m, crush_m - h);
                 let slope = (foam.force_n(crush_m) - before) / h;

@@ -3,17 +3,17 @@
 //! ```text
 //! t ≥ Stroke / η                     η ≤ ε_p, the end of the plateau of the foam in use        MSR
 //!                                    η ≤ ε_p − ε_y/2, the elastic part takes half              non-MSR
-//! FS = ½ m V² / 𝒱(η t)               crush law: 𝒱 the volume swept by the footprint, less its elastic part
+//! FS = ½ M_PL V² / 𝒱(η t)               crush law: 𝒱 the volume swept by the footprint, less its elastic part
 //! FS ≤ M_PL V² / (2 A_p Stroke)      equation 6, where the foam then keeps to its plateau
-//! FS ≥ ½ m V² / 𝒱(ε_p t)             the plateau takes all of the energy
+//! FS ≥ ½ M_PL V² / 𝒱(ε_p t)             the plateau takes all of the energy
 //! ρ = ρ(FS) + ρ_panels               panels in the MSR concept only
 //! ```
 //!
 //! with t the thickness in m, η the usable fraction of it, ε_p and ε_y the strains at the end and the start of the plateau, FS the
-//! strength in Pa, m the mass that crushes the foam, 𝒱 in m³ as in [`crate::vehicle::impact::absorber`], ρ in kg/m³. As ε_p is that
+//! strength in Pa, M_PL the payload's mass in kg, 𝒱 in m³ as in [`crate::vehicle::impact::absorber`], ρ in kg/m³. As ε_p is that
 //! of the foam that has FS, both are found together, as a bracketed root; without η of the case it is ε_p itself.
 //!
-//! On a rigid surface this is the landing that [`crate::vehicle::impact::crush`] follows in time: the payload stops at W = ½ m V²
+//! On a rigid surface this is the landing that [`crate::vehicle::impact::crush`] follows in time: the payload stops at W = ½ M_PL V²
 //! under the force FS A(s), which is the limit Ḡ where s is the stroke of equation 4, in a column to the last digit, and
 //!
 //! ```text
@@ -23,7 +23,8 @@
 //! in a sphere of the radius R, and less in thicker foam.
 //!
 //! # Valid
-//! As [`crate::vehicle::impact`]. Foam weaker than the weakest grade is not on offer: there the load is above the limit.
+//! As [`crate::vehicle::impact`]. The payload alone crushes the foam, as in equations 4 and 6; foam for the whole impact sphere would
+//! have to carry its own mass, which takes a foam that is no longer one. Foam weaker than the weakest grade is not on offer: there the load is above the limit.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5, equations 4 and 6.
@@ -33,16 +34,13 @@ use crate::vehicle::impact::foam::CrushLaw;
 use crate::vehicle::impact::supply::Supply;
 use crate::vehicle::impact::{foam_strength_pa, required_stroke_m};
 use crate::vehicle::input::VehicleInput;
-use crate::vehicle::kinds::{Concept, CrushingMass, Foam, FoamStrength};
-use numerics::math::PI;
+use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
 use numerics::root;
 
 /// Fraction from which a usable one is looked for: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
 /// Width of the last interval in the search for a usable fraction.
 const RESOLUTION: f64 = 1e-15;
-/// Strength to which that of a sphere that crushes itself is looked for, Pa: beyond any material.
-const STRONGEST_PA: f64 = 1e11;
 
 /// Impact foam as the landing asks for it.
 #[derive(Clone, Copy, Debug)]
@@ -179,34 +177,6 @@ impl FoamRule<'_> {
             thickness_m,
             law: supply.law(self.equation_6_pa),
         };
-        let specific_pa_kg = 0.5 * v * v / absorber.taken_m3(crush_m);
-        let payload_pa = specific_pa_kg * self.input.payload_mass_kg;
-        if self.input.impact.crushing_mass == CrushingMass::Payload
-            || self.input.concept == Concept::NonMsr
-        {
-            return payload_pa;
-        }
-        // the sphere is as heavy as the foam that stops it
-        let left = |strength_pa: f64| {
-            strength_pa - specific_pa_kg * self.sphere_kg(thickness_m, strength_pa)
-        };
-        root::brent(left, payload_pa, STRONGEST_PA, 1e-9 * payload_pa).unwrap_or(payload_pa)
-    }
-
-    /// Mass of the impact sphere with its margin and the payload, kg.
-    fn sphere_kg(&self, thickness_m: f64, strength_pa: f64) -> f64 {
-        let densities = &self.input.densities;
-        let panels_kg_m3 = match densities.impact_foam_kg_m3 {
-            Some(_) => 0.0,
-            None => densities.impact_panels_kg_m3,
-        };
-        let foam_kg_m3 = self.supply().density_kg_m3(strength_pa) + panels_kg_m3;
-        let ball_m3 = |radius_m: f64| 4.0 / 3.0 * PI * radius_m * radius_m * radius_m;
-        let inner = self.input.payload_diameter_m() / 2.0;
-        let middle = inner + thickness_m;
-        let outer = middle + self.input.rules.impact_shell_thickness_m;
-        let foam_kg = foam_kg_m3 * (ball_m3(middle) - ball_m3(inner));
-        let shell_kg = densities.impact_shell_kg_m3 * (ball_m3(outer) - ball_m3(middle));
-        self.input.payload_mass_kg + (1.0 + self.input.mass_margin) * (foam_kg + shell_kg)
+        0.5 * self.input.payload_mass_kg * v * v / absorber.taken_m3(crush_m)
     }
 }
