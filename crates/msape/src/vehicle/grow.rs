@@ -34,10 +34,11 @@ pub struct NotClosed {
     pub at_largest: Option<Misfit>,
 }
 
-/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's centre, that times cot θ along the axis; and a fifth more.
+/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's centre, that times cot θ along the axis; and as much
+/// again for what the filling does.
 fn largest_growth(input: &VehicleInput) -> f64 {
     let (s, c) = sin_cos(input.cone_half_angle_rad);
-    0.6 * (c / s).max(1.0)
+    (c / s).max(1.0)
 }
 
 /// Smallest step of the diameter, as part of it.

@@ -183,6 +183,9 @@ const SHOULDER_PRECISION: f64 = 1e-3;
 /// At the smallest shoulder a wing at its limit is parallel to the forebody, and the layers touch: to within this, m.
 const ROUNDING_M: f64 = 1e-9;
 
+/// Width of the last interval in the search for a lid or its shoulder, m.
+pub const LID_TOLERANCE_M: f64 = 1e-14;
+
 /// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
 const WING_LENGTH_M: f64 = 1e-6;
 
@@ -256,12 +259,17 @@ impl Frame<'_> {
         }
     }
 
-    /// Largest shoulder radius at which the wing to an annulus edge is no steeper than allowed, m; negative when there is none.
-    pub fn shoulder_with_room_m(&self, edge: Point) -> f64 {
-        // how far the edge stands behind the steepest wing is linear in the radius
-        let room_m = |radius_m| self.wing(radius_m).behind_steepest_m(edge);
-        let none = room_m(0.0);
-        none / (none - room_m(1.0))
+    /// The limits at the largest shoulder radius, from the one asked for down to `floor_m`, at which an annulus edge has room;
+    /// at the floor when it has at none.
+    pub fn wing_for(&self, edge: Point, floor_m: f64) -> Wing {
+        let asked_m = self.forebody.shoulder_radius_m.max(floor_m);
+        let asked = self.wing(asked_m);
+        if asked.clearance_m(edge) >= 0.0 {
+            return asked;
+        }
+        let clearance_m = |radius_m| self.wing(radius_m).clearance_m(edge);
+        let found = root::bracket(clearance_m, floor_m, asked_m, LID_TOLERANCE_M);
+        self.wing(found.map_or(floor_m, |[one, other]| one.min(other)))
     }
 
     /// Finishes a layout: the slope of the wing, and whether the layers fit everywhere.
@@ -278,7 +286,12 @@ impl Frame<'_> {
             lid_center_x_m: lid.center_x_m,
         };
         let room_m = wing.room_m(edge);
-        let misfit = self.misfit(&outline, edge, slope, room_m);
+        let too_steep = wing.clearance_m(edge) < -ROUNDING_M && room_m >= 0.0;
+        let misfit = if too_steep {
+            Some(Misfit::WingTooSteep)
+        } else {
+            self.misfit(&outline, edge, slope, room_m)
+        };
         (outline, room_m, misfit)
     }
 
@@ -358,11 +371,6 @@ impl Wing {
     /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
     pub fn is_aft_of_steepest(&self, edge: Point) -> bool {
         edge.x_m - self.center.x_m > self.radius_m * self.steepest.1
-    }
-
-    /// Whether the wing to an edge would be steeper than allowed.
-    pub fn is_too_steep(&self, edge: Point) -> bool {
-        !self.is_aft_of_steepest(edge) && self.behind_steepest_m(edge) < 0.0
     }
 
     /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the

@@ -19,10 +19,11 @@
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, Trial};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, sin_cos};
+use numerics::root;
 
 impl Frame<'_> {
     fn msr_lid(&self, foam_m: f64, gap_m: f64) -> Lid {
@@ -68,21 +69,22 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     let rules = frame.rules;
     let (least_gap, width) = (rules.lid_gap_min_m, rules.annulus_width_m);
     let most_gap = (rules.body_foam_gap_m + rules.lid_insulation_gap_m).max(least_gap);
+    let narrowest = |foam_m| frame.msr_lid(foam_m, least_gap).edge(width);
     let mut foam = frame.foam_thickness_m;
-    let mut wing = frame.wing(frame.forebody.shoulder_radius_m.max(floor_m));
-    let edge = frame.msr_lid(foam, least_gap).edge(width);
-    if wing.is_too_steep(edge) {
-        let shoulder = frame.shoulder_with_room_m(edge);
-        wing = frame.wing(shoulder.max(floor_m));
-        if shoulder < floor_m {
-            foam += frame.foam_to_add_m(-wing.behind_steepest_m(edge));
-        }
+    let wing = frame.wing_for(narrowest(foam), floor_m);
+    let clearance = |foam_m| wing.clearance_m(narrowest(foam_m));
+    if clearance(foam) < -LID_TOLERANCE_M {
+        // on the steepest wing, unless the shoulder lets a wider edge stand further forward
+        let lack_m = -wing.behind_steepest_m(narrowest(foam));
+        let most = foam + frame.foam_to_add_m(lack_m.max(0.0));
+        foam = if wing.is_aft_of_steepest(narrowest(most)) {
+            root::brent(clearance, foam, most, LID_TOLERANCE_M).unwrap_or(most)
+        } else {
+            most
+        };
     }
-    let edge = frame.msr_lid(foam, least_gap).edge(width);
     // a wider gap moves the edge straight outwards
-    let gap = (least_gap + wing.clearance_m(edge))
-        .max(least_gap)
-        .min(most_gap);
+    let gap = (least_gap + clearance(foam)).max(least_gap).min(most_gap);
     let (outline, room_m, misfit) = frame.outline(frame.msr_lid(foam, gap), &wing);
     let too_thick = foam - frame.foam_thickness_m > MOST_ADDED_FOAM_M;
     let body_foam =

@@ -22,7 +22,7 @@
 //!   for the wing, are choices of ours.
 
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, Trial, Wing};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial, Wing};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, atan2};
@@ -60,9 +60,6 @@ pub fn layout(frame: &Frame) -> Trial {
 /// Furthest that a lid is raised for its wing, m.
 const MOST_RAISED_M: f64 = 1.0;
 
-/// Width of the last interval in the search for a lid, m.
-const LID_TOLERANCE_M: f64 = 1e-14;
-
 /// The layout with a shoulder radius of at least `floor_m`.
 fn at(frame: &Frame, floor_m: f64) -> Trial {
     let (rules, width) = (frame.rules, frame.rules.annulus_width_m);
@@ -72,22 +69,15 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     let passage = frame.payload_radius_m + rules.payload_wall_gap_min_m;
     // a payload far ahead of the centre of gravity needs a wider lid to pass
     let radius = (payload_top + rules.payload_lid_gap_m - frame.cg_x_m).max(passage) + aft;
-    let mut wing = frame.wing(frame.forebody.shoulder_radius_m.max(floor_m));
     let narrowest = frame.narrowest_lid(radius);
-    let edge = narrowest.edge(width);
-    let mut lid = Some(narrowest);
-    if wing.clearance_m(edge) >= 0.0 {
-        lid = Some(lowest_lid(frame, &wing, narrowest));
+    let wing = frame.wing_for(narrowest.edge(width), floor_m);
+    let clearance = |radius| wing.clearance_m(frame.narrowest_lid(radius).edge(width));
+    let lid = if clearance(radius) < -LID_TOLERANCE_M {
+        let raised = root::brent(clearance, radius, radius + MOST_RAISED_M, LID_TOLERANCE_M);
+        raised.map(|radius| frame.narrowest_lid(radius))
     } else {
-        if wing.is_too_steep(edge) {
-            wing = frame.wing(frame.shoulder_with_room_m(edge).max(floor_m));
-        }
-        let clearance = |radius| wing.clearance_m(frame.narrowest_lid(radius).edge(width));
-        if clearance(radius) < -LID_TOLERANCE_M {
-            lid = root::brent(clearance, radius, radius + MOST_RAISED_M, LID_TOLERANCE_M)
-                .map(|radius| frame.narrowest_lid(radius));
-        }
-    }
+        Some(lowest_lid(frame, &wing, narrowest))
+    };
     let (outline, room_m, misfit) = frame.outline(lid.unwrap_or(narrowest), &wing);
     Trial {
         layout: Layout {
