@@ -39,6 +39,8 @@ use numerics::root;
 
 /// Fraction from which a usable one is looked for: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
+/// Intervals in which the softest foam is looked for.
+const STEPS: u32 = 16;
 /// Width of the last interval in the search for a usable fraction.
 const RESOLUTION: f64 = 1e-15;
 
@@ -163,8 +165,13 @@ impl FoamRule<'_> {
         let strength_pa = |strain: f64| self.needed_pa(thickness_m, strain * thickness_m);
         let left = |strain: f64| supply.law(strength_pa(strain)).plateau_strain() - strain;
         let softest = supply.law(0.0).plateau_strain();
-        // thicker foam can be softer, and its plateau longer; at the least thickness it is the one found there
-        let strain = root::brent(left, self.plateau_strain, softest, RESOLUTION);
+        // thicker foam can be softer, and its plateau longer than that of the least thickness; beyond the grades there may be more than
+        // one such foam, of which the softest is looked for
+        let step = (softest - self.plateau_strain) / f64::from(STEPS);
+        let strain = (1..=STEPS)
+            .map(|i| softest - f64::from(i) * step)
+            .find(|strain| left(*strain) >= 0.0)
+            .and_then(|low| root::brent(left, low, low + step, RESOLUTION));
         strength_pa(strain.unwrap_or(self.plateau_strain))
     }
 
