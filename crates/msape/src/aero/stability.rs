@@ -32,7 +32,7 @@ const HYPERSONIC_MACH: f64 = 1e4;
 /// Search for trims: roots of coarse moments, corrected by those of a table.
 const SEARCH: Search = Search {
     steps: 20,
-    tolerance_rad: 1e-3,
+    tolerance_rad: 5e-4,
     slope_step_rad: 0.01,
 };
 /// For the signs of the search: one rule of five points a piece.

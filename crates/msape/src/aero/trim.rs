@@ -22,6 +22,8 @@ pub const END_STEP_RAD: f64 = 1e-3;
 const NOTHING: f64 = 1e-9;
 /// Slope that is rounding: a sphere about its centre is stable nowhere, per rad.
 const NEUTRAL_PER_RAD: f64 = 1e-6;
+/// Part of the rise over a secant that may be left of the moment at its root: 2 % of its length.
+const STRAIGHT: f64 = 0.02;
 
 /// An angle at which the moment about the centre of gravity vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -84,9 +86,13 @@ pub fn trims(coarse: &dyn Fn(f64) -> f64, fine: &dyn Fn(f64) -> f64, search: Sea
             (here, to) = (coarse(PI - h), PI - h);
             last = Some(end(180.0, -fine(PI - h) / h));
         }
+        if nothing(here) && n < search.steps {
+            // A trim at a step is found between its neighbors.
+            continue;
+        }
         if !nothing(before) && before * here < 0.0 {
             let root = root::brent(coarse, from, to, search.tolerance_rad);
-            found.extend(root.map(|alpha| corrected(fine, alpha, search.slope_step_rad)));
+            found.extend(root.map(|alpha| corrected(fine, alpha, [from, to], search)));
         }
         (before, from) = (here, to);
         found.extend(last);
@@ -94,15 +100,22 @@ pub fn trims(coarse: &dyn Fn(f64) -> f64, fine: &dyn Fn(f64) -> f64, search: Sea
     found
 }
 
-/// The trim on the secant of the fine moment about a coarse root.
-fn corrected(fine: &dyn Fn(f64) -> f64, alpha: f64, h: f64) -> Trim {
+/// The trim of the fine moment about a coarse root: on its secant, or where that is no root, by Brent's method.
+fn corrected(fine: &dyn Fn(f64) -> f64, alpha: f64, ends: [f64; 2], search: Search) -> Trim {
+    let h = search.slope_step_rad;
     let (low, high) = (fine(alpha - h), fine(alpha + h));
     let rise = high - low;
     let step = -h * (high + low) / rise;
-    // A secant that says nothing, or points far away, corrects nothing.
-    let step = if step.abs() <= 2.0 * h { step } else { 0.0 };
+    let on_secant = alpha + step;
+    let is_root = step.abs() <= h && fine(on_secant).abs() <= STRAIGHT * rise.abs();
+    let brent = |[a, b]: [f64; 2]| root::brent(fine, a, b, search.tolerance_rad);
+    let found = if is_root {
+        Some(on_secant)
+    } else {
+        brent([alpha - h, alpha + h]).or_else(|| brent(ends))
+    };
     Trim {
-        alpha_deg: (alpha + step) / RADIANS_PER_DEGREE,
+        alpha_deg: found.unwrap_or(alpha) / RADIANS_PER_DEGREE,
         cm_alpha_per_rad: rise / (2.0 * h),
     }
 }
