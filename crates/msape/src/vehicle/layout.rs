@@ -177,6 +177,12 @@ impl Misfit {
     }
 }
 
+/// Room below which no shoulder between the smallest and the largest floor is looked for, m.
+const NEARLY_M: f64 = -0.01;
+
+/// Precision of the shoulder that leaves the most to spare, m.
+const NEAR_M: f64 = 1e-7;
+
 /// Precision of the smallest shoulder, as part of what counts as rounding.
 const SHOULDER_PRECISION: f64 = 1e-3;
 
@@ -225,20 +231,31 @@ impl Frame<'_> {
         let (least, most) = (self.shallowest_rad(), self.steepest_rad());
         let lack_m = |trial: &Trial| {
             let outline = &trial.layout.outline;
-            let slope_rad = outline.wing_slope_rad.max(least).min(most);
-            self.shoulder_floor_m(slope_rad) - outline.forebody.shoulder_radius_m
+            // shallower than allowed it asks for more than any slope that is allowed
+            let slope_rad = outline
+                .wing_slope_rad
+                .max(-self.forebody.cone_half_angle_rad);
+            self.shoulder_floor_m(slope_rad.min(most)) - outline.forebody.shoulder_radius_m
         };
         let floors = [least, most].map(|slope_rad| self.shoulder_floor_m(slope_rad));
         let (low_m, high_m) = (floors[0].min(floors[1]), floors[0].max(floors[1]));
+        let tolerance_m = ROUNDING_M * SHOULDER_PRECISION;
         let trial = lay_out(low_m);
-        if lack_m(&trial) <= ROUNDING_M * SHOULDER_PRECISION {
+        if lack_m(&trial) <= tolerance_m {
             return trial;
         }
-        // the largest floor is enough for every slope, so that the smallest that is enough lies below it
         let lack_at_m = |floor_m| lack_m(&lay_out(floor_m));
-        let tolerance_m = ROUNDING_M * SHOULDER_PRECISION;
-        let found = root::bracket(lack_at_m, low_m, high_m, tolerance_m);
-        lay_out(found.map_or(high_m, |[one, other]| one.max(other)))
+        let mut found = root::bracket(lack_at_m, low_m, high_m, tolerance_m);
+        let mut trial = lay_out(found.map_or(high_m, |[one, other]| one.max(other)));
+        if found.is_none() && trial.room_m > NEARLY_M {
+            // a larger shoulder may want the lid raised: then a radius between the two may be enough where the larger is not
+            let (radius_m, spare_m) = root::maximum(|r| -lack_at_m(r), low_m, high_m, NEAR_M);
+            if spare_m > 0.0 {
+                found = root::bracket(lack_at_m, low_m, radius_m, tolerance_m);
+                trial = lay_out(found.map_or(radius_m, |[one, other]| one.max(other)));
+            }
+        }
+        trial
     }
 
     /// The forebody with another shoulder radius.
@@ -250,7 +267,7 @@ impl Frame<'_> {
     }
 
     /// The limits that a shoulder sets to the annulus.
-    pub fn wing(&self, shoulder_radius_m: f64) -> Wing {
+    fn wing(&self, shoulder_radius_m: f64) -> Wing {
         Wing {
             center: self.with_shoulder(shoulder_radius_m).shoulder_center(),
             radius_m: shoulder_radius_m,
