@@ -19,7 +19,7 @@ use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
 use crate::finding::Finding;
 use numerics::math;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
 
 const SOURCE: &str = "Brandis & Johnston 2014, AIAA 2014-2374";
@@ -143,7 +143,7 @@ impl BrandisJohnstonRadiative {
         } = *flow;
         let below = v.less(S::constant(self.onset_m_s));
         let zero = S::constant(0.0);
-        if S::all(below) {
+        if below.all() {
             return zero;
         }
         let VelocityFunction {

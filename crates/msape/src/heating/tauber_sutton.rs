@@ -18,7 +18,7 @@ use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
 use crate::finding::Finding;
 use numerics::math;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
 
 /// The correlation for one planet.
@@ -118,7 +118,7 @@ impl TauberSutton {
             speed_m_s: v,
             nose_radius_m: r_n,
         } = *flow;
-        if S::all(v.less(S::constant(self.onset_m_s))) {
+        if v.less(S::constant(self.onset_m_s)).all() {
             return S::constant(0.0);
         }
         let f = self.velocity_function(v);

@@ -10,8 +10,8 @@
 //!   codes DOPRI5 and DOP853.
 //! - \[hairer-wanner-1996\] section IV.2, proportional-integral control.
 
-use super::formula::{Origin, advance};
-use crate::math;
+use super::formula::{Origin, advance, values};
+use crate::scalar::{Mask, Scalar};
 
 const SAFETY: f64 = 0.9;
 /// ln 10⁻⁴: an error still smaller does not slow the step after the next; kept before the first step, too.
@@ -30,21 +30,22 @@ pub struct Tolerance<const N: usize> {
 impl<const N: usize> Tolerance<N> {
     /// Error allowed in each component of a step from `y0` to `y1`.
     #[inline]
-    pub(super) fn scale(&self, y0: &[f64; N], y1: &[f64; N]) -> [f64; N] {
+    pub(super) fn scale<S: Scalar>(&self, y0: &[S; N], y1: &[S; N]) -> [S::Value; N] {
         core::array::from_fn(|i| {
-            let allowed = self.absolute[i] + self.relative[i] * y0[i].abs().max(y1[i].abs());
-            allowed.max(f64::MIN_POSITIVE)
+            let largest = y0[i].value().abs().max(y1[i].value().abs());
+            let allowed = largest * self.relative[i] + self.absolute[i];
+            allowed.max(S::Value::constant(f64::MIN_POSITIVE))
         })
     }
 }
 
 /// Σ (eᵢ / sᵢ)² / N.
 #[inline]
-pub(super) fn mean_square<const N: usize>(e: &[f64; N], scale: &[f64; N]) -> f64 {
-    let mut sum = 0.0;
+pub(super) fn mean_square<const N: usize, V: Scalar>(e: &[V; N], scale: &[V; N]) -> V {
+    let mut sum = V::constant(0.0);
     for i in 0..N {
         let part = e[i] / scale[i];
-        sum += part * part;
+        sum = sum + part * part;
     }
     sum / N as f64
 }
@@ -67,61 +68,65 @@ impl Control {
     /// Factor to the next step after one that was accepted, from the logarithm of its error and [`memory`] of the step
     /// before it.
     #[inline]
-    pub fn factor_accepted(&self, ln_error: f64, before: f64) -> f64 {
-        let factor = SAFETY * math::exp(self.integral * before - self.proportional * ln_error);
-        factor.clamp(self.shrink, self.grow)
+    pub fn factor_accepted<V: Scalar>(&self, ln_error: V, before: V) -> V {
+        let factor = (before * self.integral - ln_error * self.proportional).exp() * SAFETY;
+        factor
+            .max(V::constant(self.shrink))
+            .min(V::constant(self.grow))
     }
 
     /// Factor to the next trial after one that was refused, from the logarithm of its error.
     #[inline]
-    pub fn factor_refused(&self, ln_error: f64) -> f64 {
-        let factor = SAFETY * math::exp(-self.proportional * ln_error);
-        factor.clamp(self.shrink, SAFETY)
+    pub fn factor_refused<V: Scalar>(&self, ln_error: V) -> V {
+        let factor = (-(ln_error * self.proportional)).exp() * SAFETY;
+        factor
+            .max(V::constant(self.shrink))
+            .min(V::constant(SAFETY))
     }
 }
 
 /// What the control keeps of an accepted step, of whose error the logarithm is `ln_error`.
 #[inline]
-pub(super) fn memory(ln_error: f64) -> f64 {
-    ln_error.max(LN_LEAST_ERROR_BEFORE)
+pub(super) fn memory<V: Scalar>(ln_error: V) -> V {
+    ln_error.max(V::constant(LN_LEAST_ERROR_BEFORE))
 }
 
 /// Length of the first step, not above `longest`, at the cost of one evaluation.
-pub(super) fn first_step<const N: usize>(
-    f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-    origin: &Origin<N>,
+pub(super) fn first_step<const N: usize, S: Scalar>(
+    f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+    origin: &Origin<N, S>,
     tolerance: &Tolerance<N>,
     order: f64,
-    longest: f64,
-) -> f64 {
+    longest: S::Value,
+) -> S::Value {
     let Origin { t, y, slope } = origin;
+    let number = S::Value::constant;
     let scale = tolerance.scale(y, y);
     let (d0, d1) = (
-        mean_square(y, &scale).sqrt(),
-        mean_square(slope, &scale).sqrt(),
+        mean_square(&values(y), &scale).sqrt(),
+        mean_square(&values(slope), &scale).sqrt(),
     );
-    let guess = if d0 < 1e-5 || d1 < 1e-5 {
-        1e-6
-    } else {
-        0.01 * d0 / d1
-    };
-    let h0 = guess.min(longest);
-    let ahead = f(t + h0, &advance(y, h0, [(1.0, slope)]));
-    let change = core::array::from_fn(|i| ahead[i] - slope[i]);
+    let little = d0.less(number(1e-5)).or(d1.less(number(1e-5)));
+    let h0 = S::Value::select(little, number(1e-6), d0 * 0.01 / d1).min(longest);
+    let h = S::from_value(h0);
+    let ahead = f(*t + h, &advance(y, h, [(1.0, slope)]));
+    let change = core::array::from_fn(|i| (ahead[i] - slope[i]).value());
     let d2 = mean_square(&change, &scale).sqrt() / h0;
     // A guess that led where the right-hand side is not finite says nothing.
-    let largest = if d2.is_finite() { d1.max(d2) } else { d1 };
-    let h1 = if largest <= 1e-15 {
-        (h0 * 1e-3).max(1e-6)
-    } else {
-        math::pow(0.01 / largest, 1.0 / order)
-    };
-    (100.0 * h0).min(h1).min(longest)
+    let largest = S::Value::select(d2.finite(), d1.max(d2), d1);
+    let still = number(1e-15).less(largest).not();
+    let h1 = S::Value::select(
+        still,
+        (h0 * 1e-3).max(number(1e-6)),
+        (number(0.01) / largest).pow(number(1.0 / order)),
+    );
+    (h0 * 100.0).min(h1).min(longest)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math;
 
     const CONTROL: Control = Control {
         order: 5.0,

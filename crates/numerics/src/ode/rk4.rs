@@ -7,12 +7,13 @@ use super::Dense;
 use super::control::{Control, Tolerance};
 use super::formula::{Origin, Trial, advance};
 use super::step::{Ends, Step};
+use crate::scalar::Scalar;
 
-pub(super) struct Rk4<const N: usize> {
-    y1: [f64; N],
+pub(super) struct Rk4<const N: usize, S> {
+    y1: [S; N],
 }
 
-impl<const N: usize> Trial<N> for Rk4<N> {
+impl<const N: usize, S: Scalar> Trial<N, S> for Rk4<N, S> {
     // Never asked: the step is fixed.
     const CONTROL: Control = Control {
         order: 4.0,
@@ -21,13 +22,19 @@ impl<const N: usize> Trial<N> for Rk4<N> {
         shrink: 1.0,
         grow: 1.0,
     };
+    const EVALUATIONS: u32 = 3;
 
     #[inline]
-    fn take(f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N], origin: &Origin<N>, h: f64) -> Self {
+    fn finishing(_dense: Dense) -> u32 {
+        1
+    }
+
+    #[inline]
+    fn take(f: &mut impl FnMut(S, &[S; N]) -> [S; N], origin: &Origin<N, S>, h: S) -> Self {
         let Origin { t, y, slope: k1 } = origin;
-        let k2 = &f(t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k1)]));
-        let k3 = &f(t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k2)]));
-        let k4 = &f(t + h, &advance(y, h, [(1.0, k3)]));
+        let k2 = &f(*t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k1)]));
+        let k3 = &f(*t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k2)]));
+        let k4 = &f(*t + h, &advance(y, h, [(1.0, k3)]));
         let weights = [
             (1.0 / 6.0, k1),
             (2.0 / 6.0, k2),
@@ -40,23 +47,28 @@ impl<const N: usize> Trial<N> for Rk4<N> {
     }
 
     #[inline]
-    fn y1(&self) -> &[f64; N] {
+    fn y1(&self) -> &[S; N] {
         &self.y1
     }
 
     #[inline]
-    fn error_squared(&self, _origin: &Origin<N>, _h: f64, _tolerance: &Tolerance<N>) -> f64 {
-        0.0
+    fn error_squared(
+        &self,
+        _origin: &Origin<N, S>,
+        _h: S::Value,
+        _tolerance: &Tolerance<N>,
+    ) -> S::Value {
+        S::Value::constant(0.0)
     }
 
     #[inline]
     fn finish(
         self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        origin: &Origin<N>,
-        t1: f64,
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        origin: &Origin<N, S>,
+        t1: S,
         _dense: Dense,
-    ) -> (Step<N>, [f64; N]) {
+    ) -> (Step<N, S>, [S; N]) {
         let slope1 = f(t1, &self.y1);
         let ends = Ends {
             t: [origin.t, t1],
