@@ -17,7 +17,6 @@
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
 use crate::finding::Finding;
-use numerics::math;
 use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
 
@@ -125,7 +124,7 @@ impl TauberSutton {
         let ln_rho = rho.ln();
         let a = self.exponent.value(v.ln(), ln_rho, r_n);
         // q̇ = C Rₙ^a ρ^b f(V)
-        (a * math::ln(r_n) + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
+        (a * r_n.ln() + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
     }
 
     /// What a reader must know when the peak is outside the ranges.

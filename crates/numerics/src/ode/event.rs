@@ -21,8 +21,10 @@ const MAXIMUM_TOLERANCE: f64 = 1e-9;
 const SLOPE_PART: f64 = 1e-3;
 /// Corrections of the place of a maximum; each squares the error.
 const CORRECTIONS: usize = 4;
-/// A maximum is placed within this part of a step.
+/// A maximum with a slope of zero is placed within this part of a step.
 const TOP_TOLERANCE: f64 = 1e-9;
+/// Another maximum is placed within this part of a step.
+const COARSE_TOLERANCE: f64 = 1e-6;
 
 /// The way in which zero is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,7 +114,7 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
 }
 
 /// Where `g` is largest along `step`, looked for from the part `start` of the step: the zero of its slope where that is
-/// within the step, else as [`maximum`] does.
+/// within the step, else the largest value, ends included.
 ///
 /// ```text
 /// t ← t − g'/g'',   g' = (g(t+d) − g(t−d))/(2d),   g'' = (g(t+d) − 2 g(t) + g(t−d))/d²
@@ -138,7 +140,7 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
             return S::root(t, slope, || bend / (d * d));
         }
     }
-    let (t, _) = root::maximum(values, t0, t1, MAXIMUM_TOLERANCE * length);
+    let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
     step.time(t)
 }
 
