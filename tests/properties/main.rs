@@ -4,12 +4,14 @@
 //! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
+//! - [`lanes`]: flights in lanes have the bits of each alone; derivatives are those of central differences.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 
 mod designs;
 mod flights;
 mod garbage;
 mod geometry;
+mod lanes;
 mod text;
 
 use proptest::test_runner::{Config, RngSeed};

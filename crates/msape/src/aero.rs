@@ -122,7 +122,10 @@ impl DragTable {
             };
             Some([c0, (c1 - c0) / (m1 - m0), m0])
         });
-        let lines = level(rows.first()).into_iter().chain(between).chain(level(rows.last()));
+        let lines = level(rows.first())
+            .into_iter()
+            .chain(between)
+            .chain(level(rows.last()));
         DragTable {
             mach,
             coefficient,

@@ -62,6 +62,8 @@ pub trait Scalar:
     fn lane(self, lane: usize) -> Self::Lane;
     /// Replaces the number of one lane.
     fn set_lane(&mut self, lane: usize, number: Self::Lane);
+    /// A function of the value in each lane.
+    fn map_value(self, f: impl Fn(f64) -> f64) -> Self::Value;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Exponential function.
@@ -216,6 +218,10 @@ impl Scalar for f64 {
     #[inline]
     fn set_lane(&mut self, _lane: usize, number: f64) {
         *self = number;
+    }
+    #[inline(always)]
+    fn map_value(self, f: impl Fn(f64) -> f64) -> f64 {
+        f(self)
     }
     #[inline]
     fn sqrt(self) -> Self {

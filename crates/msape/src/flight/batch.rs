@@ -14,7 +14,7 @@
 //! - Own convention.
 
 use super::equations::{Equations, STATES};
-use super::integration::{self, Record};
+use super::integration::{self, Keep, Record};
 use super::mission::{Body, Mission};
 use super::motion::PointMass;
 use super::numbers::Numbers;
@@ -24,28 +24,17 @@ use crate::outcome::Outcome;
 use core::ops::ControlFlow;
 use numerics::scalar::Lanes;
 
-/// A flight of a batch that has ended.
-pub struct Flown<'f, 'a> {
+/// A flight of a batch that has ended, with its results.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flown<R> {
     /// Its number in the queue, from 0.
     pub number: usize,
+    /// Its results.
+    pub results: R,
     /// How it ended.
     pub outcome: Outcome,
     /// Why, where the outcome needs a reason.
-    pub reason: Option<&'f str>,
-    motion: PointMass<'a>,
-    record: &'f Record<STATES>,
-}
-
-impl Flown<'_, '_> {
-    /// All results, and the time history that is asked for.
-    pub fn flight(&self, request: Request) -> Flight {
-        summary::summarize(self.motion, self.record, request)
-    }
-
-    /// The results that sizing a vehicle needs.
-    pub fn extremes(&self) -> Extremes {
-        summary::extremes(self.motion, self.record)
-    }
+    pub reason: Option<String>,
 }
 
 /// Flies a queue of flights, `N` at a time; `done` is told of each as it ends, and may stop the rest.
@@ -55,21 +44,46 @@ pub fn fly_all<const N: usize>(
     mission: &Mission,
     body: &Body,
     queue: impl IntoIterator<Item = Numbers>,
-    mut done: impl FnMut(&Flown) -> ControlFlow<()>,
+    done: impl FnMut(Flown<Flight>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let results: Results<Flight> =
+        |motion, record| summary::summarize(motion, record, Request::Nothing);
+    all::<N, Flight>(mission, body, (Keep::All, results), queue, done)
+}
+
+/// The same for the few results that sizing a vehicle needs, in less time.
+pub fn extremes_of_all<const N: usize>(
+    mission: &Mission,
+    body: &Body,
+    queue: impl IntoIterator<Item = Numbers>,
+    done: impl FnMut(Flown<Extremes>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let results: Results<Extremes> = |motion, record| summary::extremes(motion, record);
+    all::<N, Extremes>(mission, body, (Keep::Busy, results), queue, done)
+}
+
+type Results<R> = fn(PointMass, &Record<STATES>) -> R;
+
+fn all<const N: usize, R>(
+    mission: &Mission,
+    body: &Body,
+    (keep, results): (Keep, Results<R>),
+    queue: impl IntoIterator<Item = Numbers>,
+    mut done: impl FnMut(Flown<R>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let flights = queue.into_iter().map(|numbers| {
         let point = Equations::with_numbers(mission, body, 0, numbers);
         (PointMass { point }, three_dof::start(&numbers.start))
     });
     integration::integrate_all::<PointMass<Lanes<N>>, STATES, Lanes<N>>(
+        keep,
         flights,
         |number, motion, record| {
-            done(&Flown {
+            done(Flown {
                 number,
+                results: results(*motion, &record),
                 outcome: record.outcome,
-                reason: record.reason.as_deref(),
-                motion: *motion,
-                record: &record,
+                reason: record.reason,
             })
         },
     )

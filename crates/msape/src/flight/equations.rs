@@ -105,7 +105,8 @@ impl<'a, S: Scalar> Equations<'a, S> {
     /// Replaces the equations of one lane.
     pub fn set_lane(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
         self.numbers.set_lane(lane, &of.numbers);
-        self.half_area_over_mass.set_lane(lane, of.half_area_over_mass);
+        self.half_area_over_mass
+            .set_lane(lane, of.half_area_over_mass);
         self.set_lane_state(lane, of);
     }
 
@@ -206,11 +207,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
     }
 
     #[inline]
-    fn heat_flux_under(
-        &self,
-        around: &Surroundings<S>,
-        radiation: &Radiation<S>,
-    ) -> HeatFlux<S> {
+    fn heat_flux_under(&self, around: &Surroundings<S>, radiation: &Radiation<S>) -> HeatFlux<S> {
         let flow = Flow {
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,

@@ -66,20 +66,29 @@ pub struct Record<const N: usize, S = f64> {
     pub evaluations: u64,
 }
 
+/// Which steps of a flight are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// All.
+    All,
+    /// Those in which some load is more than a small part of its largest so far, and the last: enough for peaks.
+    Busy,
+}
+
 /// Integrates a motion from a state.
-pub fn integrate<'a, M, const N: usize, S>(motion: M, start: [S; N]) -> Record<N, S>
+pub fn integrate<'a, M, const N: usize, S>(motion: M, start: [S; N], keep: Keep) -> Record<N, S>
 where
     M: Motion<'a, N, S, Lane = M>,
     S: Single,
 {
     let mut only = None;
     let one = core::iter::once((motion, start));
-    let _ = integrate_all::<M, N, S>(one, |_, _, record| {
+    let _ = integrate_all::<M, N, S>(keep, one, |_, _, record| {
         only = Some(record);
         ControlFlow::Continue(())
     });
     // One flight went in, so one has come out.
-    only.unwrap_or_else(|| Course::new(&Marks::of(&motion), motion, start).into_record())
+    only.unwrap_or_else(|| Course::new(&Marks::of(&motion, keep), motion, start).into_record())
 }
 
 /// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes the
@@ -88,6 +97,7 @@ where
 /// `done` is told the number of a flight in the queue, its motion and its record, in the order in which they end; it may
 /// stop the rest. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
 pub fn integrate_all<'a, M, const N: usize, S>(
+    keep: Keep,
     queue: impl IntoIterator<Item = (M::Lane, [S::Lane; N])>,
     mut done: impl FnMut(usize, &M::Lane, Record<N, S::Lane>) -> ControlFlow<()>,
 ) -> ControlFlow<()>
@@ -100,7 +110,7 @@ where
     let Some((_, (first, start))) = &waiting else {
         return ControlFlow::Continue(());
     };
-    let marks = Marks::of(first);
+    let marks = Marks::of(first, keep);
     let mut all = M::everywhere(first);
     let mut y = [S::constant(0.0); N];
     for (all, one) in y.iter_mut().zip(start) {
@@ -111,7 +121,7 @@ where
         .with_maximum_steps(MOST_STEPS);
     let mut courses: Vec<Option<(usize, Course<M::Lane, N, S::Lane>)>> = Vec::new();
     courses.resize_with(S::LANES, || None);
-    let mut limit_s = S::Value::constant(0.0);
+    let mut limit_s = S::constant(0.0);
     let mut active = S::Mask::constant(false);
     loop {
         for (lane, place) in courses.iter_mut().enumerate() {
@@ -138,17 +148,18 @@ where
             let mut f = |t: S, y: &[S; N]| all.derivative(t, y);
             integrator.attempt(&mut f, limit_s, active)
         };
-        let ends = (attempt.step.as_ref()).map(|step| (step, Node::of(&all, step.t1, &step.y1)));
+        let step = integrator.last_step();
+        let node = (attempt.accepted.any()).then(|| Node::of(&all, step.t1, &step.y1));
         for (lane, place) in courses.iter_mut().enumerate() {
             let Some((index, course)) = place else {
                 continue;
             };
-            let next = match &ends {
-                Some((step, node)) if attempt.accepted.lane(lane) => {
-                    course.advance(step.lane(lane), &node.lane(lane))
+            let next = match &node {
+                Some(node) if attempt.accepted.lane(lane) => {
+                    course.advance(integrator.last_step(), node, lane)
                 }
                 _ if attempt.failed.lane(lane) => {
-                    course.give_up(&integrator.fault(lane, course.limit_s));
+                    course.give_up(&integrator.fault(lane, course.limit_s.value()));
                     Next::Over
                 }
                 _ => continue,

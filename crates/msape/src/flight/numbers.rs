@@ -117,7 +117,8 @@ impl<S: Scalar> Numbers<S> {
     pub fn set_lane(&mut self, lane: usize, numbers: &Numbers<S::Lane>) {
         let velocity = |all: &mut Velocity<S>, one: &Velocity<S::Lane>| {
             all.speed_m_s.set_lane(lane, one.speed_m_s);
-            all.flight_path_angle_rad.set_lane(lane, one.flight_path_angle_rad);
+            all.flight_path_angle_rad
+                .set_lane(lane, one.flight_path_angle_rad);
             all.azimuth_rad.set_lane(lane, one.azimuth_rad);
         };
         let vector = |all: &mut [S; 3], one: &[S::Lane; 3]| {

@@ -30,7 +30,7 @@ pub mod reorientation;
 pub mod rigid;
 
 use super::equations::Equations;
-use super::integration::{self, Record};
+use super::integration::{self, Keep, Record};
 use super::mission::{Body, Mission};
 use super::{Flight, Request, summary, three_dof};
 use crate::outcome::Outcome;
@@ -58,7 +58,11 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> Rig
 
 /// Integrates a flight.
 pub fn integrate(mission: &Mission, body: &Body, rigid: &Rigid) -> Record<RIGID_STATES> {
-    integration::integrate(motion(mission, body, rigid), start(mission, rigid))
+    integration::integrate(
+        motion(mission, body, rigid),
+        start(mission, rigid),
+        Keep::All,
+    )
 }
 
 /// Flies a rigid body: the flight, how it ended, and why.

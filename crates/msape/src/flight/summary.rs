@@ -1,12 +1,12 @@
 //! Peaks, loads and end of an integrated flight, and its time history.
 
-use super::{Flight, Peak};
 use super::equations::{CONVECTIVE, RADIATIVE};
 use super::integration::{Leg, Record};
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::sample;
 use super::trajectory::{Request, Trajectory};
+use super::{Flight, Peak};
 use crate::planet::geodetic::great_circle_m;
 use numerics::ode::event::root_between;
 use numerics::scalar::Single;

@@ -14,11 +14,12 @@
 //! - \[samareh-2014\] section 3.2.
 
 use super::equations::{Equations, STATES};
-use super::integration::{self, Record};
+use super::integration::{self, Keep, Record};
 use super::mission::{Body, Mission, Start};
 use super::motion::PointMass;
 use super::numbers::Numbers;
-use super::{Flight, Request, summary};
+use super::summary::{self, Extremes};
+use super::{Flight, Request};
 use crate::outcome::Outcome;
 use numerics::scalar::{Scalar, Single};
 
@@ -39,7 +40,7 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body) -> PointMass<'a> {
 
 /// Integrates a flight.
 pub fn integrate(mission: &Mission, body: &Body) -> Record<STATES> {
-    integration::integrate(motion(mission, body), start(&mission.start))
+    integration::integrate(motion(mission, body), start(&mission.start), Keep::All)
 }
 
 /// Flies with numbers of their own, derivatives included: the flight, how it ended, and why.
@@ -52,7 +53,21 @@ pub fn fly_with<S: Single>(
     let motion = PointMass {
         point: Equations::with_numbers(mission, body, 0, numbers),
     };
-    let record = integration::integrate(motion, start(&numbers.start));
+    let record = integration::integrate(motion, start(&numbers.start), Keep::All);
     let flight = summary::summarize(motion, &record, request);
     (flight, record.outcome, record.reason)
+}
+
+/// The few results that sizing a vehicle needs, at a part of the cost of a whole flight; how it ended, and why.
+pub fn extremes<S: Single>(
+    mission: &Mission,
+    body: &Body,
+    numbers: Numbers<S>,
+) -> (Extremes<S>, Outcome, Option<String>) {
+    let motion = PointMass {
+        point: Equations::with_numbers(mission, body, 0, numbers),
+    };
+    let record = integration::integrate(motion, start(&numbers.start), Keep::Busy);
+    let extremes = summary::extremes(motion, &record);
+    (extremes, record.outcome, record.reason)
 }

@@ -36,21 +36,21 @@ impl<const N: usize, S: Scalar> Trial<N, S> for DormandPrince54<N, S> {
     #[rustfmt::skip]
     #[inline]
     fn take(f: &mut impl FnMut(S, &[S; N]) -> [S; N], origin: &Origin<N, S>, h: S) -> Self {
-        let Origin { t, y, slope: k1 } = origin;
-        let k2 = &f(*t + h * (1.0 / 5.0), &advance(y, h, [(1.0 / 5.0, k1)]));
-        let k3 = &f(*t + h * (3.0 / 10.0), &advance(y, h, [(3.0 / 40.0, k1), (9.0 / 40.0, k2)]));
-        let k4 = &f(*t + h * (4.0 / 5.0), &advance(y, h, [(44.0 / 45.0, k1), (-56.0 / 15.0, k2), (32.0 / 9.0, k3)]));
-        let k5 = &f(*t + h * (8.0 / 9.0), &advance(y, h, [
+        let Origin { t, y, slope: k1 } = *origin;
+        let k2 = &f(t + h * (1.0 / 5.0), &advance(y, h, [(1.0 / 5.0, k1)]));
+        let k3 = &f(t + h * (3.0 / 10.0), &advance(y, h, [(3.0 / 40.0, k1), (9.0 / 40.0, k2)]));
+        let k4 = &f(t + h * (4.0 / 5.0), &advance(y, h, [(44.0 / 45.0, k1), (-56.0 / 15.0, k2), (32.0 / 9.0, k3)]));
+        let k5 = &f(t + h * (8.0 / 9.0), &advance(y, h, [
             (19372.0 / 6561.0, k1), (-25360.0 / 2187.0, k2), (64448.0 / 6561.0, k3), (-212.0 / 729.0, k4),
         ]));
-        let k6 = &f(*t + h, &advance(y, h, [
+        let k6 = &f(t + h, &advance(y, h, [
             (9017.0 / 3168.0, k1), (-355.0 / 33.0, k2), (46732.0 / 5247.0, k3), (49.0 / 176.0, k4),
             (-5103.0 / 18656.0, k5),
         ]));
         let y1 = advance(y, h, [
             (35.0 / 384.0, k1), (500.0 / 1113.0, k3), (125.0 / 192.0, k4), (-2187.0 / 6784.0, k5), (11.0 / 84.0, k6),
         ]);
-        let k7 = f(*t + h, &y1);
+        let k7 = f(t + h, &y1);
         Self { k: [*k3, *k4, *k5, *k6, k7], y1 }
     }
 
@@ -68,34 +68,35 @@ impl<const N: usize, S: Scalar> Trial<N, S> for DormandPrince54<N, S> {
     ) -> S::Value {
         let [k3, k4, k5, k6, k7] = &self.k;
         let error = sum([
-            (71.0 / 57600.0, &origin.slope),
+            (71.0 / 57600.0, origin.slope),
             (-71.0 / 16695.0, k3),
             (71.0 / 1920.0, k4),
             (-17253.0 / 339200.0, k5),
             (22.0 / 525.0, k6),
             (-1.0 / 40.0, k7),
         ]);
-        h * h * mean_square(&values(&error), &tolerance.scale(&origin.y, &self.y1))
+        h * h * mean_square(&values(&error), &tolerance.scale(origin.y, &self.y1))
     }
 
     #[inline]
     fn finish(
-        self,
+        &self,
         _f: &mut impl FnMut(S, &[S; N]) -> [S; N],
         origin: &Origin<N, S>,
         t1: S,
         _dense: Dense,
-    ) -> (Step<N, S>, [S; N]) {
+        step: &mut Step<N, S>,
+    ) -> [S; N] {
         let Self {
             k: [k3, k4, k5, k6, k7],
             y1,
-        } = &self;
+        } = self;
         let h = t1 - origin.t;
         let correction = advance(
             &[S::constant(0.0); N],
             h,
             [
-                (-12715105075.0 / 11282082432.0, &origin.slope),
+                (-12715105075.0 / 11282082432.0, origin.slope),
                 (87487479700.0 / 32700410799.0, k3),
                 (-10690763975.0 / 1880347072.0, k4),
                 (701980252875.0 / 199316789632.0, k5),
@@ -105,9 +106,10 @@ impl<const N: usize, S: Scalar> Trial<N, S> for DormandPrince54<N, S> {
         );
         let ends = Ends {
             t: [origin.t, t1],
-            y: [&origin.y, y1],
-            slope: [&origin.slope, k7],
+            y: [origin.y, y1],
+            slope: [origin.slope, k7],
         };
-        (Step::new(&ends, &[correction]), *k7)
+        step.set(&ends, &correction);
+        *k7
     }
 }

@@ -21,8 +21,11 @@ const MAXIMUM_TOLERANCE: f64 = 1e-9;
 const SLOPE_PART: f64 = 1e-3;
 /// Corrections of the place of a maximum; each squares the error.
 const CORRECTIONS: usize = 4;
-/// A maximum with a slope of zero is placed within this part of a step.
-const TOP_TOLERANCE: f64 = 1e-9;
+/// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
+/// the step for less.
+const TOP_PART: f64 = 1e-2;
+/// The last correction of the place of a maximum, as a part of the step; the error is its square.
+const TOP_TOLERANCE: f64 = 1e-5;
 /// Another maximum is placed within this part of a step.
 const COARSE_TOLERANCE: f64 = 1e-6;
 
@@ -122,7 +125,7 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
 pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
     let (t0, t1) = (step.t0.value(), step.t1.value());
     let length = t1 - t0;
-    let d = SLOPE_PART * length;
+    let d = TOP_PART * length;
     let values = |t: f64| g(step.time(t)).value();
     let mut t = t0 + start * length;
     for _ in 0..CORRECTIONS {
@@ -158,7 +161,7 @@ mod tests {
                 y: [&[0.0], &[2.0]],
                 slope: [&[-1.0], &[3.0]],
             },
-            &[],
+            &[0.0],
         )
     }
 
@@ -225,7 +228,7 @@ mod tests {
                 y: [&[number(0.0)], &[p * 4.0 - 2.0]],
                 slope: [&[number(-1.0)], &[p * 4.0 - 1.0]],
             },
-            &[],
+            &[number(0.0)],
         );
         let zero = crossing_sampled(&step, |_, y| y[0], Direction::Rising, 3).unwrap();
         assert!((zero.value - 1.0).abs() < 1e-12 && (zero.slope[0] + 1.0).abs() < 1e-9);

@@ -6,11 +6,11 @@ use super::step::Step;
 use crate::scalar::{Mask, Scalar};
 
 /// Where a step begins.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Origin<const N: usize, S> {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Origin<'a, const N: usize, S> {
     pub t: S,
-    pub y: [S; N],
-    pub slope: [S; N],
+    pub y: &'a [S; N],
+    pub slope: &'a [S; N],
 }
 
 /// A step on trial: computed as far as is needed to judge it.
@@ -37,24 +37,30 @@ pub(super) trait Trial<const N: usize, S: Scalar>: Sized {
         tolerance: &Tolerance<N>,
     ) -> S::Value;
 
-    /// The step, which ends at `t1`, and the slope at its end.
+    /// Writes the step, which ends at `t1`, to its place; the slope at its end.
     fn finish(
-        self,
+        &self,
         f: &mut impl FnMut(S, &[S; N]) -> [S; N],
         origin: &Origin<N, S>,
         t1: S,
         dense: Dense,
-    ) -> (Step<N, S>, [S; N]);
+        step: &mut Step<N, S>,
+    ) -> [S; N];
 }
 
 /// Σ aᵢ kᵢ, in the order of the terms.
 #[inline(always)]
 pub(super) fn sum<const N: usize, const M: usize, S: Scalar>(terms: [(f64, &[S; N]); M]) -> [S; N] {
     let mut sum = [S::constant(0.0); N];
-    for (a, k) in terms {
-        for i in 0..N {
-            sum[i] = sum[i] + k[i] * a;
+    for i in 0..N {
+        let mut of_i = S::constant(0.0);
+        for (n, (a, k)) in terms.iter().enumerate() {
+            of_i = match n {
+                0 => k[i] * *a,
+                _ => of_i + k[i] * *a,
+            };
         }
+        sum[i] = of_i;
     }
     sum
 }
@@ -76,7 +82,11 @@ pub(super) fn advance<const N: usize, const M: usize, S: Scalar>(
 /// The values of numbers.
 #[inline(always)]
 pub(super) fn values<const N: usize, S: Scalar>(y: &[S; N]) -> [S::Value; N] {
-    y.map(S::value)
+    let mut values = [S::Value::constant(0.0); N];
+    for (value, y) in values.iter_mut().zip(y) {
+        *value = y.value();
+    }
+    values
 }
 
 /// Where all numbers are finite.

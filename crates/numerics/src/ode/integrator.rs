@@ -1,13 +1,17 @@
 //! The integrator: where it stands, how long the next step shall be, and what it has cost; one flight or many.
 
-use super::control::{Control, LN_LEAST_ERROR_BEFORE, Tolerance, first_step, memory};
+mod account;
+mod alone;
+
+use super::control::{Control, LN_LEAST_ERROR_BEFORE, Tolerance, first_step, memory, rough_ln};
 use super::dormand_prince_54::DormandPrince54;
 use super::dormand_prince_853::DormandPrince853;
 use super::formula::{Origin, Trial, finite};
 use super::rk4::Rk4;
 use super::step::Step;
 use super::{Dense, Method, OdeError};
-use crate::scalar::{Mask, Scalar, Single};
+use crate::scalar::{Mask, Scalar};
+pub use account::{Attempt, Statistics};
 
 /// Factor to the next trial after one that was not finite.
 const RETREAT: f64 = 0.1;
@@ -18,17 +22,6 @@ const FIXED_STRETCH: f64 = 1e-9;
 /// Least adaptive step, in units of the last place of t.
 const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 const MAXIMUM_STEPS: u64 = 1_000_000;
-
-/// What an integration has cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Statistics {
-    /// Steps taken, each counted once however often it was retaken.
-    pub accepted: u64,
-    /// Trials refused: too large an error, or not finite.
-    pub rejected: u64,
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
-}
 
 /// An integration of y' = f(t, y) under way: one, or in a number of several lanes one a lane, each with its own t and
 /// its own steps.
@@ -58,28 +51,15 @@ pub struct Integrator<const N: usize, S: Scalar = f64> {
     wild: S::Mask,
     /// Logarithm of the error of the last step, for the control.
     before: S::Value,
-    /// Where the last step began; its slope is unknown when the right-hand side has changed since.
-    last: Option<(Origin<N, S>, Renewed)>,
+    /// Where the last trial was not finite at its beginning.
+    unsound: S::Mask,
+    /// The last step.
+    step: Step<N, S>,
+    /// Slope at its beginning, where it can be taken again.
+    slope0: Option<[S; N]>,
     accepted: S::Value,
     rejected: S::Value,
     evaluations: S::Value,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Renewed {
-    No,
-    Yes,
-}
-
-/// What became of a trial.
-#[derive(Clone, Debug)]
-pub struct Attempt<const N: usize, S: Scalar> {
-    /// The step, in the lanes where it was accepted.
-    pub step: Option<Step<N, S>>,
-    /// Lanes whose step was accepted.
-    pub accepted: S::Mask,
-    /// Lanes that cannot go on; [`Integrator::fault`] says why.
-    pub failed: S::Mask,
 }
 
 impl<const N: usize, S: Scalar> Integrator<N, S> {
@@ -102,7 +82,9 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             fresh: S::Mask::constant(true),
             wild: S::Mask::constant(false),
             before: S::Value::constant(LN_LEAST_ERROR_BEFORE),
-            last: None,
+            unsound: S::Mask::constant(false),
+            step: Step::none(t0, y0),
+            slope0: None,
             accepted: zero,
             rejected: zero,
             evaluations: zero,
@@ -139,6 +121,12 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         &self.y
     }
 
+    /// The step that the last trial took, in the lanes where it was accepted.
+    #[inline]
+    pub fn last_step(&self) -> &Step<N, S> {
+        &self.step
+    }
+
     /// What the integration of a lane has cost so far.
     pub fn statistics_of(&self, lane: usize) -> Statistics {
         let count = |of: S::Value| of.lane(lane) as u64;
@@ -173,7 +161,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             all.set_lane(lane, *y);
         }
         self.sloped.set_lane(lane, false);
-        self.last = None;
+        self.slope0 = None;
     }
 
     /// Says that the right-hand side of a lane has changed: its stored value is forgotten, the length of the next step is
@@ -181,9 +169,6 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     #[inline]
     pub fn renew_lane(&mut self, lane: usize) {
         self.sloped.set_lane(lane, false);
-        if let Some((_, renewed)) = &mut self.last {
-            *renewed = Renewed::Yes;
-        }
     }
 
     /// One trial of a step in each of the `active` lanes, not beyond `t_limit` (which may be infinite).
@@ -193,9 +178,9 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     pub fn attempt(
         &mut self,
         f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        t_limit: S::Value,
+        t_limit: S,
         active: S::Mask,
-    ) -> Attempt<N, S> {
+    ) -> Attempt<S> {
         match self.method {
             Method::DormandPrince54 => self.adaptive::<DormandPrince54<N, S>>(f, t_limit, active),
             Method::DormandPrince853 => self.adaptive::<DormandPrince853<N, S>>(f, t_limit, active),
@@ -214,7 +199,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             OdeError::Unreachable { t, end: t_limit }
         } else if accepted + rejected >= self.maximum_steps {
             OdeError::TooManySteps { t }
-        } else if self.wild.lane(lane) || !self.sound().lane(lane) {
+        } else if self.wild.lane(lane) || self.unsound.lane(lane) {
             OdeError::NotFinite { t }
         } else {
             OdeError::StepTooSmall { t }
@@ -225,57 +210,60 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     fn adaptive<F: Trial<N, S>>(
         &mut self,
         f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        t_limit: S::Value,
+        t_limit: S,
         active: S::Mask,
-    ) -> Attempt<N, S> {
-        let origin = self.origin(f, active);
+    ) -> Attempt<S> {
+        self.know_slope(f, active);
+        let t = self.t.value();
         let longest = S::Value::constant(self.longest);
         let unplanned = active.and(self.is_planned.not());
         if unplanned.any() {
-            let room = longest.min(t_limit - origin.t.value());
+            let room = longest.min(t_limit.value() - t);
+            let origin = Origin {
+                t: self.t,
+                y: &self.y,
+                slope: &self.slope,
+            };
             let first = first_step(f, &origin, &self.tolerance, F::CONTROL.order, room);
             self.planned = S::Value::select(unplanned, first, self.planned);
             self.is_planned = self.is_planned.or(active);
             self.count(unplanned, 1);
         }
         let wanted = S::Value::select(self.fresh, self.planned.min(longest), self.h);
-        let at_limit = (origin.t.value() + wanted * (1.0 + STRETCH))
-            .less(t_limit)
-            .not();
-        let t1 = S::select(
-            at_limit,
-            S::from_value(t_limit),
-            origin.t + S::from_value(wanted),
-        );
-        let length = t1 - origin.t;
+        let at_limit = (t + wanted * (1.0 + STRETCH)).less(t_limit.value()).not();
+        let t1 = S::select(at_limit, t_limit, self.t + S::from_value(wanted));
+        let length = t1 - self.t;
         let h = length.value();
-        let moves = (origin.t.value().abs() * LEAST_STEP).less(h);
+        let moves = (t.abs() * LEAST_STEP).less(h);
         let goes = (at_limit.and(self.fresh)).or(moves);
         let live = self.able(active, t_limit).and(goes);
         let mut attempt = Attempt {
-            step: None,
             accepted: S::Mask::constant(false),
             failed: active.and(live.not()),
         };
         if !live.any() {
             return attempt;
         }
+        let origin = Origin {
+            t: self.t,
+            y: &self.y,
+            slope: &self.slope,
+        };
         let trial = F::take(f, &origin, length);
-        self.count(live, F::EVALUATIONS);
         let error_squared = trial.error_squared(&origin, h, &self.tolerance);
         let tame = live.and(error_squared.finite()).and(finite(trial.y1()));
         let large = tame.and(S::Value::constant(1.0).less(error_squared));
         let passed = tame.and(large.not());
-        let ln_error = error_squared.ln() * 0.5;
+        let ln_error = rough_ln(error_squared) * 0.5;
         if passed.any() {
-            self.count(passed, F::finishing(self.dense));
-            let (step, slope1) = trial.finish(f, &origin, t1, self.dense);
+            let slope1 = trial.finish(f, &origin, t1, self.dense, &mut self.step);
             let accepted = passed.and(finite(&slope1));
+            self.count(passed, F::finishing(self.dense));
             self.plan(&F::CONTROL, ln_error, h, accepted);
-            self.accept(origin, &step, slope1, accepted);
-            attempt.step = Some(step);
+            self.accept(&slope1, accepted);
             attempt.accepted = accepted;
         }
+        self.count(live, F::EVALUATIONS);
         let refused = live.and(attempt.accepted.not());
         if refused.any() {
             let shorter = h * F::CONTROL.factor_refused(ln_error);
@@ -303,13 +291,13 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         &mut self,
         f: &mut impl FnMut(S, &[S; N]) -> [S; N],
         h: f64,
-        t_limit: S::Value,
+        t_limit: S,
         active: S::Mask,
-    ) -> Attempt<N, S> {
-        let origin = self.origin(f, active);
-        let t = origin.t.value();
-        let at_limit = (t + (1.0 + FIXED_STRETCH) * h).less(t_limit).not();
-        let t1 = S::select(at_limit, S::from_value(t_limit), origin.t + h);
+    ) -> Attempt<S> {
+        self.know_slope(f, active);
+        let t = self.t.value();
+        let at_limit = (t + (1.0 + FIXED_STRETCH) * h).less(t_limit.value()).not();
+        let t1 = S::select(at_limit, t_limit, self.t + h);
         let moves = if h > 0.0 {
             t.less(t1.value())
         } else {
@@ -318,82 +306,71 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         let live = self.able(active, t_limit).and(moves);
         if !live.any() {
             return Attempt {
-                step: None,
                 accepted: live,
                 failed: active.and(live.not()),
             };
         }
-        let trial = Rk4::take(f, &origin, t1 - origin.t);
-        let (step, slope1) = trial.finish(f, &origin, t1, self.dense);
-        self.count(live, <Rk4<N, S> as Trial<N, S>>::EVALUATIONS);
-        self.count(live, <Rk4<N, S> as Trial<N, S>>::finishing(self.dense));
-        let accepted = live.and(finite(&step.y1)).and(finite(&slope1));
+        let origin = Origin {
+            t: self.t,
+            y: &self.y,
+            slope: &self.slope,
+        };
+        let trial = Rk4::take(f, &origin, t1 - self.t);
+        let slope1 = trial.finish(f, &origin, t1, self.dense, &mut self.step);
+        let of_step = <Rk4<N, S> as Trial<N, S>>::EVALUATIONS;
+        self.count(
+            live,
+            of_step + <Rk4<N, S> as Trial<N, S>>::finishing(self.dense),
+        );
+        let accepted = live.and(finite(&self.step.y1)).and(finite(&slope1));
         self.wild = live.and(accepted.not()).or(self.wild.and(live.not()));
-        self.accept(origin, &step, slope1, accepted);
+        self.accept(&slope1, accepted);
         Attempt {
-            step: Some(step),
             accepted,
             failed: active.and(accepted.not()),
         }
     }
 
-    /// Where the next step begins, with its slope.
+    /// Computes the slope where it is not known.
     #[inline]
-    fn origin(
-        &mut self,
-        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        active: S::Mask,
-    ) -> Origin<N, S> {
+    fn know_slope(&mut self, f: &mut impl FnMut(S, &[S; N]) -> [S; N], active: S::Mask) {
         let unknown = active.and(self.sloped.not());
         if unknown.any() {
             let slope = f(self.t, &self.y);
             for (known, slope) in self.slope.iter_mut().zip(slope) {
                 *known = S::select(unknown, slope, *known);
             }
+            // What was accepted is finite; what was put here need not be.
+            let sound = finite(&self.y).and(finite(&self.slope));
+            self.unsound = self.unsound.and(unknown.not()).or(unknown.and(sound.not()));
             self.sloped = self.sloped.or(active);
             self.count(unknown, 1);
         }
-        Origin {
-            t: self.t,
-            y: self.y,
-            slope: self.slope,
-        }
-    }
-
-    /// Where state and slope are numbers.
-    #[inline]
-    fn sound(&self) -> S::Mask {
-        finite(&self.y).and(finite(&self.slope))
     }
 
     /// Lanes that may take a step towards `t_limit`.
     #[inline]
-    fn able(&self, active: S::Mask, t_limit: S::Value) -> S::Mask {
+    fn able(&self, active: S::Mask, t_limit: S) -> S::Mask {
         let trials = self.accepted + self.rejected;
         let allowed = trials.less(S::Value::constant(self.maximum_steps as f64));
-        let ahead = self.t.value().less(t_limit);
-        active.and(ahead).and(allowed).and(self.sound())
+        let ahead = self.t.value().less(t_limit.value());
+        active.and(ahead).and(allowed).and(self.unsound.not())
     }
 
+    /// Goes to the end of the step where it is accepted.
     #[inline]
-    fn accept(
-        &mut self,
-        origin: Origin<N, S>,
-        step: &Step<N, S>,
-        slope1: [S; N],
-        accepted: S::Mask,
-    ) {
-        self.t = S::select(accepted, step.t1, self.t);
+    fn accept(&mut self, slope1: &[S; N], accepted: S::Mask) {
+        if S::LANES == 1 && accepted.any() {
+            self.slope0 = Some(self.slope);
+        }
+        self.t = S::select(accepted, self.step.t1, self.t);
         for i in 0..N {
-            self.y[i] = S::select(accepted, step.y1[i], self.y[i]);
+            self.y[i] = S::select(accepted, self.step.y1[i], self.y[i]);
             self.slope[i] = S::select(accepted, slope1[i], self.slope[i]);
         }
         self.fresh = self.fresh.or(accepted);
         self.wild = self.wild.and(accepted.not());
         self.accepted = S::Value::select(accepted, self.accepted + 1.0, self.accepted);
-        if S::LANES == 1 && accepted.any() {
-            self.last = Some((origin, Renewed::No));
-        }
     }
 
     #[inline]
@@ -408,101 +385,5 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     fn count(&mut self, lanes: S::Mask, evaluations: u32) {
         let more = self.evaluations + f64::from(evaluations);
         self.evaluations = S::Value::select(lanes, more, self.evaluations);
-    }
-}
-
-impl<const N: usize, S: Single> Integrator<N, S> {
-    /// Puts the integration at (`t`, `y`); the length of the next step and the counts are kept.
-    pub fn at(mut self, t: S, y: [S; N]) -> Self {
-        self.put(0, t, &y);
-        self
-    }
-
-    /// What the integration has cost so far.
-    #[inline]
-    pub fn statistics(&self) -> Statistics {
-        self.statistics_of(0)
-    }
-
-    /// Says that the right-hand side has changed: its stored value is forgotten, the length of the next step is kept.
-    #[inline]
-    pub fn renew(&mut self) {
-        self.renew_lane(0);
-    }
-
-    /// One accepted step, not beyond `t_limit` (which may be infinite).
-    ///
-    /// # Errors
-    /// Where `t_limit` is not ahead, the tolerance cannot be met, the right-hand side is not finite, or the allowance
-    /// of steps is used up; the integration then still stands where it stood.
-    #[inline]
-    pub fn step(
-        &mut self,
-        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        t_limit: f64,
-    ) -> Result<Step<N, S>, OdeError> {
-        loop {
-            let attempt = self.attempt(f, t_limit, true);
-            match attempt.step {
-                Some(step) if attempt.accepted => return Ok(step),
-                _ if attempt.failed => {
-                    let fault = self.fault(0, t_limit);
-                    self.fresh = true;
-                    return Err(fault);
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// Takes the last step again so that it ends at `t_end`, beyond its beginning and not beyond its end.
-    ///
-    /// The integration then stands at `t_end`, with the accuracy of a step, not only of the dense output. May be
-    /// repeated with an earlier end.
-    ///
-    /// # Errors
-    /// Where `t_end` is not within the last step, or the right-hand side is not finite; the integration then still
-    /// stands where it stood.
-    #[inline]
-    pub fn retake(
-        &mut self,
-        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        t_end: S,
-    ) -> Result<Step<N, S>, OdeError> {
-        match self.method {
-            Method::DormandPrince54 => self.again::<DormandPrince54<N, S>>(f, t_end),
-            Method::DormandPrince853 => self.again::<DormandPrince853<N, S>>(f, t_end),
-            Method::Rk4 { .. } => self.again::<Rk4<N, S>>(f, t_end),
-        }
-    }
-
-    fn again<F: Trial<N, S>>(
-        &mut self,
-        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
-        t_end: S,
-    ) -> Result<Step<N, S>, OdeError> {
-        let (t, end) = (self.t.value(), t_end.value());
-        let Some((mut origin, renewed)) = self.last.clone() else {
-            return Err(OdeError::Unreachable { t, end });
-        };
-        let t0 = origin.t.value();
-        if !(t0 < end && end <= t) {
-            return Err(OdeError::Unreachable { t, end });
-        }
-        if renewed == Renewed::Yes {
-            origin.slope = f(origin.t, &origin.y);
-            self.count(true, 1);
-        }
-        let trial = F::take(f, &origin, t_end - origin.t);
-        let (step, slope1) = trial.finish(f, &origin, t_end, self.dense);
-        self.count(true, F::EVALUATIONS + F::finishing(self.dense));
-        if !(finite(&step.y1) && finite(&slope1)) {
-            return Err(OdeError::NotFinite { t: t0 });
-        }
-        // The step was counted when it was first taken.
-        self.accepted -= 1.0;
-        self.accept(origin, &step, slope1, true);
-        self.sloped = true;
-        Ok(step)
     }
 }

@@ -12,8 +12,10 @@
 
 use crate::scalar::{Scalar, Single};
 
-/// r₁ to r₇.
-const ROWS: usize = 7;
+/// r₁ to r₄.
+const ROWS: usize = 4;
+/// r₅ to r₇.
+const MORE: usize = 3;
 
 /// A step that was taken, with its dense output.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,9 +28,10 @@ pub struct Step<const N: usize, S = f64> {
     pub y0: [S; N],
     /// State at the end.
     pub y1: [S; N],
-    /// r₁ to r₇, of which the first `used` count.
+    /// r₁ to r₄.
     rows: [[S; N]; ROWS],
-    used: usize,
+    /// r₅ to r₇, of the method of order 8 alone: apart, so that steps of the others stay small.
+    more: Option<Box<[[S; N]; MORE]>>,
     /// End of the step to which the rows belong: later than `t1` where the step was cut.
     whole: S,
 }
@@ -41,57 +44,82 @@ pub(super) struct Ends<'a, const N: usize, S> {
 }
 
 impl<const N: usize, S: Scalar> Step<N, S> {
-    /// The step between `ends`, its cubic polynomial corrected by r₄ and the following, as many as there are.
+    /// A step of no length.
+    pub(super) fn none(t: S, y: [S; N]) -> Self {
+        Self {
+            t0: t,
+            t1: t,
+            y0: y,
+            y1: y,
+            rows: [[S::constant(0.0); N]; ROWS],
+            more: None,
+            whole: t,
+        }
+    }
+
+    /// Becomes the step between `ends`: its cubic polynomial, corrected by r₄.
     #[inline]
-    pub(super) fn new<const M: usize>(ends: &Ends<N, S>, corrections: &[[S; N]; M]) -> Self {
+    pub(super) fn set(&mut self, ends: &Ends<N, S>, correction: &[S; N]) {
         let h = ends.t[1] - ends.t[0];
         let ([y0, y1], [slope0, slope1]) = (ends.y, ends.slope);
-        let rise: [S; N] = core::array::from_fn(|i| y1[i] - y0[i]);
-        let bend: [S; N] = core::array::from_fn(|i| h * slope0[i] - rise[i]);
-        let rest: [S; N] = core::array::from_fn(|i| rise[i] - h * slope1[i] - bend[i]);
-        let none = [S::constant(0.0); N];
-        let mut rows = [rise, bend, rest, none, none, none, none];
-        for (row, correction) in rows.iter_mut().skip(3).zip(corrections) {
-            *row = *correction;
+        for i in 0..N {
+            let rise = y1[i] - y0[i];
+            let bend = h * slope0[i] - rise;
+            self.rows[0][i] = rise;
+            self.rows[1][i] = bend;
+            self.rows[2][i] = rise - h * slope1[i] - bend;
+            self.rows[3][i] = correction[i];
         }
-        let used = (3 + M).min(ROWS);
-        Self {
-            t0: ends.t[0],
-            t1: ends.t[1],
-            y0: *ends.y[0],
-            y1: *ends.y[1],
-            rows,
-            used,
-            whole: ends.t[1],
-        }
+        [self.t0, self.t1] = ends.t;
+        (self.y0, self.y1) = (*y0, *y1);
+        self.more = None;
+        self.whole = self.t1;
+    }
+
+    /// Adds r₅ to r₇.
+    pub(super) fn set_more(&mut self, more: [[S; N]; MORE]) {
+        self.more = Some(Box::new(more));
     }
 
     /// The step of one lane.
     #[inline]
     pub fn lane(&self, lane: usize) -> Step<N, S::Lane> {
-        let of = |y: &[S; N]| y.map(|y| y.lane(lane));
         let mut rows = [[S::Lane::constant(0.0); N]; ROWS];
-        for (row, all) in rows.iter_mut().zip(&self.rows).take(self.used) {
-            *row = of(all);
+        for (row, all) in rows.iter_mut().zip(&self.rows) {
+            *row = of_lane(all, lane);
         }
+        let more = (self.more.as_ref()).map(|more| {
+            let mut rows = [[S::Lane::constant(0.0); N]; MORE];
+            for (row, all) in rows.iter_mut().zip(more.iter()) {
+                *row = of_lane(all, lane);
+            }
+            Box::new(rows)
+        });
         Step {
             t0: self.t0.lane(lane),
             t1: self.t1.lane(lane),
-            y0: of(&self.y0),
-            y1: of(&self.y1),
+            y0: of_lane(&self.y0, lane),
+            y1: of_lane(&self.y1, lane),
             rows,
-            used: self.used,
+            more,
             whole: self.whole.lane(lane),
         }
     }
 
     #[inline]
     fn interpolated(&self, i: usize, theta: S) -> S {
-        let factor = [theta, S::constant(1.0) - theta];
+        let rest = S::constant(1.0) - theta;
         let mut sum = S::constant(0.0);
-        for (n, row) in self.rows.iter().enumerate().take(self.used).rev() {
-            sum = (sum + row[i]) * factor[n % 2];
+        if let Some(more) = &self.more {
+            let [r5, r6, r7] = &**more;
+            sum = (r7[i] * theta + r6[i]) * rest;
+            sum = (sum + r5[i]) * theta;
         }
+        let [r1, r2, r3, r4] = &self.rows;
+        sum = (sum + r4[i]) * rest;
+        sum = (sum + r3[i]) * theta;
+        sum = (sum + r2[i]) * rest;
+        sum = (sum + r1[i]) * theta;
         self.y0[i] + sum
     }
 
@@ -102,6 +130,16 @@ impl<const N: usize, S: Scalar> Step<N, S> {
     }
 }
 
+/// The numbers of one lane.
+#[inline]
+pub(super) fn of_lane<const N: usize, S: Scalar>(all: &[S; N], lane: usize) -> [S::Lane; N] {
+    let mut one = [S::Lane::constant(0.0); N];
+    for (one, all) in one.iter_mut().zip(all) {
+        *one = all.lane(lane);
+    }
+    one
+}
+
 impl<const N: usize, S: Single> Step<N, S> {
     /// State at `t`, between [`Step::t0`] and [`Step::t1`]; exactly `y0` and `y1` there.
     #[inline]
@@ -110,7 +148,11 @@ impl<const N: usize, S: Single> Step<N, S> {
             return self.y1;
         }
         let theta = self.part(t);
-        core::array::from_fn(|i| self.interpolated(i, theta))
+        let mut y = self.y0;
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = self.interpolated(i, theta);
+        }
+        y
     }
 
     /// The instant `t` of the step; its ends move with their derivatives, what is within stays.
@@ -145,6 +187,16 @@ impl<const N: usize, S: Single> Step<N, S> {
 }
 
 #[cfg(test)]
+impl<const N: usize, S: Scalar> Step<N, S> {
+    /// The step between `ends`.
+    pub(super) fn new(ends: &Ends<N, S>, correction: &[S; N]) -> Self {
+        let mut step = Self::none(ends.t[0], *ends.y[0]);
+        step.set(ends, correction);
+        step
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -155,7 +207,7 @@ mod tests {
             y: [&[1.0], &[27.0]],
             slope: [&[3.0], &[27.0]],
         };
-        Step::new(&ends, &[])
+        Step::new(&ends, &[0.0])
     }
 
     #[test]
@@ -174,7 +226,7 @@ mod tests {
             slope: [&[0.0], &[0.0]],
         };
         // 16 · (1/4)² (3/4)² = 9/16
-        assert_eq!(Step::new(&ends, &[[16.0]]).at(0.25), [0.5625]);
+        assert_eq!(Step::new(&ends, &[16.0]).at(0.25), [0.5625]);
     }
 
     #[test]
@@ -193,7 +245,7 @@ mod tests {
             y: [&[two(1.0)], &[two(27.0)]],
             slope: [&[two(3.0)], &[two(27.0)]],
         };
-        let step = Step::new(&ends, &[]);
+        let step = Step::new(&ends, &[Lanes([0.0; 2])]);
         assert_eq!(step.lane(0), cube());
         assert_eq!(step.lane(1).at(2.0), [16.0]);
     }

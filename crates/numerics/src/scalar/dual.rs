@@ -157,6 +157,10 @@ impl<const N: usize> Scalar for Dual<N> {
     fn set_lane(&mut self, _lane: usize, number: Self) {
         *self = number;
     }
+    #[inline(always)]
+    fn map_value(self, f: impl Fn(f64) -> f64) -> f64 {
+        f(self.value)
+    }
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();

@@ -101,6 +101,10 @@ impl<const N: usize> Scalar for Lanes<N> {
         self.0[lane.min(N - 1)] = number;
     }
     #[inline(always)]
+    fn map_value(self, f: impl Fn(f64) -> f64) -> Self {
+        self.map(f)
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }

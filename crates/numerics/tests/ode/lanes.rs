@@ -44,7 +44,7 @@ fn lanes_refilled_from_a_queue_take_the_same_steps_as_alone() {
             assert!(!attempt.failed.any());
             for lane in (0..3).filter(|lane| attempt.accepted.lane(*lane)) {
                 let flight = in_lane[lane];
-                let step = attempt.step.as_ref().unwrap().lane(lane);
+                let step = integrator.last_step().lane(lane);
                 let over = step.t1 >= flights[flight].1;
                 steps[flight].push(step);
                 if over && waiting < flights.len() {

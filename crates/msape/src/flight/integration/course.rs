@@ -14,17 +14,17 @@
 //! # References
 //! - Own convention.
 
-use super::gate::Gate;
+use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
 use super::node::{Node, Place};
-use super::{Leg, Record};
+use super::{Keep, Leg, Record};
 use crate::aero::DragTable;
 use crate::flight::motion::Motion;
+use crate::flight::sample::Loads;
 use crate::heating::Radiation;
 use crate::outcome::Outcome;
 use crate::planet::Gravity;
-use crate::flight::sample::Loads;
 use numerics::ode::{OdeError, Step};
-use numerics::scalar::Single;
+use numerics::scalar::{Mask, Scalar, Single};
 
 /// Longest flight, s: 30 days.
 const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
@@ -32,6 +32,8 @@ const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 const DEEPEST_M: f64 = -5_000.0;
 /// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
 const KINKS_FROM_MACH: f64 = 3.0;
+/// A load is little below this part of its largest.
+const QUIET: f64 = 0.25;
 /// Legs for which there is room at first.
 const USUAL_LEGS: usize = 256;
 
@@ -48,11 +50,13 @@ pub(super) struct Marks {
     pub ground_m: f64,
     /// Time that ends a flight, s.
     pub end_s: f64,
+    /// Which steps are kept.
+    pub keep: Keep,
 }
 
 impl Marks {
     /// The marks of a motion.
-    pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M) -> Self {
+    pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
         let mission = motion.point().mission;
         let heating = &mission.heating;
         let mut kinks_m_s = heating.radiative.kinks_m_s();
@@ -68,6 +72,7 @@ impl Marks {
                 .collect(),
             ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
             end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
+            keep,
         }
     }
 }
@@ -80,7 +85,7 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     /// What has been flown.
     pub record: Record<N, S>,
     /// Where the next step must end at the latest, s.
-    pub limit_s: f64,
+    pub limit_s: S,
     /// Index of the piece of the atmosphere.
     pub(super) layer: usize,
     /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
@@ -91,6 +96,10 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) here: Place,
     /// What the step that ends at the limit runs into.
     awaited: Option<Gate>,
+    /// The largest of each load so far: deceleration, dynamic pressure, convective and radiative heating.
+    largest: [f64; 4],
+    /// Whether the last step kept, and the state at its end, are of little load.
+    quiet: [bool; 2],
 }
 
 /// How a flight goes on after a step.
@@ -137,12 +146,14 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 reason: None,
                 evaluations: 0,
             },
-            limit_s: marks.end_s,
+            limit_s: S::constant(marks.end_s),
             layer,
             exit_m,
             turned_up: false,
             here,
             awaited: None,
+            largest: [0.0; 4],
+            quiet: [false; 2],
         }
     }
 
@@ -160,24 +171,42 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.record
     }
 
-    /// The flight after a step, at whose end it is `there`, under the loads there.
+    /// The flight after the step of a lane, at whose end it is at a node.
     #[inline]
-    pub fn advance(&mut self, step: Step<N, S>, (there, loads): &(Place, Loads<S>)) -> Next<N, S> {
+    pub fn advance<V: Scalar<Lane = S>>(
+        &mut self,
+        step: &Step<N, V>,
+        node: &Node<V>,
+        lane: usize,
+    ) -> Next<N, S> {
+        let end_s = step.t1.lane(lane).value();
+        let (there, loads) = node.lane(lane);
         if let Some(gate) = self.awaited {
             // The step was begun again to end at the gate; a part of it may come first.
-            let end = step.t1;
-            self.add(step, *there, *loads);
-            if end.value() < self.limit_s {
+            self.add(step.lane(lane), there, loads);
+            if end_s < self.limit_s.value() {
                 return Next::On;
             }
             self.awaited = None;
-            self.limit_s = self.marks.end_s;
+            self.limit_s = S::constant(self.marks.end_s);
             return self.pass(gate);
         }
-        let Some((t, gate)) = self.first_gate(&step, *there) else {
-            let end = step.t1;
-            self.add(step, *there, *loads);
-            if end.value() >= self.marks.end_s {
+        if self.is_clear(&there) {
+            self.add(step.lane(lane), there, loads);
+            if end_s >= self.marks.end_s {
+                return self.run_out();
+            }
+            return Next::On;
+        }
+        self.stopped(step.lane(lane), there, loads)
+    }
+
+    /// The flight after a step that may run into something.
+    fn stopped(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) -> Next<N, S> {
+        let end_s = step.t1.value();
+        let Some((t, gate)) = self.first_gate(&step, there) else {
+            self.add(step, there, loads);
+            if end_s >= self.marks.end_s {
                 return self.run_out();
             }
             return Next::On;
@@ -190,13 +219,13 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 _ => Next::From(t0, y0),
             };
         }
-        if t.value() >= step.t1.value() {
-            self.add(step, *there, *loads);
+        if t.value() >= end_s {
+            self.add(step, there, loads);
             return self.pass(gate);
         }
         if matches!(gate, Gate::Kink | Gate::Onset) {
             self.awaited = Some(gate);
-            self.limit_s = t.value();
+            self.limit_s = t;
             return Next::From(step.t0, step.y0);
         }
         let step = step.cut(t);
@@ -209,13 +238,39 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         }
     }
 
+    #[inline]
     fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
         self.here = there;
-        self.record.legs.push(Leg {
+        let leg = Leg {
             step,
             layer: self.layer,
             loads,
-        });
+        };
+        let legs = &mut self.record.legs;
+        if self.marks.keep == Keep::Busy {
+            let heat = &loads.heat_flux;
+            let values = [
+                loads.deceleration_earth_g,
+                loads.dynamic_pressure_pa,
+                heat.convective_w_m2,
+                heat.radiative_w_m2,
+            ];
+            let mut quiet = true;
+            for (largest, value) in self.largest.iter_mut().zip(values.map(S::value)) {
+                *largest = largest.max(value);
+                quiet &= value <= QUIET * *largest;
+            }
+            let [last_quiet, end_quiet] = self.quiet;
+            self.quiet = [end_quiet && quiet, quiet];
+            if last_quiet
+                && self.quiet[0]
+                && let Some(last) = legs.last_mut()
+            {
+                *last = leg;
+                return;
+            }
+        }
+        legs.push(leg);
     }
 
     /// The flight behind a gate.
@@ -235,6 +290,41 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Gate::Kink => return Next::On,
         }
         Next::Changed
+    }
+
+    /// Whether nothing can have been run into on the way from here to there.
+    #[inline]
+    fn is_clear(&self, there: &Place) -> bool {
+        let (here, marks) = (&self.here, self.marks);
+        let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
+        let floor_m = match self
+            .layer
+            .checked_sub(1)
+            .and_then(|below| boundaries.get(below))
+        {
+            Some(floor_m) => floor_m.max(marks.ground_m),
+            None => marks.ground_m,
+        };
+        let ceiling_m = boundaries.get(self.layer).copied().unwrap_or(f64::INFINITY);
+        let ceiling_m = self
+            .exit_m
+            .map_or(ceiling_m, |exit_m| exit_m.min(ceiling_m));
+        let level = (here.climb_m_s < 0.0) == (there.climb_m_s < 0.0)
+            && there.altitude_m >= floor_m
+            && there.altitude_m <= ceiling_m;
+        let radiates = self.motion.point().radiation.on.any();
+        let steady = match marks.onset_m_s {
+            Some(onset_m_s) if radiates => there.speed_m_s >= onset_m_s,
+            Some(onset_m_s) => there.speed_m_s <= onset_m_s,
+            None => true,
+        };
+        let below = |kinks: &[f64], from: f64| kinks.partition_point(|kink| *kink < from);
+        let same_speeds = below(&marks.kinks_m_s, here.speed_m_s - BEHIND_M_S)
+            <= below(&marks.kinks_m_s, there.speed_m_s);
+        let same_mach = marks.kinks_mach.is_empty()
+            || below(&marks.kinks_mach, here.mach * (1.0 - BEHIND_MACH))
+                <= below(&marks.kinks_mach, there.mach);
+        level && steady && same_speeds && same_mach
     }
 
     fn enter(&mut self, layer: usize) {

@@ -24,9 +24,9 @@ use numerics::scalar::{Mask, Single};
 /// A gate is met within this part of a step.
 const TOLERANCE: f64 = 1e-12;
 /// A gate that was met within this speed is behind, m/s.
-const BEHIND_M_S: f64 = 1e-2;
+pub(super) const BEHIND_M_S: f64 = 1e-2;
 /// The same for a row of the drag table, as a part of its Mach number.
-const BEHIND_MACH: f64 = 1e-6;
+pub(super) const BEHIND_MACH: f64 = 1e-6;
 
 /// Where a step leaves the piece of the atmosphere, or the flight ends.
 #[derive(Clone, Copy, PartialEq)]

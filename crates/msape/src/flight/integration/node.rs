@@ -1,7 +1,7 @@
 //! What is known of a flight between two steps.
 //!
 //! ```text
-//! h,   ḣ = v·û,   M = |u|/a
+//! h,   ḣ = v·û,   M = |u|/a,   |v|
 //! ```
 //!
 //! with h the geodetic altitude in m, v and u the velocity relative to the planet and the air in m/s, û the geodetic
@@ -17,14 +17,14 @@ use crate::flight::motion::Motion;
 use crate::flight::sample::Loads;
 use numerics::scalar::Scalar;
 
-/// Height, rate of climb, Mach number and loads between two steps.
+/// Height, rate of climb, Mach number, speed and loads between two steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<S: Scalar> {
     place: Place<S::Value>,
     loads: Loads<S>,
 }
 
-/// Height, rate of climb and Mach number.
+/// Height, rate of climb, Mach number and speed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<V = f64> {
     /// Geodetic altitude, m.
@@ -33,6 +33,8 @@ pub(super) struct Place<V = f64> {
     pub climb_m_s: V,
     /// Mach number where drag depends on it, else 0.
     pub mach: V,
+    /// Speed relative to the planet, m/s.
+    pub speed_m_s: V,
 }
 
 impl<S: Scalar> Node<S> {
@@ -50,6 +52,7 @@ impl<S: Scalar> Node<S> {
                 altitude_m: around.altitude_m.value(),
                 climb_m_s: (y[3] * u + y[4] * v + y[5] * w).value(),
                 mach: mach.value(),
+                speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt().value(),
             },
             loads,
         }
@@ -62,6 +65,7 @@ impl<S: Scalar> Node<S> {
             altitude_m: self.place.altitude_m.lane(lane),
             climb_m_s: self.place.climb_m_s.lane(lane),
             mach: self.place.mach.lane(lane),
+            speed_m_s: self.place.speed_m_s.lane(lane),
         };
         (place, self.loads.lane(lane))
     }

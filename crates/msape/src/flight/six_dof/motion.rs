@@ -210,11 +210,7 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         })
     }
 
-    fn loads_around(
-        &self,
-        _t: f64,
-        y: &[f64; RIGID_STATES],
-    ) -> (Loads, Surroundings<f64>) {
+    fn loads_around(&self, _t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
         let Instant { around, stream, .. } = self.instant(y);
         let [x, y, z] = self.load(&stream).force_n;
         let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.body.mass_kg;

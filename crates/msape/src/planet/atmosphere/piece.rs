@@ -51,7 +51,12 @@ impl Piece<f64> {
     }
 
     /// A piece whose rows, `rows` of `cell_m` each, begin at `first_m` with the row `first_row` of the table.
-    pub(super) fn new(layer: usize, [first_m, cell_m]: [f64; 2], first_row: usize, rows: usize) -> Self {
+    pub(super) fn new(
+        layer: usize,
+        [first_m, cell_m]: [f64; 2],
+        first_row: usize,
+        rows: usize,
+    ) -> Self {
         Self {
             layer: layer as f64,
             first_m,
@@ -130,9 +135,15 @@ mod tests {
         // Rows 7, 8 and 9 from 100 m, 50 m each.
         let piece = Piece::new(2, [100.0, 50.0], 7, 3);
         let row = |z: f64| piece.place(z).row.round();
-        assert_eq!([90.0, 101.0, 160.0, 249.0, 400.0].map(row), [7.0, 7.0, 8.0, 9.0, 9.0]);
+        assert_eq!(
+            [90.0, 101.0, 160.0, 249.0, 400.0].map(row),
+            [7.0, 7.0, 8.0, 9.0, 9.0]
+        );
         let inside = |z: f64| piece.place(z).inside;
-        assert_eq!([99.0, 100.0, 249.9, 250.0].map(inside), [false, true, true, false]);
+        assert_eq!(
+            [99.0, 100.0, 249.9, 250.0].map(inside),
+            [false, true, true, false]
+        );
     }
 
     #[test]

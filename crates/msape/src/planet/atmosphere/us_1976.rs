@@ -210,7 +210,8 @@ impl UsStandard1976 {
     #[inline]
     pub fn speed_of_sound_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
         self.by_rows(&self.cells.sound, piece, altitude_m, |stratum, z| {
-            self.gas.sound_m_s(&stratum.state(&self.temperature, &self.gas, z))
+            self.gas
+                .sound_m_s(&stratum.state(&self.temperature, &self.gas, z))
         })
     }
 
@@ -232,11 +233,11 @@ impl UsStandard1976 {
             let state = stratum.state(&self.temperature, &self.gas, altitude_m.lane(lane));
             let (temperature, m) = (state.temperature_k, state.molar_mass_kg_kmol);
             let pressure = density * temperature / m * state.gas_constant_j_kmol_k;
-            let free_path =
-                lower::mean_free_path_m(self.gas.mean_free_path_constant, m, density);
+            let free_path = lower::mean_free_path_m(self.gas.mean_free_path_constant, m, density);
             air.temperature_k.set_lane(lane, temperature);
             air.pressure_pa.set_lane(lane, pressure);
-            air.speed_of_sound_m_s.set_lane(lane, self.gas.sound_m_s(&state));
+            air.speed_of_sound_m_s
+                .set_lane(lane, self.gas.sound_m_s(&state));
             air.mean_free_path_m.set_lane(lane, free_path);
         }
         air

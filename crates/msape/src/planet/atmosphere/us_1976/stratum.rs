@@ -247,8 +247,10 @@ impl Cells {
                 }
             })
             .collect();
-        self.density.extend(Curve::new(lowest_m, *cell_m, &densities).into_cells());
-        self.sound.extend(Curve::new(lowest_m, *cell_m, &sounds).into_cells());
+        self.density
+            .extend(Curve::new(lowest_m, *cell_m, &densities).into_cells());
+        self.sound
+            .extend(Curve::new(lowest_m, *cell_m, &sounds).into_cells());
         let rows = self.density.len() - first_row;
         Piece::new(layer, [lowest_m, *cell_m], first_row, rows)
     }
