@@ -230,13 +230,14 @@ fn outputs<S: Scalar>(flight: &Flight<S>) -> Vec<(&'static str, S)> {
     all
 }
 
-/// A problem so exactly integrated that differences of flights tell derivatives, in air without cells: the second
-/// derivative of a table jumps between them, and with it that of the time of a peak.
+/// A problem so exactly integrated that differences of flights tell derivatives, in air without cells and with radiation
+/// without rows: the slopes of a table jump between them, and with them that of the time of a peak.
 fn exact() -> FlightProblem {
     let air = "[atmosphere.exponential]\ndensity_kg_m3 = 1.4\nscale_height_m = 7000.0\n[wind]";
     let text = EVERYTHING
         .replace("[wind]", air)
-        .replace("atmosphere = \"us-1976\"\n", "");
+        .replace("atmosphere = \"us-1976\"\n", "")
+        .replace("tauber-sutton", "brandis-johnston");
     let mut problem = problem(&text);
     problem.mission.solver.method = Method::DormandPrince853;
     problem.mission.solver.tolerance = 1e-12;
@@ -273,14 +274,15 @@ fn derivatives_of_all_outputs_are_those_of_central_differences() {
                 "{name}: the value is that of plain numbers"
             );
         }
-        for i in 0..PARAMETERS {
+        // A third of the parameters by turns: all are met over the flights.
+        for i in (case % 3..PARAMETERS).step_by(3) {
             let scale = parameters[i].abs().max(0.1);
             let moved = |part: f64| {
                 let mut moved = parameters;
                 moved[i] += part * scale;
                 outputs(&alone(&problem, numbers(&problem, moved)))
             };
-            let step = 3e-4;
+            let step = 1e-3;
             let [a, b, c, d] = [2.0 * step, step, -step, -2.0 * step].map(moved);
             for (k, (name, dual)) in derivatives.iter().enumerate() {
                 // f' = (8 (f₁ − f₋₁) − (f₂ − f₋₂)) / (12 h)

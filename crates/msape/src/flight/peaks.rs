@@ -4,9 +4,9 @@
 //! t_top = ½ (t₀ + t₁ + (t₂ − t₀) d₀/(d₀ − d₂)),   d₀ = (q₁ − q₀)/(t₁ − t₀),   d₂ = (q₂ − q₁)/(t₂ − t₁)
 //! ```
 //!
-//! with q₁ a quantity between two steps that is higher than its neighbors q₀ and q₂, t in s: the step towards which it rises is
-//! searched from there for the zero of the slope on the dense output, or by Brent's method. Where it rises towards neither,
-//! the place between the steps is the peak: a kink.
+//! with q₁ a quantity between two steps and q₀ and q₂ its neighbors, t in s: a step in which it rises at first and falls at last is
+//! searched from there for the zero of the slope on the dense output, or by Brent's method. Where there is none, the place
+//! between two steps is the peak: a kink.
 //!
 //! # Valid
 //! Quantities with at most one maximum within a step.
@@ -21,8 +21,8 @@ use super::sample::{self, Loads};
 use numerics::ode::event;
 use numerics::scalar::Single;
 
-/// Places between steps whose value reaches this part of the largest are looked at, too: a peak may rise above them.
-const NEARLY: f64 = 0.8;
+/// Steps with an end whose value reaches this part of the largest are looked at: a peak may rise above its ends.
+const NEARLY: f64 = 0.9;
 /// A peak this close to an end of its step, as a part of the step, may go on in the next.
 const AT_END: f64 = 1e-3;
 /// Distance from an end of a step at which its slope there is taken, as a part of the step.
@@ -49,51 +49,34 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         nodes.push(value(&self.record.start_loads).value());
         nodes.extend(legs.iter().map(|leg| value(&leg.loads).value()));
         let along = |motion: &M, t: S, y: &[S; N]| value(&motion.loads(t, y));
-        let mut best = 0;
-        for (node, here) in nodes.iter().enumerate() {
-            if *here > nodes[best] {
-                best = node;
+        let largest = nodes.iter().copied().fold(0.0, f64::max);
+        let mut peak: Option<Peak<S>> = None;
+        let mut take = |other: Peak<S>| {
+            let higher = |peak: &Peak<S>| other.value.value() > peak.value.value();
+            if peak.as_ref().is_none_or(higher) {
+                peak = Some(other);
+            }
+        };
+        if nodes[0] >= largest {
+            take(self.start(&along));
+        }
+        for (leg, ends) in nodes.windows(2).enumerate() {
+            let high = ends[0].max(ends[1]);
+            if high < NEARLY * largest {
+                continue;
+            }
+            let within = self.rises(leg, End::First, &along) > 0.0
+                && self.rises(leg, End::Last, &along) < 0.0;
+            if within {
+                take(self.searched(leg, self.part(leg, &nodes), &along));
+            } else if ends[1] >= largest
+                && let Some(Leg { step, layer, .. }) = legs.get(leg)
+            {
+                // A kink, or the end of the flight: the place between the steps is the peak.
+                take(self.peak(step.t1, &step.y1, *layer, &along));
             }
         }
-        let mut peak = self.about(best, &nodes, &along);
-        let limit = NEARLY * nodes[best];
-        for (node, three) in nodes.windows(3).enumerate() {
-            let node = node + 1;
-            let high = three[1] > limit && three[1] >= three[0] && three[1] >= three[2];
-            if high && node != best {
-                let other = self.about(node, &nodes, &along);
-                if other.value.value() > peak.value.value() {
-                    peak = other;
-                }
-            }
-        }
-        peak
-    }
-
-    /// The peak in the steps before and after a node that is higher than its neighbors.
-    fn about(&self, node: usize, nodes: &[f64], along: &Along<M, N, S>) -> Peak<S> {
-        let legs = &self.record.legs;
-        let before = node.checked_sub(1);
-        let falls_before = before.is_some_and(|leg| self.rises(leg, End::Last, along) < 0.0);
-        let rises_after = node < legs.len() && self.rises(node, End::First, along) > 0.0;
-        let leg = match before {
-            Some(before) if falls_before || !rises_after => before,
-            _ => node,
-        };
-        let part = match (before, falls_before || rises_after) {
-            (Some(before), true) => self.part(leg, before, nodes),
-            _ => 0.0,
-        };
-        if !falls_before && !rises_after {
-            // A kink: the node itself is the peak.
-            return match legs.get(leg) {
-                Some(Leg { step, layer, .. }) if before.is_some() => {
-                    self.peak(step.t1, &step.y1, *layer, along)
-                }
-                _ => self.start(along),
-            };
-        }
-        self.searched(leg, part, along)
+        peak.unwrap_or_else(|| self.start(&along))
     }
 
     /// Change of a quantity along a little of a step from an end of it, forward in time.
@@ -111,9 +94,13 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         to - from
     }
 
-    /// The part of a step at which the parabola through the node after `before` and its neighbors has its top.
-    fn part(&self, leg: usize, before: usize, nodes: &[f64]) -> f64 {
+    /// The part of a step at which the parabola through the higher of its ends and the neighbors of that has its top.
+    fn part(&self, leg: usize, nodes: &[f64]) -> f64 {
         let legs = &self.record.legs;
+        let later = nodes.get(leg) < nodes.get(leg + 1);
+        let Some(before) = (leg + usize::from(later)).checked_sub(1) else {
+            return 0.5;
+        };
         let (Some(first), Some(last)) = (legs.get(before), legs.get(before + 1)) else {
             return 0.5;
         };

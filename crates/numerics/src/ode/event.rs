@@ -24,8 +24,8 @@ const CORRECTIONS: usize = 4;
 /// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
 /// the step for less.
 const TOP_PART: f64 = 1e-2;
-/// The last correction of the place of a maximum, as a part of the step; the error is its square.
-const TOP_TOLERANCE: f64 = 1e-5;
+/// The last correction but one of the place of a maximum, as a part of the step; the error is about its square.
+const TOP_TOLERANCE: f64 = 1e-4;
 /// Another maximum is placed within this part of a step.
 const COARSE_TOLERANCE: f64 = 1e-6;
 
@@ -120,7 +120,8 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
 /// within the step, else the largest value, ends included.
 ///
 /// ```text
-/// t ← t − g'/g'',   g' = (g(t+d) − g(t−d))/(2d),   g'' = (g(t+d) − 2 g(t) + g(t−d))/d²
+/// t ← t − g'/g'',   g' = (g₁ − g₋₁)/(2d),   g'' = (g₁ − 2 g₀ + g₋₁)/d²
+/// at last  g' = (8 (g₁ − g₋₁) − (g₂ − g₋₂))/(12d)
 /// ```
 pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
     let (t0, t1) = (step.t0.value(), step.t1.value());
@@ -131,17 +132,26 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
     for _ in 0..CORRECTIONS {
         let [before, here, after] = [t - d, t, t + d].map(values);
         let bend = after - 2.0 * here + before;
-        let move_ = -0.5 * d * (after - before) / bend;
-        let next = t + move_;
+        let correction = -0.5 * d * (after - before) / bend;
+        let next = t + correction;
         if !(bend < 0.0 && t0 <= next && next <= t1) {
             break;
         }
-        t = next;
-        if move_.abs() <= TOP_TOLERANCE * length {
-            // The slope is zero at t for every parameter: so the top moves with them.
-            let slope = || (g(S::constant(t + d)) - g(S::constant(t - d))) / (2.0 * d);
-            return S::root(t, slope, || bend / (d * d));
+        if correction.abs() > TOP_TOLERANCE * length {
+            t = next;
+            continue;
         }
+        // The slope to order 4, so that the place does not depend on the length of the step.
+        let slope = |g: &dyn Fn(f64) -> S| {
+            let near = g(t + d) - g(t - d);
+            (near * 8.0 - (g(t + 2.0 * d) - g(t - 2.0 * d))) / (12.0 * d)
+        };
+        let plain =
+            (8.0 * (after - before) - (values(t + 2.0 * d) - values(t - 2.0 * d))) / (12.0 * d);
+        let rate = bend / (d * d);
+        let place = t - plain / rate;
+        // The slope is zero there for every parameter: so the top moves with them.
+        return S::root(place, || slope(&|t| g(S::constant(t))), || rate);
     }
     let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
     step.time(t)
