@@ -8,15 +8,12 @@ use msape::{Answer, Case, Library, Request};
 use msape_tests::entry::{output, set};
 use proptest::prelude::*;
 use proptest::sample::select;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
-use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
+pub(crate) static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
 /// A case of the run page.
-fn run_page() -> impl Strategy<Value = Case> {
+pub(crate) fn run_page() -> impl Strategy<Value = Case> {
     let concepts = LIBRARY.concepts.iter().map(|(name, _)| name.clone());
     let aft = LIBRARY.aftbody_materials().map(|(name, _)| name.clone());
     let payload = prop_oneof![
@@ -64,7 +61,7 @@ fn run_page() -> impl Strategy<Value = Case> {
         })
 }
 
-fn given(case: &Case, key: &str) -> f64 {
+pub(crate) fn given(case: &Case, key: &str) -> f64 {
     case.text(key).unwrap().parse().unwrap()
 }
 
@@ -128,7 +125,7 @@ proptest! {
     fn a_design_ends_adds_up_and_tells_what_it_changed(case in run_page()) {
         let answer = msape::design(&case, &LIBRARY, Request::Nothing).unwrap();
         match answer.outcome {
-            Outcome::NotClosed => {
+            Outcome::NotClosed | Outcome::SkippedOut | Outcome::Captured => {
                 prop_assert!(answer.design.is_none());
                 prop_assert!(answer.reason.is_some_and(|reason| reason.len() > 20));
                 return Ok(());
@@ -156,19 +153,4 @@ proptest! {
         let [one, other] = [(); 2].map(|()| msape::design(&case, &LIBRARY, Request::Nothing).unwrap());
         prop_assert_eq!(text(&one), text(&other));
     }
-}
-
-/// Most of the run page's space is a vehicle: two in three, as the payload of the others is too large for 2 m, or the
-/// flight does not land.
-#[test]
-fn most_of_the_run_page_converges() {
-    let mut runner = TestRunner::new(config(1));
-    let mut outcomes = BTreeMap::new();
-    for _ in 0..200 {
-        let case = run_page().new_tree(&mut runner).unwrap().current();
-        let answer = msape::design(&case, &LIBRARY, Request::Nothing).unwrap();
-        *outcomes.entry(answer.outcome.name()).or_insert(0) += 1;
-    }
-    println!("{outcomes:?}");
-    assert!(outcomes["converged"] > 100, "{outcomes:?}");
 }

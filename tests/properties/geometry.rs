@@ -77,7 +77,7 @@ fn sampled(sequence: &mut Sequence, templates: &[VehicleInput]) -> VehicleInput 
     input.loads.peak_stagnation_pressure_pa = sequence.between(5e3, 2e5);
     input.loads.terminal_speed_m_s = sequence.between(15.0, 50.0);
     input.impact.crush_load_limit_earth_g = sequence.between(500.0, 5000.0);
-    input.impact.stroke_efficiency = sequence.between(0.3, 0.9);
+    input.impact.stroke_efficiency = Some(sequence.between(0.3, 0.9));
     input
 }
 
@@ -199,8 +199,7 @@ fn misfit(misfit: &Misfit) -> &'static str {
         Misfit::WingTooShallow { .. } => "wing too shallow",
         Misfit::WingTooSteep => "wing too steep",
         Misfit::NoRoomForLayers { .. } => "layers cross",
-        Misfit::PayloadWiderThanLid { .. } => "payload crosses the primary structure",
-        Misfit::NotConverged { .. } => "masses and geometry did not settle",
+        Misfit::NotConverged { .. } => "walls did not settle",
     }
 }
 
@@ -314,7 +313,7 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
         .chars()
         .collect();
     for (name, text) in [("a.csv", csv), ("a.dxf", dxf)] {
-        let whole = vehicle::body::import::read(name, text, None).unwrap();
+        let whole = cad::outline::read(name, text, None).unwrap();
         assert!(vehicle::body::from_rows(name, &whole).is_ok());
         for _ in 0..3_000 {
             let mut spoiled: Vec<char> = text.chars().collect();
@@ -328,7 +327,7 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
                 }
             }
             let spoiled: String = spoiled.into_iter().collect();
-            match vehicle::body::import::read(name, &spoiled, None) {
+            match cad::outline::read(name, &spoiled, None) {
                 Ok(rows) => drop(vehicle::body::from_rows(name, &rows)),
                 Err(faults) => assert!(faults.iter().all(|fault| !fault.to_string().is_empty())),
             }

@@ -5,14 +5,20 @@
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
 //! - [`lanes`]: flights in lanes have the bits of each alone; derivatives are those of central differences.
+//! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
+//! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
+//! - [`landings`]: the limit of the payload, equations 3 and 5.
 
+mod coupling;
 mod designs;
 mod flights;
 mod garbage;
 mod geometry;
+mod landings;
 mod lanes;
 mod text;
+mod versions;
 
 use proptest::test_runner::{Config, RngSeed};
 

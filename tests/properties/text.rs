@@ -44,6 +44,7 @@ fn any_case() -> impl Strategy<Value = Case> {
     (any::<String>(), prop::collection::vec(given, 0..20)).prop_map(|(name, given)| Case {
         name,
         values: given.into_iter().collect(),
+        ..Case::default()
     })
 }
 

@@ -4,6 +4,8 @@
 //! result changed, from what to what, and why.
 
 mod figures;
+mod reorientation;
+mod sweeps;
 
 use msape::Library;
 use msape_tests::{shipped, snapshot};

@@ -1,8 +1,9 @@
 //! Six degrees of freedom: what the report says of backward entries, and the accuracy of a spinning entry.
 
 use msape::flight::six_dof::reorientation::{Facing, Reorientation, study};
-use msape::problem::FlightProblem;
-use msape::{Case, Library};
+use msape::problem::{FlightProblem, add_turning};
+use msape::progress::Unwatched;
+use msape::{Case, Library, Request};
 use msape_tests::entry::{flown, output, set};
 
 fn shipped(name: &str) -> Case {
@@ -58,5 +59,34 @@ fn largest_angles_of_a_spinning_entry_are_good_to_1e_4() {
         let (a, b) = (output(&ours, key), output(&reference, key));
         println!("{key}: {a} against {b}");
         assert!((a / b - 1.0).abs() < 1e-4, "{key}: {a} against {b}");
+    }
+}
+
+/// Nine entries of each shipped design: only one that trims backwards in hypersonic flow meets the heat backwards.
+#[test]
+fn designs_with_a_backward_trim_meet_the_heat_backwards_in_part_of_nine_entries() {
+    let library = Library::builtin().unwrap();
+    for (name, backward) in [
+        ("cases/msr-eev-cp.toml", 6),
+        ("cases/run-page.toml", 4),
+        ("cases/galahad.toml", 0),
+        ("cases/msr-eev-pica.toml", 0),
+    ] {
+        let case = shipped(name);
+        let mut answer = msape::design(&case, &library, Request::Nothing).unwrap();
+        add_turning(&case, &library, &mut answer, &mut Unwatched).unwrap();
+        let turning = answer
+            .design
+            .as_ref()
+            .and_then(|d| d.turning.as_ref())
+            .unwrap();
+        let facing = |want: Facing| turning.entries.iter().filter(|e| e.facing == want).count();
+        println!("{name}: {}", msape::answer::turning::sentence(turning));
+        assert_eq!(turning.entries.len(), 9);
+        assert_eq!(facing(Facing::Backward), backward, "{name}");
+        let share = output(&answer, "nose_first_share");
+        assert!((share - (9 - backward) as f64 / 9.0).abs() < 1e-12);
+        let trim = output(&answer, "hypersonic_stable_trim_deg");
+        assert_eq!(backward > 0, trim > 90.0, "{name}: {trim}");
     }
 }

@@ -3,10 +3,10 @@
 //! The theory is in `msape::aero`.
 
 use crate::protocol::Fault;
+use cad::table::aerodynamics as csv;
 use msape::aero::database::{Coefficients, Database, Regime};
 use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
 use msape::aero::standard::AeroBody;
-use msape::aero::table::csv;
 use msape::problem::aero;
 use msape::{Case, Library};
 use serde::{Deserialize, Serialize};

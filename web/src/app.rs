@@ -15,6 +15,7 @@ use crate::state::{SaveState, State};
 use crate::storage::{self, Store};
 use leptos::ev::{DragEvent, KeyboardEvent};
 use leptos::prelude::*;
+use msape::case::version::BroughtUp;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -64,10 +65,15 @@ impl Page {
 #[component]
 pub fn App() -> impl IntoView {
     let linked = linked_case();
-    let document = Document::new(linked.clone().unwrap_or_else(first));
-    let state = State::new(document, Preferences::load());
+    let is_linked = linked.is_some();
+    let (case, remarks) = match linked {
+        Some(linked) => (linked.case, linked.remarks),
+        None => (first(), Vec::new()),
+    };
+    let state = State::new(Document::new(case), Preferences::load());
+    state.version_remarks.set(remarks);
     provide_context(state);
-    keep(state, linked.is_some());
+    keep(state, is_linked);
     listen(state);
     forget_notices(state);
     let page = follow_address();
@@ -120,7 +126,7 @@ fn focus_main() {
 }
 
 /// The case of the address, which is then cleared so that a reload keeps later edits.
-fn linked_case() -> Option<msape::Case> {
+fn linked_case() -> Option<BroughtUp> {
     let hash = window().location().hash().ok()?;
     let case = link::case(&hash, &starts());
     if case.is_some()
@@ -143,9 +149,13 @@ fn keep(state: State, linked: bool) {
             }
         };
         let runs = match store.load().await {
-            Ok((document, runs)) => {
-                restore(state, document, &runs, linked);
-                runs
+            Ok(kept) => {
+                let opened = !linked && state.history.with_untracked(History::is_pristine);
+                restore(state, kept.document, &kept.runs, linked);
+                if opened {
+                    state.version_remarks.set(kept.remarks);
+                }
+                kept.runs
             }
             Err(error) => {
                 state.save_state.set(SaveState::Refused(error.to_string()));
@@ -255,8 +265,9 @@ fn listen(state: State) {
         }
     });
     let links = window_event_listener(leptos::ev::hashchange, move |_| {
-        if let Some(case) = linked_case() {
+        if let Some(BroughtUp { case, remarks }) = linked_case() {
             crate::components::open::replace_case(state, "Open link", case);
+            state.version_remarks.set(remarks);
         }
     });
     on_cleanup(move || {

@@ -1,10 +1,12 @@
 //! Links that hold a case: what differs from one that ships with the program.
 //!
-//! `#/design?p=run-page&entry.speed_m_s=13000&n=My%20run`. What is malformed or unknown is left out, never an error.
+//! `#/design?v=0.2&p=run-page&entry.speed_m_s=13000&n=My%20run`. What is malformed or unknown is left out, never an error.
+//! A link is read against the shipped case and the defaults of its version; without one it is of the first.
 
-use crate::presets::Start;
+use crate::presets::{self, Start};
 use msape::Case;
-use msape::case::Value;
+use msape::case::version::{BroughtUp, shipped};
+use msape::case::{Value, Version};
 use msape::quantity::input;
 
 /// Links longer than this may be cut by other programs.
@@ -15,7 +17,7 @@ pub fn fragment(case: &Case, starts: &[Start]) -> String {
     starts
         .iter()
         .map(|start| {
-            let mut text = format!("/design?p={}", encode(&start.id));
+            let mut text = format!("/design?v={}&p={}", Version::CURRENT, encode(&start.id));
             if case.name != start.case.name {
                 text.push_str(&format!("&n={}", encode(&case.name)));
             }
@@ -33,8 +35,8 @@ pub fn fragment(case: &Case, starts: &[Start]) -> String {
         .unwrap_or_default()
 }
 
-/// The case of a link, if it is one.
-pub fn case(fragment: &str, starts: &[Start]) -> Option<Case> {
+/// The case of a link, if it is one, and remarks on what changed since it was made.
+pub fn case(fragment: &str, starts: &[Start]) -> Option<BroughtUp> {
     let fragment = fragment.trim_start_matches('#');
     let query = fragment.strip_prefix("/design?")?;
     let pairs: Vec<(String, String)> = query
@@ -42,16 +44,31 @@ pub fn case(fragment: &str, starts: &[Start]) -> Option<Case> {
         .filter_map(|pair| pair.split_once('='))
         .map(|(key, value)| (decode(key), decode(value)))
         .collect();
-    let id = pairs.iter().find(|(key, _)| key == "p")?.1.as_str();
-    let mut case = starts.iter().find(|start| start.id == id)?.case.clone();
+    let given = |name: &str| pairs.iter().find(|(key, _)| key == name);
+    let version = given("v")
+        .and_then(|(_, text)| Version::parse(text))
+        .unwrap_or(Version::FIRST);
+    let id = given("p")?.1.as_str();
+    let mut case = if version < Version::CURRENT {
+        shipped(version, id).filter(presets::is_design)?
+    } else {
+        starts.iter().find(|start| start.id == id)?.case.clone()
+    };
     for (key, text) in &pairs {
         match key.as_str() {
-            "p" => {}
+            "p" | "v" => {}
             "n" => case.name = text.clone(),
             key => set(&mut case, key, text),
         }
     }
-    Some(case)
+    let mut brought_up = case.brought_up_from(version);
+    if version > Version::CURRENT {
+        brought_up.remarks.push(format!(
+            "The link was made with version {version}; this is {}, whose defaults it gets.",
+            Version::CURRENT
+        ));
+    }
+    Some(brought_up)
 }
 
 fn set(case: &mut Case, key: &str, text: &str) {
@@ -141,14 +158,52 @@ mod tests {
             Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]),
         );
         let text = fragment(&case_sent, &starts());
-        assert_eq!(case(&text, &starts()), Some(case_sent));
+        let remarks = Vec::new();
+        let case_got = BroughtUp {
+            case: case_sent,
+            remarks,
+        };
+        assert_eq!(case(&text, &starts()), Some(case_got));
     }
 
     #[test]
     fn what_is_malformed_is_left_out() {
-        let text = format!("#/design?p={RUN_PAGE}&entry.speed_m_s=13000&nonsense=1&%zz&n");
-        let case = case(&text, &starts()).unwrap();
+        let text = format!("#/design?v=0.2&p={RUN_PAGE}&entry.speed_m_s=13000&nonsense=1&%zz&n");
+        let case = case(&text, &starts()).unwrap().case;
         assert_eq!(case.text("entry.speed_m_s").as_deref(), Some("13000"));
         assert_eq!(case.values.len(), Case::run_page().values.len());
+    }
+
+    #[test]
+    fn links_of_the_first_version_keep_its_shipped_cases_and_defaults() {
+        let links = include_str!("../../tests/data/e134449/links.txt");
+        for link in links.lines().filter(|line| !line.is_empty()) {
+            let old = case(link, &starts()).unwrap_or_else(|| panic!("{link}"));
+            let id = &link["#/design?p=".len()..].split('&').next().unwrap();
+            let base = shipped(Version::FIRST, id).unwrap();
+            // what the link says, and everything else as its shipped case was
+            for (key, value) in &base.values {
+                if link.contains(&format!("&{key}=")) {
+                    let said = link.split(&format!("&{key}=")).nth(1).unwrap();
+                    let said = decode(said.split('&').next().unwrap());
+                    assert_eq!(
+                        old.case.text(key).unwrap_or_default(),
+                        said,
+                        "{key} of {link}"
+                    );
+                } else {
+                    assert_eq!(old.case.values.get(key), Some(value), "{key} of {link}");
+                }
+            }
+            assert_eq!(old.case.version_note(), None, "{link}");
+            assert!(!old.remarks.is_empty(), "{link}");
+        }
+    }
+
+    #[test]
+    fn a_link_of_a_newer_program_says_so() {
+        let text = format!("#/design?v=99.0&p={RUN_PAGE}");
+        let newer = case(&text, &starts()).unwrap();
+        assert!(newer.remarks[0].contains("version 99.0"));
     }
 }

@@ -23,8 +23,7 @@ pub fn starts() -> Vec<Start> {
         .filter_map(|(path, text)| {
             let id = path.rsplit('/').next()?.strip_suffix(".toml")?;
             let case = Case::from_toml(text).ok()?;
-            let is_design = case.values.keys().any(|key| key.starts_with("design."));
-            (is_design && id != RUN_PAGE).then(|| Start {
+            (is_design(&case) && id != RUN_PAGE).then(|| Start {
                 id: id.to_string(),
                 case,
             })
@@ -36,6 +35,11 @@ pub fn starts() -> Vec<Start> {
         case: Case::run_page(),
     });
     starts
+}
+
+/// Whether a case asks for a design.
+pub fn is_design(case: &Case) -> bool {
+    case.values.keys().any(|key| key.starts_with("design."))
 }
 
 /// The case that the app opens with.

@@ -1,6 +1,7 @@
 //! Messages between page and worker, as postcard bytes: both ends are of one build.
 
 use crate::aerodynamics::{Curves, Question};
+use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +18,8 @@ pub enum Ask {
     Aerodynamics(Box<Question>),
     /// For the flight of a design with its attitude.
     Attitude(Box<Case>),
+    /// For one entry of a design from a set of attitudes and rates, by its number in the set.
+    Turn(Box<Case>, u32),
     /// To read a table of coefficients.
     ReadTable(String),
 }
@@ -32,11 +35,13 @@ pub enum Told {
     Flown(Box<Result<Answer, Vec<Fault>>>),
     /// Curves of coefficients, or every fault of their case.
     Aerodynamics(Box<Result<Curves, Vec<Fault>>>),
+    /// An entry of the set, or every fault of its case.
+    Turned(Box<Result<Turn, Vec<Fault>>>),
     /// Rows of a table, or every fault of its text.
     TableRead(Result<Vec<Vec<f64>>, Vec<String>>),
 }
 
-/// Repetitions of a job of [`msape::benchmark::JOBS`].
+/// Repetitions of a job of [`benchmark::JOBS`].
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Batch {
     /// Index of the job.

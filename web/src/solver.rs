@@ -3,9 +3,13 @@
 use crate::aerodynamics::{self, Kept};
 use crate::clock::now_ms;
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
-use msape::benchmark::{Bench, JOBS};
+use benchmark::{Bench, JOBS};
+use msape::design::Design;
+use msape::flight::Flight;
+use msape::flight::six_dof::turning::{Start, Turn, turn};
 use msape::library::DataError;
-use msape::problem::attitude_of_design;
+use msape::problem::{FlightProblem, attitude_of_design, fly_designed};
+use msape::progress::Unwatched;
 use msape::{Answer, Case, InputError, Library, Request, design, fly};
 use std::cell::{OnceCell, RefCell};
 
@@ -60,6 +64,7 @@ impl Solver {
                 &self.aerodynamics,
             ))),
             Ask::Attitude(case) => Told::Flown(Box::new(self.attitude(&case))),
+            Ask::Turn(case, number) => Told::Turned(Box::new(self.turn(&case, number))),
             Ask::ReadTable(text) => Told::TableRead(aerodynamics::read_table(&text)),
         })
     }
@@ -82,8 +87,12 @@ impl Solver {
         }
     }
 
-    /// The flight of a design with its attitude.
-    fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
+    /// What is wanted of a design that has a vehicle, which is solved anew only for another case.
+    fn with_designed<T>(
+        &self,
+        case: &Case,
+        wanted: impl FnOnce(&Answer, &Design, &Flight) -> Result<T, Vec<InputError>>,
+    ) -> Result<T, Vec<Fault>> {
         let faults =
             |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
         let mut designed = self.designed.borrow_mut();
@@ -91,19 +100,40 @@ impl Solver {
             let answer = design(case, &self.library, Request::Steps).map_err(faults)?;
             *designed = Some((case.clone(), answer));
         }
-        let vehicle = designed
-            .as_ref()
-            .and_then(|(_, answer)| Some((answer.design.as_ref()?, answer.flight.as_ref()?)));
-        let Some((vehicle, flight)) = vehicle else {
-            let message = "the design has no vehicle that could fly".to_string();
-            return Err(vec![Fault {
+        let vehicle = designed.as_ref().and_then(|(_, answer)| {
+            Some((answer, answer.design.as_ref()?, answer.flight.as_ref()?))
+        });
+        match vehicle {
+            Some((answer, vehicle, flight)) => wanted(answer, vehicle, flight).map_err(faults),
+            None => Err(vec![Fault {
                 key: "vehicle.dof".to_string(),
-                message,
-            }]);
-        };
-        let problem = attitude_of_design(case, &self.library, vehicle).map_err(faults)?;
-        let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
-        Ok(problem.solve(&case.name, Request::Uniform(step_s)))
+                message: "the design has no vehicle that could fly".to_string(),
+            }]),
+        }
+    }
+
+    /// The flight of a design with its attitude.
+    fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
+        self.with_designed(case, |answer, _, flight| {
+            let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
+            fly_designed(case, &self.library, answer, Request::Uniform(step_s))
+        })
+    }
+
+    /// One entry of a design from a set of attitudes and rates.
+    fn turn(&self, case: &Case, number: u32) -> Result<Turn, Vec<Fault>> {
+        let turned = self.with_designed(case, |_, vehicle, _| {
+            let FlightProblem { mission, body, .. } =
+                attitude_of_design(case, &self.library, vehicle)?;
+            let start = Start::all().get(number as usize).copied();
+            Ok(start.and_then(|start| turn(&mission, &body, start, &mut Unwatched)))
+        })?;
+        turned.ok_or_else(|| {
+            vec![Fault {
+                key: String::new(),
+                message: format!("there is no entry {number}"),
+            }]
+        })
     }
 
     fn fly(&self, case: &Case) -> Result<msape::Answer, Vec<Fault>> {

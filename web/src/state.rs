@@ -13,6 +13,7 @@ use check::{Check, Checks, check_inputs};
 use document::Document;
 use history::History;
 use leptos::prelude::*;
+use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, Library};
 use preferences::Preferences;
 use std::collections::BTreeMap;
@@ -90,6 +91,8 @@ pub struct State {
     pub notice: RwSignal<String>,
     /// Faults of the last file that was opened.
     pub file_faults: RwSignal<Vec<String>>,
+    /// What changed since the last case that was opened was made by an earlier version.
+    pub version_remarks: RwSignal<Vec<String>>,
     /// Look and depth of the page.
     pub preferences: Preferences,
     /// What a case may name.
@@ -129,6 +132,7 @@ impl State {
             protected: RwSignal::new(None),
             notice: RwSignal::new(String::new()),
             file_faults: RwSignal::new(Vec::new()),
+            version_remarks: RwSignal::new(Vec::new()),
             preferences,
             library: stored_library,
             flight_fields: StoredValue::new(None),
@@ -234,6 +238,15 @@ impl State {
     pub async fn attitude(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
         let link = self.worker.get_value();
         link.ok_or("there is no worker")?.attitude(case).await
+    }
+
+    /// One entry of a design from a set of attitudes and rates, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn turn(self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
+        let link = self.worker.get_value();
+        link.ok_or("there is no worker")?.turn(case, number).await
     }
 
     /// Curves of coefficients, or every fault of their case.

@@ -1,9 +1,9 @@
 //! What is kept in the browser, in IndexedDB: the document as it is now, and the named runs.
 
 use crate::display::UnitSystem;
-use crate::state::document::{Document, Rows, Run};
+use crate::state::document::{Document, Rows, Run, recorded};
 use idb::{Database, DatabaseEvent, Factory, ObjectStoreParams, Query, TransactionMode};
-use msape::Case;
+use msape::case::Version;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -32,6 +32,20 @@ struct Current {
     outlines: BTreeMap<String, Rows>,
     #[serde(default)]
     tables: BTreeMap<String, Rows>,
+    /// Version that kept it; absent in what the first version kept.
+    #[serde(default)]
+    version: Option<Version>,
+}
+
+/// What was kept.
+#[derive(Default)]
+pub struct Kept {
+    /// The document with its runs.
+    pub document: Option<Document>,
+    /// The runs, also when there is no document.
+    pub runs: BTreeMap<String, Run>,
+    /// What changed under the document's case since it was kept.
+    pub remarks: Vec<String>,
 }
 
 impl Store {
@@ -53,11 +67,11 @@ impl Store {
         Ok(Store(request.await?))
     }
 
-    /// The document that was kept, with its runs; runs also when there is no document.
+    /// The document that was kept, with its runs.
     ///
     /// # Errors
     /// What the browser refuses.
-    pub async fn load(&self) -> Result<(Option<Document>, BTreeMap<String, Run>), idb::Error> {
+    pub async fn load(&self) -> Result<Kept, idb::Error> {
         let transaction = self
             .0
             .transaction(&[THINGS, RUNS], TransactionMode::ReadOnly)?;
@@ -71,11 +85,14 @@ impl Store {
             .zip(&values)
             .filter_map(|(key, value)| Some((key.as_string()?, read(value)?)))
             .collect();
+        let mut remarks = Vec::new();
         let document = current
             .and_then(|value| read::<Current>(&value))
             .and_then(|current| {
+                let case = recorded(&current.case, current.version).ok()?;
+                remarks = case.remarks;
                 Some(Document {
-                    case: Arc::new(Case::from_text(&current.case).ok()?),
+                    case: Arc::new(case.case),
                     units: current.units,
                     unit_of: Arc::new(current.unit_of),
                     runs: Arc::new(runs.clone()),
@@ -83,7 +100,11 @@ impl Store {
                     tables: Arc::new(current.tables),
                 })
             });
-        Ok((document, runs))
+        Ok(Kept {
+            document,
+            runs,
+            remarks,
+        })
     }
 
     /// Keeps a document; of the runs, those that differ from what was kept `before`.
@@ -104,6 +125,7 @@ impl Store {
             unit_of: (*document.unit_of).clone(),
             outlines: (*document.outlines).clone(),
             tables: (*document.tables).clone(),
+            version: Some(Version::CURRENT),
         };
         transaction
             .object_store(THINGS)?

@@ -5,6 +5,7 @@ use crate::aerodynamics::{Curves, Question};
 use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;
+use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case};
 use std::{cell::RefCell, collections::VecDeque, rc::Rc};
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
@@ -91,6 +92,17 @@ impl WorkerLink {
     pub async fn attitude(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
         match self.ask(Ask::Attitude(Box::new(case))).await? {
             Told::Flown(flown) => Ok(*flown),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// One entry of a design from a set of attitudes and rates, or every fault of its case.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn turn(&self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
+        match self.ask(Ask::Turn(Box::new(case), number)).await? {
+            Told::Turned(turned) => Ok(*turned),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }

@@ -1,7 +1,7 @@
 //! The arguments.
 
+use cad::export::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use msape::export::Format;
 use msape::table::kml::Instant;
 use msape::units::{Dimension, canonical, parse_number};
 use std::path::PathBuf;
@@ -13,6 +13,8 @@ Examples:
   msape design cases/galahad.toml --csv -o galahad.csv    the report's column names and units
   msape fly cases/stardust.toml --json --trajectory       results and time history as one JSON object
   msape fly cases/stardust.toml --trajectory-step 1 --csv-si -o history.csv
+  msape fly cases/msr-eev-cp.toml --set vehicle.dof=6 --set attitude.alpha_deg=145    the vehicle of the design as a rigid body
+  msape reorientation cases/msr-eev-cp.toml               does it turn nose first?
   msape fly - < my-case.toml                              the case from standard input
   msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
@@ -33,12 +35,15 @@ pub struct Arguments {
 /// What to do.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Fly a vehicle as it is
+    /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, centre of gravity and inertia
     #[command(after_help = EXAMPLES)]
     Fly(Run),
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
     #[command(after_help = EXAMPLES)]
-    Design(Run),
+    Design(Design),
+    /// Whether it turns nose first: nine entries from 175, 145 and 120 deg with -2, 0 and 2 deg/s of pitch
+    #[command(after_help = EXAMPLES)]
+    Reorientation(Reorientation),
     /// Write the vehicle as a CAD, mesh or drawing file
     #[command(after_help = export_help())]
     Export(Export),
@@ -83,11 +88,44 @@ pub struct Run {
     pub output: Option<PathBuf>,
 }
 
+/// Arguments of `design`.
+#[derive(Args)]
+pub struct Design {
+    /// Arguments of a run.
+    #[command(flatten)]
+    pub run: Run,
+    /// Add entries of the designed vehicle from 175, 145 and 120 deg with -2, 0 and 2 deg/s of pitch, and the share that is
+    /// nose first at the largest heat rate
+    #[arg(long)]
+    pub reorientation: bool,
+}
+
+/// Arguments of `reorientation`.
+#[derive(Args)]
+pub struct Reorientation {
+    /// The case, TOML or JSON, of a design or of a vehicle with vehicle.dof = 6; `-` is standard input
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Set a key of the case, as for design
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// One JSON object: name, outcome, reason, reorientation
+    #[arg(long, conflicts_with = "csv")]
+    pub json: bool,
+    /// One row an entry as CSV, in SI units and degrees
+    #[arg(long)]
+    pub csv: bool,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+}
+
 /// Form of the output; without any of them, tables to read.
 #[derive(Args, Clone, Copy)]
 #[group(multiple = false)]
 pub struct Form {
-    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, trajectory, landing
+    /// One JSON object: name, outcome, reason, results, findings, adjustments, passes, of a design mass_tree, structure,
+    /// stability, reorientation; trajectory, landing
     #[arg(long)]
     pub json: bool,
     /// CSV with the report's column names and units

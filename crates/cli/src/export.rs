@@ -3,7 +3,7 @@
 use crate::args::{Export, formats};
 use crate::failure::Failure;
 use crate::{Done, output, read};
-use msape::export::{Format, Info, Model};
+use cad::export::{Format, Info, Model};
 use msape::{Case, InputError, Library, Request, problem};
 use std::path::Path;
 use std::process::ExitCode;

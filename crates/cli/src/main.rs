@@ -8,15 +8,17 @@ mod outline;
 mod output;
 mod quantities;
 mod read;
+mod reorientation;
 mod run;
 mod show;
 mod terminal;
 mod validate;
 
-use args::{Arguments, Command};
+use args::{Arguments, Command, Design};
 use clap::Parser;
 use failure::Failure;
 use msape::quantity::Job;
+use run::Entries;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -27,8 +29,16 @@ fn main() -> ExitCode {
     }));
     let arguments = Arguments::parse();
     let done = match arguments.command {
-        Command::Fly(arguments) => run::run(&arguments, Job::Fly),
-        Command::Design(arguments) => run::run(&arguments, Job::Design),
+        Command::Fly(arguments) => run::run(&arguments, Job::Fly, Entries::Nominal),
+        Command::Design(Design { run, reorientation }) => {
+            let entries = if reorientation {
+                Entries::AnyAttitude
+            } else {
+                Entries::Nominal
+            };
+            run::run(&run, Job::Design, entries)
+        }
+        Command::Reorientation(arguments) => reorientation::reorientation(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Aero(arguments) => aero::run(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),

@@ -1,9 +1,9 @@
 //! Reads a case from a file or from standard input, with what the command line sets and the files it names.
 
 use crate::failure::Failure;
+use cad::outline::{self, LengthUnit};
+use cad::table::atmosphere::{self, Kind};
 use msape::case::Value;
-use msape::planet::atmosphere::csv::{self, Kind};
-use msape::vehicle::body::import::{self, LengthUnit};
 use msape::{Case, InputError};
 use std::fs::File;
 use std::io::{self, Read};
@@ -117,7 +117,7 @@ fn resolve_atmosphere(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
     }
     let path = here.join(&name);
     let rows = match text(&path) {
-        Ok(text) => csv::read(&text, Kind::Atmosphere),
+        Ok(text) => atmosphere::read(&text, Kind::Atmosphere),
         Err(Failure::Input(messages)) => {
             faults.extend(messages.iter().map(|m| format!("atmosphere.file: {m}")));
             return;
@@ -162,7 +162,7 @@ fn resolve_outline(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
     }
     let path = here.join(&name);
     let rows = match text(&path) {
-        Ok(text) => import::read(&name, &text, unit),
+        Ok(text) => outline::read(&name, &text, unit),
         Err(Failure::Input(messages)) => {
             faults.extend(messages.iter().map(|m| format!("outline.file: {m}")));
             return;
@@ -198,7 +198,7 @@ fn resolve_aerodynamics(case: &mut Case, here: &Path, faults: &mut Vec<String>) 
     }
     let path = here.join(&name);
     let found = match text(&path) {
-        Ok(text) => msape::aero::table::csv::read(&text),
+        Ok(text) => cad::table::aerodynamics::read(&text),
         Err(Failure::Input(messages)) => Err(messages),
         Err(_) => return,
     };

@@ -2,18 +2,28 @@
 
 use crate::args::{Form, Run};
 use crate::failure::Failure;
-use crate::{Done, output, read, show};
+use crate::{Done, output, read, reorientation, show};
+use msape::problem::add_turning;
 use msape::quantity::Job;
 use msape::table::{self, Manner, Solved, kml};
 use msape::{Answer, Case, InputError, Library, Request, answer};
 use std::process::ExitCode;
 
+/// Which entries a design flies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Entries {
+    /// Its own.
+    Nominal,
+    /// Also those from a set of attitudes and rates.
+    AnyAttitude,
+}
+
 /// Solves a case and writes the answer.
-pub fn run(arguments: &Run, job: Job) -> Done {
+pub fn run(arguments: &Run, job: Job, entries: Entries) -> Done {
     let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
     let library = Library::builtin()?;
     let request = request(arguments);
-    let answer = match solve(&case, &library, request, job) {
+    let answer = match solve(&case, &library, request, (job, entries)) {
         Ok(answer) if faults.is_empty() => answer,
         Ok(_) => return Err(Failure::Input(faults)),
         Err(found) => {
@@ -30,12 +40,17 @@ fn solve(
     case: &Case,
     library: &Library,
     request: Request,
-    job: Job,
+    (job, entries): (Job, Entries),
 ) -> Result<Answer, Vec<InputError>> {
-    match job {
-        Job::Fly => msape::fly(case, library, request),
-        Job::Design => msape::design(case, library, request),
+    let mut answer = match job {
+        Job::Fly => return msape::fly(case, library, request),
+        Job::Design => msape::design(case, library, request)?,
+    };
+    if entries == Entries::AnyAttitude {
+        add_turning(case, library, &mut answer, &mut reorientation::watcher())?;
+        reorientation::watched();
     }
+    Ok(answer)
 }
 
 fn request(arguments: &Run) -> Request {

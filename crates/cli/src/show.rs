@@ -5,16 +5,19 @@ pub mod columns;
 use crate::terminal::Paint;
 use columns::{Align, Columns};
 use msape::Outcome;
-use msape::answer::Answer;
-use msape::answer::{Output, outputs};
+use msape::answer::turning::{self, Cell};
+use msape::answer::{Answer, Output, outputs};
 use msape::finding::Severity;
 use msape::flight::Trajectory;
+use msape::flight::six_dof::turning::Turning;
 use msape::quantity::{Job, input, trajectory};
 use msape::units::number::rounded;
 use msape::units::{Unit, canonical};
 
 /// Digits that are shown; files have all of them.
 const DIGITS: usize = 6;
+/// Of the table of entries, which is wide.
+const ENTRY_DIGITS: usize = 4;
 
 /// Columns of a time history that fit on a screen.
 const HISTORY: [&str; 8] = [
@@ -39,6 +42,8 @@ pub fn answer(answer: &Answer, job: Job, to_file: bool) -> String {
     text.push_str(&results(answer, job, paint));
     text.push_str(&adjustments(answer, paint));
     text.push_str(&findings(answer, paint));
+    let turning = answer.design.as_ref().and_then(|d| d.turning.as_ref());
+    text.push_str(&turning.map_or_else(String::new, |turning| entries(turning, paint)));
     if let Some(history) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
         text.push_str(&time_history(history, paint));
     }
@@ -161,6 +166,22 @@ fn time_history(history: &Trajectory, paint: Paint) -> String {
     }
     let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
     section("Time history", &lines, paint)
+}
+
+/// Entries from a set of attitudes and rates.
+pub fn entries(turning: &Turning, paint: Paint) -> String {
+    let mut table = Columns::new(&[Align::Right; turning::COLUMNS.len()]);
+    table.push(turning::COLUMNS.map(|c| c.label.to_string()).to_vec());
+    for entry in &turning.entries {
+        let cells = turning::COLUMNS.map(|c| match (c.cell)(entry) {
+            Cell::Number(x) => x.map_or_else(|| "-".to_string(), |x| rounded(x, ENTRY_DIGITS)),
+            Cell::Word(word) => word.to_string(),
+        });
+        table.push(cells.to_vec());
+    }
+    let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
+    let sentence = turning::sentence(turning);
+    section("Reorientation", &format!("  {sentence}\n{lines}"), paint)
 }
 
 fn section(heading: &str, lines: &str, paint: Paint) -> String {

@@ -1,4 +1,4 @@
-//! `validate`: the documented cases that ship with the program, beside their references.
+//! `validate`: the documented cases that ship with the program, beside their references, and predictions of flown capsules.
 
 use crate::args::Validate;
 use crate::failure::Failure;
@@ -7,14 +7,19 @@ use crate::terminal::{Paint, progress};
 use crate::{Done, output};
 use msape::Library;
 use msape::units::number::rounded;
+use msape::validation::prediction::{self, Capsule, Prediction};
 use msape::validation::{self, File, Row, Verdict};
 use serde_json::json;
 use std::process::ExitCode;
 
-/// Compares and prints; ends with 1 when a judged value is beyond its tolerance.
+/// Compares and prints; ends with 1 when a judged value is beyond its tolerance. A missed prediction is no such end.
 pub fn validate(arguments: &Validate) -> Done {
     let library = Library::builtin()?;
-    let files = chosen(validation::files()?, &arguments.names)?;
+    let (files, capsules) = chosen(
+        validation::files()?,
+        prediction::capsules(&library)?,
+        &arguments.names,
+    )?;
     let mut compared = Vec::with_capacity(files.len());
     for (i, (name, file)) in files.iter().enumerate() {
         progress(&format!("{} of {}: {name}", i + 1, files.len()));
@@ -25,8 +30,12 @@ pub fn validate(arguments: &Validate) -> Done {
     let judged = rows().filter(|row| row.verdict != Verdict::Shown).count();
     let misses = rows().filter(|row| row.verdict.is_miss()).count();
     let text = if arguments.json {
-        let object =
-            json!({ "judged": judged, "misses": misses, "rows": rows().collect::<Vec<_>>() });
+        let object = json!({
+            "judged": judged,
+            "misses": misses,
+            "rows": rows().collect::<Vec<_>>(),
+            "predictions": capsules,
+        });
         format!("{object:#}\n")
     } else {
         let paint = if arguments.output.is_some() {
@@ -38,6 +47,8 @@ pub fn validate(arguments: &Validate) -> Done {
             .iter()
             .map(|(name, file, rows)| section(name, file, rows, paint))
             .collect();
+        text.extend(capsules.iter().map(|capsule| predicted(capsule, paint)));
+        text.push_str(&tally(&capsules));
         text.push_str(&format!(
             "{} of {judged} judged values within their tolerances\n",
             judged - misses
@@ -48,8 +59,21 @@ pub fn validate(arguments: &Validate) -> Done {
     Ok(ExitCode::from(u8::from(misses > 0)))
 }
 
-fn chosen(files: Vec<(String, File)>, names: &[String]) -> Result<Vec<(String, File)>, Failure> {
-    let known: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+/// Comparisons by name, and capsules.
+type Chosen = (Vec<(String, File)>, Vec<Capsule>);
+
+/// The comparisons and the capsules that were named; all where none was.
+fn chosen(
+    mut files: Vec<(String, File)>,
+    mut capsules: Vec<Capsule>,
+    names: &[String],
+) -> Result<Chosen, Failure> {
+    let mut known: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    for capsule in &capsules {
+        if !known.contains(&capsule.name.as_str()) {
+            known.push(&capsule.name);
+        }
+    }
     let unknown: Vec<String> = names
         .iter()
         .filter(|name| !known.contains(&name.as_str()))
@@ -63,10 +87,82 @@ fn chosen(files: Vec<(String, File)>, names: &[String]) -> Result<Vec<(String, F
     if !unknown.is_empty() {
         return Err(Failure::Input(unknown));
     }
-    Ok(files
-        .into_iter()
-        .filter(|(name, _)| names.is_empty() || names.contains(name))
-        .collect())
+    let wanted = |name: &String| names.is_empty() || names.contains(name);
+    files.retain(|(name, _)| wanted(name));
+    capsules.retain(|capsule| wanted(&capsule.name));
+    Ok((files, capsules))
+}
+
+/// The predictions of a capsule as a table.
+fn predicted(capsule: &Capsule, paint: Paint) -> String {
+    let mut table = Columns::new(&[
+        Align::Left,
+        Align::Right,
+        Align::Right,
+        Align::Right,
+        Align::Left,
+        Align::Left,
+    ]);
+    let header = ["Quantity", "Predicted", "Band", "Flown", "Unit", "Verdict"];
+    table.push(header.map(String::from).to_vec());
+    for row in &capsule.rows {
+        let range = |least: f64, greatest: f64| {
+            if least == greatest {
+                rounded(least, 4)
+            } else {
+                format!("{} to {}", rounded(least, 4), rounded(greatest, 4))
+            }
+        };
+        let flown = row.flown_least.zip(row.flown_greatest);
+        let verdict = match row.verdict {
+            prediction::Verdict::NotKnown => row.verdict.name().to_string(),
+            _ => format!("{} [{}]", row.verdict.name(), row.source),
+        };
+        table.push(vec![
+            row.label.clone(),
+            rounded(row.predicted, 4),
+            range(row.least, row.greatest),
+            flown.map_or_else(|| "-".to_string(), |(least, most)| range(least, most)),
+            row.unit.clone(),
+            verdict,
+        ]);
+    }
+    let mut text = format!(
+        "{}  {}, predicted\n",
+        paint.heading(&capsule.name),
+        capsule.title
+    );
+    for (i, line) in table.lines().enumerate() {
+        let line = if i == 0 { paint.heading(&line) } else { line };
+        text.push_str(&format!("  {line}\n"));
+    }
+    for remark in [format!("Given: {}.", capsule.given), capsule.note.clone()] {
+        text.push_str(&paint.faint(&format!("  {remark}")));
+        text.push('\n');
+    }
+    text.push('\n');
+    text
+}
+
+/// How many predictions were hit; nothing where none was made.
+fn tally(capsules: &[Capsule]) -> String {
+    let rows = || capsules.iter().flat_map(|capsule| &capsule.rows);
+    let count = |verdict| {
+        rows()
+            .filter(|row: &&Prediction| row.verdict == verdict)
+            .count()
+    };
+    let (hits, misses) = (
+        count(prediction::Verdict::Hit),
+        count(prediction::Verdict::Miss),
+    );
+    if capsules.is_empty() {
+        return String::new();
+    }
+    format!(
+        "{hits} of {} predictions of flown capsules hit, which is no condition\n",
+        hits + misses
+    )
 }
 
 fn section(name: &str, file: &File, rows: &[Row], paint: Paint) -> String {

@@ -29,11 +29,16 @@ pub mod integral;
 pub mod newtonian;
 pub mod polar;
 pub mod shadow;
+pub mod stability;
 pub mod standard;
 pub mod stored;
 pub mod surface;
 pub mod table;
+pub mod trim;
 
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
+use numerics::math::RADIANS_PER_DEGREE;
 use numerics::scalar::Scalar;
 use serde::Deserialize;
 
@@ -155,6 +160,9 @@ impl DragTable {
     }
 }
 
+/// A table serves cones within this of its own, deg: by 2 sin² θ the axial force of a 60 deg cone moves by 1 %.
+const CONE_WITHIN_DEG: f64 = 0.5;
+
 /// A named database of axial force, from `data/aerodynamics`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialForce {
@@ -176,6 +184,37 @@ struct Row {
 }
 
 impl AxialForce {
+    /// A finding where the cone of a vehicle is another than that of the table; a vehicle may have none.
+    pub fn other_cone(
+        &self,
+        name: &str,
+        half_angle_rad: Option<f64>,
+        field: &str,
+    ) -> Option<Finding> {
+        let own = self.cone_half_angle_deg;
+        let valid = (Some(own - CONE_WITHIN_DEG), Some(own + CONE_WITHIN_DEG));
+        let half_angle_deg = half_angle_rad.map(|angle| angle / RADIANS_PER_DEGREE);
+        let vehicle = match half_angle_deg {
+            Some(deg) if (deg - own).abs() <= CONE_WITHIN_DEG => return None,
+            Some(deg) => format!("has one of {} deg", short(deg)),
+            None => "has none".to_string(),
+        };
+        Some(Finding {
+            severity: Severity::Extrapolated,
+            model: format!("axial force {name}"),
+            key: "forebody_cone_angle_deg".into(),
+            value: half_angle_deg,
+            valid,
+            message: format!(
+                "The table is of a cone of {} deg, this vehicle {vehicle}: by impact theory the axial force goes with the \
+                 squared sine of the angle.",
+                short(own)
+            ),
+            source: self.title.clone(),
+            field: Some(field.into()),
+        })
+    }
+
     /// Reads a CSV file of `data/aerodynamics`.
     ///
     /// # Errors
@@ -233,5 +272,17 @@ mod tests {
         assert_eq!(database.table.at(24.7), 1.4816);
         let table = database.table.with_subsonic(0.73);
         assert_eq!((table.at(0.3), table.at(0.6)), (0.73, 0.965));
+    }
+
+    #[test]
+    fn a_60_deg_table_on_another_cone_or_none_is_said() {
+        let table = AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
+        let at = |deg: f64| table.other_cone("mmeev-60", Some(deg * RADIANS_PER_DEGREE), "x");
+        assert_eq!((at(60.0), at(59.6)), (None, None));
+        let said = at(50.0).unwrap();
+        assert!(said.message.contains("50 deg"), "{}", said.message);
+        assert_eq!(said.valid, (Some(59.5), Some(60.5)));
+        let none = table.other_cone("mmeev-60", None, "x").unwrap();
+        assert!(none.message.contains("has none") && none.value.is_none());
     }
 }

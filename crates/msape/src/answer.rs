@@ -6,6 +6,7 @@ pub mod output;
 #[cfg(test)]
 pub(crate) mod sample;
 pub mod surface;
+pub mod turning;
 
 pub use json::{json, text};
 pub use output::{Output, outputs};

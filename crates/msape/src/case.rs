@@ -6,10 +6,12 @@
 mod check;
 mod read;
 pub mod schema;
+pub mod version;
 mod words;
 mod write;
 
 pub use check::{InputError, Reader};
+pub use version::Version;
 
 use crate::quantity::input::{self, Input, Kind, Preset};
 use serde::{Deserialize, Serialize};
@@ -45,6 +47,9 @@ pub enum Value {
 pub struct Case {
     /// Free text.
     pub name: String,
+    /// Version of the program whose defaults it was written for.
+    #[serde(default)]
+    pub version: Version,
     /// What was given, by dotted key.
     pub values: BTreeMap<String, Value>,
 }
@@ -54,7 +59,7 @@ impl Case {
     pub fn run_page() -> Case {
         let mut case = Case {
             name: "Run page".to_string(),
-            values: BTreeMap::new(),
+            ..Case::default()
         };
         for input in input::inputs().filter(|input| !input.key.starts_with("vehicle.")) {
             case.reset(input);

@@ -3,6 +3,8 @@
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: its drag, by name or of its own outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
+//! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
 //! - [`misfit`]: why a vehicle does not close, at the inputs concerned.
@@ -10,17 +12,23 @@
 pub mod coupling;
 pub mod crossings;
 pub mod drag;
+mod flown;
 pub mod inputs;
 pub mod misfit;
 mod pass;
+mod sized;
+pub mod stability;
 pub mod structural;
 
 pub use pass::Pass;
 
+use crate::aero::stability::Stability;
 use crate::design::structural::Structural;
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
+use crate::flight::six_dof::turning::Turning;
 use crate::outcome::Outcome;
+use crate::tps::Environment;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::landing::Landing;
@@ -68,6 +76,10 @@ pub struct Design {
     pub shoulder_heat_flux_w_m2: f64,
     /// The same over that of the stagnation point.
     pub shoulder_heat_flux_ratio: f64,
+    /// Heat load on the shoulder with margins, with the factor of the flux, J/m².
+    pub shoulder_heat_load_j_m2: f64,
+    /// The point of the forebody at which its heat shield is judged, and what it goes through.
+    pub forebody_judged: Environment,
     /// Largest pressure on the aftbody, Pa.
     pub aftbody_pressure_pa: f64,
     /// Peak temperature of the payload container, K.
@@ -82,8 +94,12 @@ pub struct Design {
     pub payload_mass_kg: f64,
     /// Structural rules and shell model, computed once when the passes are done; absent where a study leaves it out.
     pub structural: Option<Structural>,
+    /// Static margin and trims, computed once when the passes are done; absent where a study leaves them out.
+    pub stability: Option<Stability>,
+    /// Entries from a set of attitudes and rates; absent where nobody asked for them.
+    pub turning: Option<Turning>,
     /// Number of passes.
     pub passes: u32,
-    /// Change of the entry mass in the last pass, kg.
+    /// Estimated distance of the entry mass from its fixed point, kg.
     pub mass_residual_kg: Option<f64>,
 }

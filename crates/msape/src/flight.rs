@@ -54,8 +54,8 @@ pub struct Peak<S = f64> {
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight<S = f64> {
-    /// Model that flew it: `three-dof`, `six-dof` or `allen-eggers`.
-    pub model: String,
+    /// Model that flew it.
+    pub model: Model,
     /// Entry state relative to the planet.
     pub entry_relative: Velocity<S>,
     /// Inertial entry state.
@@ -145,6 +145,8 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
         speed_m_s: peak.speed_m_s,
         nose_radius_m: body.nose_radius_m,
     });
+    let pressure_pa = flight.peak_stagnation_pressure_pa.value;
+    findings.extend(mission.heating.pressure.findings(pressure_pa));
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }

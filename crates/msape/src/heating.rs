@@ -3,7 +3,7 @@
 //! - [`convective`]: [`sutton_graves`] and [`brandis_johnston`], cold wall.
 //! - [`radiative`]: [`tauber_sutton`] and [`brandis_johnston`], with the capped [`nose_exponent`].
 //! - [`stagnation`]: both together, with model factor, margins and the hot [`wall`].
-//! - [`pressure`]: stagnation pressure.
+//! - [`pressure`]: stagnation pressure, by one of three models.
 //! - [`shoulder`], [`distribution`], [`afterbody`]: away from the stagnation point.
 //!
 //! The per-step models are generic over [`numerics::scalar::Scalar`].

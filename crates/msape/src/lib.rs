@@ -37,14 +37,12 @@
 //!
 //! Beside them:
 //!
-//! - [`export`]: the vehicle as CAD, mesh and drawing files.
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
 //! - [`finding`]: use outside a model's range, as a value beside the result.
 //! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
 //! - [`validation`]: the shipped cases beside their references.
-//! - [`benchmark`]: the jobs by which speed is measured.
 //!
 //! # What is deliberately absent
 //!
@@ -58,10 +56,8 @@
 
 pub mod aero;
 pub mod answer;
-pub mod benchmark;
 pub mod case;
 pub mod design;
-pub mod export;
 pub mod finding;
 pub mod flight;
 pub mod heating;
@@ -69,6 +65,7 @@ pub mod library;
 pub mod outcome;
 pub mod planet;
 pub mod problem;
+pub mod progress;
 pub mod quantity;
 pub mod shell;
 pub mod soak;

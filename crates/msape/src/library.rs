@@ -8,6 +8,7 @@ use crate::aero::euler::EulerCorrection;
 use crate::aero::standard::{AxialForces, Standard};
 use crate::heating::afterbody::Afterbody;
 use crate::heating::brandis_johnston::BrandisJohnston;
+use crate::heating::pressure::PressureFit;
 use crate::heating::shoulder::Shoulder;
 use crate::heating::sutton_graves::SuttonGraves;
 use crate::heating::tauber_sutton::TauberSutton;
@@ -59,6 +60,8 @@ pub struct HeatingModels {
     pub afterbody: Afterbody,
     /// Shoulder factor.
     pub shoulder: Shoulder,
+    /// Stagnation pressure by equation 9.
+    pub pressure_fit: PressureFit,
 }
 
 /// Everything a case may name.
@@ -131,6 +134,7 @@ impl Library {
                 wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
                 afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
                 shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
+                pressure_fit: parsed("heating/stagnation-pressure.toml", PressureFit::parse)?,
             },
             materials: folder("materials", TpsMaterial::parse)?,
             concepts: folder("concepts", Concept::parse)?,
@@ -222,12 +226,15 @@ pub fn data_file(path: &str) -> Option<&'static str> {
         .map(|(_, text)| *text)
 }
 
-/// Paths and texts of the data files in one folder, such as `planets`.
+/// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
 pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let prefix = format!("{folder}/");
     FILES
         .iter()
-        .filter(move |(name, _)| name.starts_with(&prefix))
+        .filter(move |(name, _)| {
+            let inside = name.strip_prefix(&prefix);
+            inside.is_some_and(|file| !file.contains('/'))
+        })
         .map(|(name, text)| (*name, *text))
 }
 

@@ -170,6 +170,14 @@ impl Planet {
         self.gravity.acceleration_m_s2(r)
     }
 
+    /// Acceleration of a body let go at planet-fixed coordinates, m, in m/s²: attraction less the centrifugal part.
+    pub fn effective_gravity<S: Scalar>(&self, r: [S; 3]) -> [S; 3] {
+        let [x, y, z] = self.gravity(r);
+        let omega_2 = self.rotation_rate_rad_s * self.rotation_rate_rad_s;
+        // g − ω × (ω × r)
+        [x + r[0] * omega_2, y + r[1] * omega_2, z]
+    }
+
     /// The figure.
     #[inline]
     pub fn ellipsoid(&self) -> Ellipsoid {
@@ -231,10 +239,8 @@ mod tests {
     fn gravity_and_rotation_at_the_equator_make_the_known_weight() {
         // Normal gravity of WGS84 at the equator is 9.7803253 m/s²; without J6 and the rest it is met to 1e-5.
         let earth = Planet::parse(FILES[1].1).unwrap();
-        let [g, ..] = earth.gravity([earth.equatorial_radius_m, 0.0, 0.0]);
-        let omega = earth.rotation_rate_rad_s;
-        let weight = -g - omega * omega * earth.equatorial_radius_m;
-        assert!((weight - 9.7803253).abs() < 2e-5, "{weight}");
+        let [g, ..] = earth.effective_gravity([earth.equatorial_radius_m, 0.0, 0.0]);
+        assert!((g + 9.7803253).abs() < 2e-5, "{g}");
     }
 
     #[test]

@@ -18,6 +18,7 @@ use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
 use crate::design::coupling;
 use crate::design::inputs::DesignInput;
+use crate::design::stability;
 use crate::design::structural::Structural;
 use crate::finding::Finding;
 use crate::flight::Request;
@@ -27,7 +28,9 @@ use crate::library::Library;
 use crate::vehicle::body::RigidBody;
 
 pub use aerodynamics::aero;
-pub use attitude_of_design::attitude_of_design;
+pub use attitude_of_design::{
+    add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
+};
 pub use outline::rigid_body;
 
 /// A flight that was checked.
@@ -126,6 +129,9 @@ impl DesignProblem {
             let findings = structural.findings(&design.vehicle.structure, flight);
             solution.findings.extend(findings);
             design.structural = Some(structural);
+            design.stability = stability::of_vehicle(&design.vehicle);
+            let stable = design.stability.as_ref().map(stability::findings);
+            solution.findings.extend(stable.into_iter().flatten());
         }
         solution.findings.extend(self.findings.iter().cloned());
         Answer {
@@ -141,7 +147,7 @@ impl DesignProblem {
     }
 }
 
-/// Flies a vehicle as it is.
+/// Flies a vehicle as it is, or with six degrees of freedom the vehicle of a design.
 ///
 /// # Errors
 /// Every fault of the case at once.
@@ -159,7 +165,24 @@ impl DesignProblem {
 /// ```
 pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
     check_request(request)?;
-    Ok(FlightProblem::check(case, library)?.solve(&case.name, request))
+    if attitude_of_design::flies_design(case) {
+        let designed = design(case, library, Request::Nothing)?;
+        return fly_designed(case, library, &designed, request);
+    }
+    let mut problem = FlightProblem::check(case, library);
+    if let Err(faults) = &mut problem
+        && leaves_vehicle_to_design(case)
+    {
+        let mass = faults
+            .iter_mut()
+            .find(|fault| fault.key == "vehicle.mass_kg");
+        if let Some(fault) = mass {
+            fault
+                .message
+                .push_str("; the vehicle of [design] is flown with vehicle.dof = 6");
+        }
+    }
+    Ok(problem?.solve(&case.name, request))
 }
 
 /// Designs a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled.

@@ -13,18 +13,23 @@
 //! Below its vertex the parabola would turn up: X is held there.
 //!
 //! # Valid
-//! 100 to 1500 W/cm², 3000 to 38000 J/cm², 0.8 to 1.4 m; start at 17 °C; no ablation, no crushed foam, one heat-shield
-//! thickness (4.02 cm). The report does not say whether its fluxes carry margins: with margins the result is
+//! 100 to 1500 W/cm², 3000 to 38000 J/cm², 0.8 to 1.4 m; start at 17 °C; no ablation, no crushed foam. One vehicle of the
+//! MSR concept, 1.05 m across with 4.02 cm of forebody heat shield (Table 9), scaled as a whole: the correlation stands
+//! for a thickness of 3.83 % of the diameter. The report does not say whether its fluxes carry margins: with margins the result is
 //! conservative, and the callers pass margined cold-wall values.
 //!
 //! # References
-//! - \[samareh-2014\] section 3.6.4, Tables 12 and 13.
+//! - \[samareh-2014\] section 3.6.4, Tables 9, 12 and 13; limitation 1 of section 3.6.5.
 
-use crate::finding::range::{Check, Range};
+use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
+use crate::vehicle::Concept;
 use numerics::math;
 use serde::{Deserialize, Serialize};
+
+const MODEL: &str = "soak correlation";
+const KEY: &str = "max_payload_temperature_k";
 
 /// Kelvin at 0 °C.
 const ZERO_CELSIUS_K: f64 = 273.15;
@@ -49,6 +54,26 @@ pub struct SoakCorrelation {
     f: f64,
     g: f64,
     valid: Valid,
+    fitted: Fitted,
+}
+
+/// The vehicle behind a correlation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fitted {
+    place: String,
+    note: String,
+    concept: Concept,
+    diameter_m: f64,
+    forebody_tps_thickness_m: f64,
+    thickness_tolerance_percent: f64,
+}
+
+impl Fitted {
+    /// Thickness of the forebody's heat shield when the vehicle is scaled to a diameter, m.
+    fn thickness_m(&self, diameter_m: f64) -> f64 {
+        self.forebody_tps_thickness_m * diameter_m / self.diameter_m
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -68,6 +93,10 @@ pub struct SoakInput {
     pub heat_load_j_m2: f64,
     /// Vehicle diameter, m.
     pub diameter_m: f64,
+    /// Concept of the vehicle.
+    pub concept: Concept,
+    /// Thickness of the forebody's heat shield, m.
+    pub forebody_tps_thickness_m: f64,
 }
 
 impl SoakCorrelation {
@@ -106,9 +135,7 @@ impl SoakCorrelation {
 
     /// What a reader must know: that the form is deduced, and where the correlation is used beyond its data.
     pub fn findings(&self, input: &SoakInput) -> Vec<Finding> {
-        const MODEL: &str = "soak correlation";
         const SOURCE: &str = "NASA/TM-2014-218507, section 3.6";
-        const KEY: &str = "max_payload_temperature_k";
         let temperature = Some(self.peak_temperature_k(input));
         let note = |message: &str| Finding {
             severity: Severity::Note,
@@ -157,8 +184,54 @@ impl SoakCorrelation {
             field: Some("design.diameter_m"),
             ..load
         };
-        findings.extend([flux, load, diameter].iter().filter_map(Check::finding));
+        let tolerance = self.fitted.thickness_tolerance_percent / 100.0;
+        let thickness_cm = 100.0 * self.fitted.thickness_m(input.diameter_m);
+        let meaning = format!(
+            "the correlation is of one vehicle with {} cm at {} m, scaled with the diameter, and does not know the thickness",
+            short(100.0 * self.fitted.forebody_tps_thickness_m),
+            short(self.fitted.diameter_m),
+        );
+        let thickness = Check {
+            key: "forebody_tps_thickness_m",
+            quantity: "Forebody heat-shield thickness",
+            value: 100.0 * input.forebody_tps_thickness_m,
+            range: Range {
+                min: Some(thickness_cm * (1.0 - tolerance)),
+                max: Some(thickness_cm * (1.0 + tolerance)),
+            },
+            unit: "cm",
+            si_per_unit: 0.01,
+            meaning: &meaning,
+            source: "NASA/TM-2014-218507, Table 9 and section 3.6.5",
+            field: None,
+            ..load
+        };
+        findings.extend(
+            [flux, load, diameter, thickness]
+                .iter()
+                .filter_map(Check::finding),
+        );
+        findings.extend(self.other_concept(input, temperature));
         findings
+    }
+
+    /// A vehicle of another concept than the one behind the correlation.
+    fn other_concept(&self, input: &SoakInput, temperature_k: Option<f64>) -> Option<Finding> {
+        (input.concept != self.fitted.concept).then(|| Finding {
+            severity: Severity::Extrapolated,
+            model: MODEL.into(),
+            key: KEY.into(),
+            value: temperature_k,
+            valid: (None, None),
+            message: format!(
+                "The soak correlation is of a vehicle of the {} concept, this one is of the {} concept: payload, foam and \
+                 heat paths differ.",
+                self.fitted.concept.label(),
+                input.concept.label()
+            ),
+            source: "NASA/TM-2014-218507, section 3.6.1 and Table 9".into(),
+            field: Some("design.msr_mode".into()),
+        })
     }
 }
 
@@ -179,6 +252,8 @@ mod tests {
             peak_heat_flux_w_m2: q_w_cm2 * 1e4,
             heat_load_j_m2: hl_j_cm2 * 1e4,
             diameter_m,
+            concept: Concept::Msr,
+            forebody_tps_thickness_m: 0.0402 * diameter_m / 1.05,
         }
     }
 
@@ -236,5 +311,36 @@ mod tests {
         let findings = pica().findings(&input(1600.0, 40000.0, 1.5));
         assert_eq!(findings.len(), 4);
         assert!(findings[0].message.contains("deduced"));
+    }
+
+    #[test]
+    fn another_concept_and_another_thickness_are_said() {
+        let table_9 = input(1000.0, 20000.0, 1.05);
+        let keys = |input: SoakInput| -> Vec<String> {
+            let findings = pica().findings(&input).into_iter().skip(1);
+            findings.map(|finding| finding.key).collect()
+        };
+        assert!(keys(table_9).is_empty());
+        let other = SoakInput {
+            concept: Concept::NonMsr,
+            ..table_9
+        };
+        assert_eq!(keys(other), ["max_payload_temperature_k"]);
+        // 6.3 % of 4.02 cm is 0.253 cm; at 0.9 m the scaled model has 4.02 × 0.9 / 1.05 = 3.446 cm
+        for (diameter_m, thickness_cm, silent) in [
+            (1.05, 4.27, true),
+            (1.05, 4.28, false),
+            (1.05, 3.76, false),
+            (0.9, 3.446, true),
+            (0.9, 4.02, false),
+        ] {
+            let other = SoakInput {
+                forebody_tps_thickness_m: thickness_cm / 100.0,
+                ..input(1000.0, 20000.0, diameter_m)
+            };
+            let keys = keys(other);
+            assert_eq!(keys.is_empty(), silent, "{diameter_m} m, {thickness_cm} cm");
+            assert!(keys.iter().all(|key| key == "forebody_tps_thickness_m"));
+        }
     }
 }

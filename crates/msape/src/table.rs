@@ -3,12 +3,14 @@
 //! - [`results`]: one row for each design, inputs then outputs.
 //! - [`history`]: one row for each time of a trajectory.
 //! - [`mass_tree`]: one row for each component of a vehicle.
+//! - [`turning`]: one row for each entry from a set of attitudes and rates.
 //! - [`kml`]: a trajectory for viewers of the globe.
 
 mod csv;
 mod input;
 pub mod kml;
 mod mass_tree;
+mod turning;
 
 use crate::answer::Answer;
 use crate::answer::{Output, outputs};
@@ -19,6 +21,7 @@ use crate::units::Unit;
 use crate::units::number::shortest;
 
 pub use mass_tree::mass_tree;
+pub use turning::turning;
 
 /// Names and units of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,10 +2,11 @@
 //!
 //! Expectations are data: `data/validation/<name>.toml` names a case of the folder `cases` and lists quantities with
 //! their reference values, tolerances and the reasons of these. Whoever shows the comparison, the command or the page,
-//! computes it anew.
+//! computes it anew. Beside the comparisons stand predictions of flown capsules, [`prediction`], which are no gate.
 
 mod file;
 mod points;
+pub mod prediction;
 
 pub use file::{Command, Expectation, File, Points, Tolerance};
 

@@ -40,7 +40,7 @@ pub use grow::NotClosed;
 pub use input::{ImpactInput, LayerStack, Loads, PayloadSize, VehicleInput};
 pub use kinds::{
     ComponentDensities, ComponentKind, Concept, CrushingMass, EARTH_G_M_S2, Foam, FoamGrade,
-    WallPlace,
+    FoamStrength, WallPlace,
 };
 pub use mass::{Component, MassProperties};
 pub use material::{DensityBasis, Material, Materials};
@@ -157,17 +157,20 @@ pub fn build(input: &VehicleInput) -> Result<Vehicle, NotClosed> {
     let foam = rule.at(closed.layout.foam_thickness_m);
     let impact = Impact {
         ground_penetration: input.impact.ground.rigid_body_load(&striker),
+        penetration_alpha: input.impact.ground.penetration.map(|p| p.alpha),
         crush_load_limit_earth_g: input.impact.crush_load_limit_earth_g,
         nose_diameter_m: striker.nose_diameter_m,
         required_stroke_m: rule.stroke_m,
         required_foam_thickness_m: rule.required_thickness_m,
-        foam_strength_pa: rule.strength_pa,
+        stroke_efficiency: rule.stroke_efficiency,
+        foam_strength_by: input.impact.foam_strength,
+        foam_strength_pa: foam.strength_pa,
+        equation_6_strength_pa: rule.equation_6_pa,
         foam_density_kg_m3: foam.density_kg_m3,
         impact_energy_j: 0.5 * mass_kg * v * v,
     };
     let dimensions = dimensions(input, diameter_m, &closed);
-    let adjustments =
-        remarks::adjustments(input, diameter_m, rule.least_thickness_m, &closed.layout);
+    let adjustments = remarks::adjustments(input, diameter_m, &rule, &closed.layout);
     let findings = remarks::findings(input, &impact, &closed);
     let Closed {
         layout,
@@ -246,7 +249,7 @@ impl Vehicle {
     /// Force of the impact foam by equation 6: its strength over the payload's cross-section, N.
     pub fn foam_force_n(&self) -> f64 {
         let d = self.dimensions.payload_diameter_m;
-        self.impact.foam_strength_pa * PI * d * d / 4.0
+        self.impact.equation_6_strength_pa * PI * d * d / 4.0
     }
 
     /// Ballistic coefficient for a drag coefficient, kg/m².

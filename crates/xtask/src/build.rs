@@ -103,7 +103,8 @@ fn shrink(project: &Project, code: &Path) -> Result<()> {
     Ok(())
 }
 
-fn copy(from: &Path, to: &Path) -> Result<()> {
+/// Copies all files below one folder into another.
+pub fn copy(from: &Path, to: &Path) -> Result<()> {
     for file in files_below(from)? {
         let copied = to.join(file.strip_prefix(from)?);
         fs::create_dir_all(copied.parent().context("a file in no folder")?)?;

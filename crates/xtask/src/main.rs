@@ -4,6 +4,7 @@ mod build;
 mod cad;
 mod licences;
 mod project;
+mod release;
 mod serve;
 mod setup;
 mod sizes;
@@ -22,6 +23,7 @@ Usage: cargo xtask COMMAND
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
   test [STAGE...]    sets up what is missing, runs all checks or the stages named:
                      fmt clippy native cad browser e2e
+  release            builds app and command and packs them with their hashes (needs git, GNU tar, sha256sum)
   setup              sets up everything that the above need, and nothing else
 ";
 
@@ -49,6 +51,7 @@ fn run() -> Result<()> {
         }
         ["build"] => build::dist(&project).map(|_| ()),
         ["test", stages @ ..] => test::run_stages(&project, stages),
+        ["release"] => release::run_all(&project),
         ["setup"] => test::set_up(&project, &[]),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

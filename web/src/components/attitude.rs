@@ -2,6 +2,7 @@
 
 mod inputs;
 mod player;
+mod reorientation;
 mod scene;
 
 use crate::charts::{ATTITUDE_PLOTS, ChartSpec, Span};
@@ -17,6 +18,7 @@ use leptos::prelude::*;
 use msape::Answer;
 use msape::answer::output;
 use player::Player;
+use reorientation::Reorientation;
 use scene::Scene;
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
@@ -214,6 +216,7 @@ pub fn AttitudeCard() -> impl IntoView {
             }>
                 <RigidFlight />
             </Show>
+            <Reorientation />
         </section>
     }
 }

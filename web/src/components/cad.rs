@@ -3,10 +3,10 @@
 use crate::components::export::save;
 use crate::files::{self, file_name};
 use crate::state::State;
+use cad::export::{Format, Info, Model};
 use leptos::ev::PointerEvent;
 use leptos::html::Details;
 use leptos::prelude::*;
-use msape::export::{Format, Info, Model};
 use wasm_bindgen::JsCast;
 
 /// A button that opens the list of formats.

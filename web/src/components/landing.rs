@@ -23,8 +23,9 @@ const MODELS: &[&str] = &[
 ];
 
 /// Inputs that decide the landing, besides the ground.
-const INPUTS: [&str; 3] = [
+const INPUTS: [&str; 4] = [
     "design.crush_load_limit_earth_g",
+    "design.foam_strength",
     "design.stroke_efficiency",
     "design.crushing_mass",
 ];

@@ -127,7 +127,7 @@ pub fn Open() -> impl IntoView {
     }
 }
 
-/// Faults of the last file.
+/// Faults of the last file, and what changed since the case was made.
 #[component]
 fn FileFaults() -> impl IntoView {
     let state = State::expect();
@@ -137,6 +137,11 @@ fn FileFaults() -> impl IntoView {
                 <h3 class="note-outside">{format!("The file has {} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })}</h3>
                 <ul class="notes">{faults.iter().map(|fault| view! { <li>{fault.clone()}</li> }).collect_view()}</ul>
                 <button type="button" class="small" on:click=move |_| state.file_faults.set(Vec::new())>"Dismiss"</button>
+            }))}
+            {move || state.version_remarks.with(|remarks| (!remarks.is_empty()).then(|| view! {
+                <h3 class="note-outside">"Made with an earlier version"</h3>
+                <ul class="notes">{remarks.iter().map(|remark| view! { <li>{remark.clone()}</li> }).collect_view()}</ul>
+                <button type="button" class="small" on:click=move |_| state.version_remarks.set(Vec::new())>"Dismiss"</button>
             }))}
         </div>
     }

@@ -67,7 +67,7 @@ pub fn Residuals() -> impl IntoView {
                     {move || passes.get().unwrap_or_default().into_iter().map(|pass| view! {
                         <tr>
                             <th scope="row">{pass.number}</th>
-                            <td>{pass.flight_model}</td>
+                            <td>{pass.flight_model.name()}</td>
                             <td class="value">{number(pass.mass_kg, 6)}</td>
                             <td class="value">{pass.mass_change_kg.map_or("–".to_string(), |change| number(change, 3))}</td>
                         </tr>

@@ -2,12 +2,13 @@
 
 use crate::components::headline::HEADLINE;
 use crate::display::{number, symbol};
-use crate::state::document::Run;
+use crate::state::document::{Run, recorded};
 use crate::state::{SaveState, State};
 use crate::storage;
 use leptos::prelude::*;
-use msape::Case;
 use msape::answer::output;
+use msape::case::Version;
+use msape::case::version::BroughtUp;
 use wasm_bindgen_futures::spawn_local;
 
 /// Count of headline numbers kept with a run.
@@ -79,6 +80,7 @@ fn keep_run(state: State, name: String) {
             saved_ms,
             case: named.case.to_toml(),
             headline,
+            version: Some(Version::CURRENT),
         };
         // Two runs of one millisecond are two runs.
         let id = format!("{saved_ms:.0}-{}", named.runs.len());
@@ -99,9 +101,10 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
     let name = run.name.clone();
     let open = {
         let run = run.clone();
-        move |_| match Case::from_text(&run.case) {
-            Ok(case) => {
+        move |_| match recorded(&run.case, run.version) {
+            Ok(BroughtUp { case, remarks }) => {
                 let case = std::sync::Arc::new(case);
+                state.version_remarks.set(remarks);
                 state.edit(&format!("Open run {}", run.name), None, |document| {
                     crate::state::document::Document {
                         case: case.clone(),

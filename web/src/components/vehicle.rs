@@ -9,8 +9,8 @@ use crate::components::tabs::{Tab, Tabs};
 use crate::components::view3d::View3d;
 use crate::display::UnitSystem;
 use crate::state::{Phase, Solved, State};
+use cad::export::Model;
 use leptos::prelude::*;
-use msape::export::Model;
 use msape::vehicle::{ComponentKind, Vehicle};
 use std::sync::Arc;
 

@@ -6,8 +6,8 @@ use crate::files;
 use crate::protocol::Batch;
 use crate::state::{Phase, State};
 use crate::timing::{Measured, Timing};
+use benchmark::NAMES;
 use leptos::prelude::*;
-use msape::benchmark::NAMES;
 use wasm_bindgen_futures::spawn_local;
 
 /// How far the measurement is.

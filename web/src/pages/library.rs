@@ -12,8 +12,8 @@ use crate::components::outline::{Entry, entries};
 use crate::components::view3d::stage::{Paint, PaintedPart, Stage, Subject};
 use crate::files::file_name;
 use crate::state::State;
+use cad::export::Model;
 use leptos::prelude::*;
-use msape::export::Model;
 use msape::vehicle::body::RigidBody;
 use std::sync::Arc;
 

@@ -1,7 +1,9 @@
 //! What undo steps through: the case, how it is shown, and the runs that are kept.
 
 use crate::display::UnitSystem;
-use msape::Case;
+use msape::case::Version;
+use msape::case::version::BroughtUp;
+use msape::{Case, InputError};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -37,6 +39,23 @@ pub struct Run {
     pub case: String,
     /// Headline results when saved: output key and value in its SI unit.
     pub headline: Vec<(String, f64)>,
+    /// Version that saved it; absent in what the first version saved.
+    #[serde(default)]
+    pub version: Option<Version>,
+}
+
+/// The case of a record, TOML, with the defaults of the version that wrote it.
+///
+/// # Errors
+/// As [`Case::from_text`].
+pub fn recorded(text: &str, version: Option<Version>) -> Result<BroughtUp, Vec<InputError>> {
+    let case = Case::from_text(text)?;
+    let version = version.unwrap_or(Version::FIRST);
+    if version < Version::CURRENT {
+        return Ok(case.brought_up_from(version));
+    }
+    let remarks = Vec::new();
+    Ok(BroughtUp { case, remarks })
 }
 
 impl Document {
@@ -105,5 +124,30 @@ impl Document {
             unit_of: Arc::new(unit_of),
             ..self.clone()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_first_version_kept_is_read_with_its_defaults() {
+        let text = include_str!("../../../tests/data/e134449/run.json");
+        let run: Run = serde_json::from_str(text).unwrap();
+        assert_eq!((run.version, run.headline.len()), (None, 4));
+        let BroughtUp { case, remarks } = recorded(&run.case, run.version).unwrap();
+        assert_eq!(case.version, Version::CURRENT);
+        assert!(!remarks.is_empty() && case.version_note().is_none());
+        let now = recorded(&case.to_toml(), Some(Version::CURRENT)).unwrap();
+        assert_eq!((now.case, now.remarks.len()), (case, 0));
+    }
+
+    #[test]
+    fn what_a_user_opened_as_a_file_of_an_earlier_version_stays_one() {
+        let text = "schema = 'msape/1'\n[design]\nmsr_mode = true\n";
+        let file = Case::from_text(text).unwrap();
+        let kept = recorded(&file.to_toml(), Some(Version::CURRENT)).unwrap();
+        assert_eq!((kept.case, kept.remarks.len()), (file, 0));
     }
 }

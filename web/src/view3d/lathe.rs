@@ -1,6 +1,6 @@
 //! Profiles as edges with normals, ready to be turned about the axis.
 
-use msape::export::mesh::{Station, stations};
+use cad::export::mesh::{Station, stations};
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 

@@ -4,6 +4,7 @@ mod aero;
 mod answers;
 mod bad_input;
 mod export;
+mod reorientation;
 mod schema;
 
 use std::io::Write;

@@ -85,6 +85,10 @@ fn every_shipped_case_follows_the_schema() {
     let mut count = 0;
     for entry in fs::read_dir(root().join("cases")).unwrap() {
         let path = entry.unwrap().path();
+        // a folder holds the cases of an earlier version
+        if path.is_dir() {
+            continue;
+        }
         let case: Value = toml::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
         assert_eq!(
             faults(&schema, &case, ""),

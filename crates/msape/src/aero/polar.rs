@@ -21,8 +21,8 @@ use super::free_molecular::Gas;
 use super::integral::{Effort, Law, Loads, loads};
 use super::newtonian::{STRAIGHT_NEWTON, pressure_coefficient_max};
 use super::standard::AeroBody;
+use super::trim::{END_STEP_RAD, Search, Trim, trims};
 use numerics::math::{PI, RADIANS_PER_DEGREE};
-use numerics::root;
 use serde::{Deserialize, Serialize};
 
 mod remarks;
@@ -81,15 +81,6 @@ pub struct Row {
     pub cmq: Option<f64>,
 }
 
-/// An angle at which the moment about the centre of gravity vanishes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Trim {
-    /// Angle of attack, deg.
-    pub alpha_deg: f64,
-    /// Slope of the moment, per rad; negative is stable.
-    pub cm_alpha_per_rad: f64,
-}
-
 /// Coefficients over the angle of attack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Polar {
@@ -103,10 +94,12 @@ pub struct Polar {
     pub static_margin: Option<f64>,
 }
 
-/// Step of the search for trim, deg.
-const TRIM_STEP_DEG: f64 = 2.5;
-/// Step of slopes, rad.
-const SLOPE_STEP_RAD: f64 = 1e-3;
+/// Search for trims, in steps of 2.5 deg.
+const TRIMS: Search = Search {
+    steps: 72,
+    tolerance_rad: 1e-7,
+    slope_step_rad: END_STEP_RAD,
+};
 
 /// What answers at one angle.
 pub struct Aero<'a> {
@@ -172,45 +165,15 @@ impl<'a> Aero<'a> {
 
     /// Every trim point from 0 to 180 deg.
     pub fn trim(&self, cg: [f64; 2]) -> Vec<Trim> {
-        let mut found = Vec::new();
-        let slope = |a: f64| {
-            let h = SLOPE_STEP_RAD;
-            (self.moment(a + h, cg) - self.moment(a - h, cg)) / (2.0 * h)
-        };
-        let mut add = |alpha: f64| {
-            found.push(Trim {
-                alpha_deg: alpha / RADIANS_PER_DEGREE,
-                cm_alpha_per_rad: slope(alpha),
-            });
-        };
-        let count = (180.0 / TRIM_STEP_DEG).round() as u32;
-        let at = |n: u32| PI * (f64::from(n) / f64::from(count));
-        // On the axis the moment about a point of the axis vanishes by symmetry, but for rounding.
-        let nothing = |moment: f64| moment.abs() < 1e-9;
-        let mut before = self.moment(0.0, cg);
-        if nothing(before) {
-            add(0.0);
-        }
-        for n in 1..=count {
-            let here = self.moment(at(n), cg);
-            if n == count && nothing(here) {
-                add(PI);
-            } else if !nothing(before) && before * here < 0.0 {
-                let inside = root::brent(|a| self.moment(a, cg), at(n - 1), at(n), 1e-7);
-                if let Some(alpha) = inside {
-                    add(alpha);
-                }
-            }
-            before = here;
-        }
-        found
+        let moment = |alpha_rad: f64| self.moment(alpha_rad, cg);
+        trims(&moment, &moment, TRIMS)
     }
 }
 
 /// Coefficients of a body over angles of attack, deg.
 pub fn polar(aero: &Aero, alpha_deg: &[f64]) -> Polar {
     let cg = aero.body.cg_over_diameter();
-    let (near, _) = aero.at(SLOPE_STEP_RAD);
+    let (near, _) = aero.at(END_STEP_RAD);
     let pressure_center = (near.cn.abs() > 1e-12).then(|| -near.cm / near.cn);
     Polar {
         rows: alpha_deg.iter().map(|a| aero.row(*a)).collect(),

@@ -18,7 +18,6 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
 use serde::{Deserialize, Serialize};
 
 mod check;
-pub mod csv;
 mod row;
 
 pub use row::Row;

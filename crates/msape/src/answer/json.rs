@@ -3,13 +3,12 @@
 //! What did not occur, and what is not a finite number, is `null`.
 
 use super::Answer;
-use crate::answer::landing;
-use crate::answer::outputs;
+use crate::answer::{landing, outputs, turning};
 use crate::quantity::Job;
 use serde_json::{Map, Value, json as value};
 
 /// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
-/// `mass_tree` and `structure` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
+/// `mass_tree`, `structure`, `stability` and, where it was flown, `reorientation` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let mut object = Map::new();
     object.insert("name".to_string(), value!(answer.name));
@@ -25,6 +24,14 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     }
     if let Some(structural) = answer.design.as_ref().and_then(|d| d.structural.as_ref()) {
         object.insert("structure".to_string(), value!(structural));
+    }
+    if let Some(design) = &answer.design {
+        if let Some(stability) = &design.stability {
+            object.insert("stability".to_string(), value!(stability));
+        }
+        if let Some(flown) = &design.turning {
+            object.insert("reorientation".to_string(), turning::json(flown));
+        }
     }
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
         let history = trajectory
@@ -49,15 +56,17 @@ pub fn text(answer: &Answer, job: Job) -> String {
     let members = object
         .iter()
         .map(|(key, member)| match (key.as_str(), member) {
-            ("trajectory" | "landing" | "structure", Value::Object(history)) => lines(
-                history
-                    .iter()
-                    .map(|(column, values)| format!("{}: {values}", quoted(column))),
-            )
-            .map_or_else(
-                || format!("{}: {{}}", quoted(key)),
-                |inner| format!("{}: {{\n{inner}\n}}", quoted(key)),
-            ),
+            ("trajectory" | "landing" | "structure" | "stability", Value::Object(history)) => {
+                lines(
+                    history
+                        .iter()
+                        .map(|(column, values)| format!("{}: {values}", quoted(column))),
+                )
+                .map_or_else(
+                    || format!("{}: {{}}", quoted(key)),
+                    |inner| format!("{}: {{\n{inner}\n}}", quoted(key)),
+                )
+            }
             // Line breaks inside strings are escaped, so every line break here is layout.
             _ => format!("{}: {member:#}", quoted(key)),
         });

@@ -5,7 +5,9 @@ mod design;
 mod flight;
 mod landing;
 mod mass;
+mod stability;
 mod structure;
+mod turning;
 
 use crate::answer::Answer;
 use crate::quantity::{Job, Module};
@@ -91,13 +93,16 @@ impl Output {
 
 /// The outputs of a job, in the order of tables and files.
 pub fn outputs(job: Job) -> impl Iterator<Item = &'static Output> {
-    let of_design: [&[Output]; 4] = match job {
-        Job::Fly => [&[]; 4],
+    let of_design: [&[Output]; 7] = match job {
+        Job::Fly => [&[]; 7],
         Job::Design => [
             design::OUTPUTS,
             mass::OUTPUTS,
             structure::OUTPUTS,
             landing::OUTPUTS,
+            stability::FREE_MOLECULAR,
+            stability::HYPERSONIC,
+            turning::OUTPUTS,
         ],
     };
     of_design

@@ -1,9 +1,15 @@
 //! Answers made by hand, for tests of what writes answers.
 
 use super::{Answer, Outcome};
+use crate::case::Case;
+use crate::design::Design;
+use crate::design::inputs::DesignInput;
 use crate::finding::{Adjustment, Finding, Severity};
-use crate::flight::{Flight, Peak, Trajectory};
+use crate::flight::mission::Model;
+use crate::flight::{Flight, Peak, Request, Trajectory};
+use crate::library::{Library, data_file};
 use crate::planet::horizon::Velocity;
+use crate::problem::DesignProblem;
 use crate::quantity::trajectory::columns;
 
 fn peak(value: f64, time_s: f64) -> Peak {
@@ -14,6 +20,19 @@ fn peak(value: f64, time_s: f64) -> Peak {
         speed_m_s: 7_800.09,
         density_kg_m3: 5.5e-4,
     }
+}
+
+/// The design of a shipped case, with its input and its flight.
+pub fn designed(case: &str) -> (DesignInput, Design, Flight) {
+    let text = data_file(&format!("cases/{case}.toml")).unwrap();
+    let library = Library::builtin().unwrap();
+    let problem = DesignProblem::check(&Case::from_text(text).unwrap(), &library).unwrap();
+    let answer = problem.solve("", Request::Nothing);
+    (
+        problem.input,
+        answer.design.unwrap(),
+        answer.flight.unwrap(),
+    )
 }
 
 /// A flight of three rows across the date line, with a name that must be quoted, without radiation.
@@ -39,7 +58,7 @@ pub fn flight() -> Answer {
         outcome: Outcome::Landed,
         reason: None,
         flight: Some(Flight {
-            model: "three-dof".to_string(),
+            model: Model::ThreeDof,
             entry_relative: velocity,
             entry_inertial: velocity,
             peak_deceleration_earth_g: peak(29.84381, 1.0),

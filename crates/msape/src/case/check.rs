@@ -47,7 +47,7 @@ pub struct Reader<'a> {
     case: &'a Case,
     /// Faults so far.
     pub faults: Vec<InputError>,
-    /// Numbers outside their usual range.
+    /// Numbers outside their usual range, and defaults that changed since the case was written.
     pub findings: Vec<Finding>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             case,
             faults: Vec::new(),
-            findings: Vec::new(),
+            findings: case.version_note().into_iter().collect(),
         };
         for key in case.values.keys().filter(|key| input::find(key).is_none()) {
             let message = if reader.faults.len() < HINTS_MAX {
@@ -370,7 +370,9 @@ mod tests {
         let case = read("[entry]\nspeed_m_s=9000.0");
         let mut reader = Reader::new(&case);
         assert_eq!(reader.number("entry.speed_m_s"), Some(9000.0));
-        assert_eq!(reader.findings[0].valid, (Some(10_000.0), Some(16_000.0)));
+        let about = |finding: &&Finding| finding.key == "entry.speed_m_s";
+        let finding = reader.findings.iter().find(about).unwrap();
+        assert_eq!(finding.valid, (Some(10_000.0), Some(16_000.0)));
     }
 
     #[test]

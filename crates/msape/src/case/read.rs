@@ -1,6 +1,6 @@
 //! Reads a case from TOML or JSON: one model, two spellings.
 
-use super::{Case, InputError, SCHEMA, Value};
+use super::{Case, InputError, SCHEMA, Value, Version};
 use crate::quantity::input::{self, Kind};
 
 /// A value of TOML or JSON.
@@ -112,13 +112,18 @@ impl Case {
                 message: format!("the file is empty; a case starts with schema = \"{SCHEMA}\""),
             }]);
         }
-        let mut case = Case::default();
+        // a case that does not say its version is of the first, which wrote none
+        let mut case = Case {
+            version: Version::FIRST,
+            ..Case::default()
+        };
         let mut schema = None;
         for (key, node) in map {
             match (key.as_str(), node) {
                 ("schema", Node::Text(text)) => schema = Some(text),
                 ("schema", other) => return Err(schema_error(&describe(&other))),
                 ("name", Node::Text(text)) => case.name = text,
+                ("version", node) => case.version = version(&node)?,
                 (_, node) => case.flatten(key, node),
             }
         }
@@ -202,6 +207,30 @@ fn describe(node: &Node) -> String {
     }
 }
 
+fn version(node: &Node) -> Result<Version, Vec<InputError>> {
+    let read = match node {
+        Node::Text(text) => Version::parse(text),
+        _ => None,
+    };
+    read.filter(|version| *version <= Version::CURRENT)
+        .ok_or_else(|| {
+            let hint = if read.is_some() {
+                "; the case was written for a newer program"
+            } else {
+                ""
+            };
+            vec![InputError {
+                key: "version".to_string(),
+                message: format!(
+                    "got {}, must be \"{}\" to \"{}\"{hint}",
+                    describe(node),
+                    Version::FIRST,
+                    Version::CURRENT
+                ),
+            }]
+        })
+}
+
 fn schema_error(got: &str) -> Vec<InputError> {
     let newer = got
         .trim_matches('"')
@@ -249,6 +278,12 @@ mod tests {
         let error = |text: &str| Case::from_text(text).unwrap_err()[0].to_string();
         assert!(error("").contains("schema"));
         assert!(error("schema = \"msape/2\"").contains("newer"));
+        let newer = error("schema = \"msape/1\"\nversion = \"99.0\"");
+        assert!(
+            newer.starts_with("version: got \"99.0\", must be"),
+            "{newer}"
+        );
+        assert!(error("schema = \"msape/1\"\nversion = 0.2").contains("must be \"0.1\" to"));
         assert!(error("schema = \"msape/1\"\nname = ").contains("line 2"));
         assert!(error("{\"schema\": ").contains("JSON"));
         assert!(error(&"\u{1}garbage ".repeat(100_000)).len() < 500);

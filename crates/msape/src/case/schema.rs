@@ -2,7 +2,7 @@
 //!
 //! The program itself is more lenient: it reads names as the report spells them, such as `SuttonGraves`.
 
-use crate::case::SCHEMA;
+use crate::case::{SCHEMA, Version};
 use crate::library::Library;
 use crate::quantity::input::{Input, Kind, Need, Preset, inputs};
 use crate::units::{canonical, units_of};
@@ -15,6 +15,15 @@ pub fn schema(library: &Library) -> Value {
         &mut root,
         "schema",
         json!({ "const": SCHEMA, "description": "Version of the case file." }),
+    );
+    property(
+        &mut root,
+        "version",
+        json!({
+            "type": "string",
+            "pattern": "^[0-9]+\\.[0-9]+(\\.[0-9]+)?$",
+            "description": format!("Version of the program whose defaults the case was written for; this one is {}, absent means {}.", Version::CURRENT, Version::FIRST),
+        }),
     );
     property(
         &mut root,

@@ -32,8 +32,9 @@ impl Case {
     /// The case as a TOML file.
     pub fn to_toml(&self) -> String {
         let mut text = format!(
-            "schema = {}\nname = {}\n",
+            "schema = {}\nversion = {}\nname = {}\n",
             quoted(SCHEMA),
+            quoted(&self.version.to_string()),
             quoted(&self.name)
         );
         let ordered = self.ordered();
@@ -61,6 +62,7 @@ impl Case {
     pub fn to_json(&self) -> String {
         let mut root = serde_json::Map::new();
         root.insert("schema".to_string(), SCHEMA.into());
+        root.insert("version".to_string(), self.version.to_string().into());
         root.insert("name".to_string(), self.name.as_str().into());
         for (key, value) in self.ordered() {
             let value = match value {

@@ -1,229 +1,172 @@
-//! The passes: Gauss-Seidel over the modules, closed-form flight first, integrated flight near convergence.
+//! The passes: Gauss-Seidel over the modules, accelerated; closed-form flight first, integrated flight near convergence.
 //!
 //! ```text
-//! x ← x + ω (f(x) − x)      until |M − M before| < criterion
+//! x ← x − Σ γⱼ Δxⱼ + ω (f(x) − x − Σ γⱼ Δrⱼ)      until |Σ γⱼ ΔMⱼ| + u s < criterion
+//! answer: the vehicle of f(x) with the flight of the vehicle of x
 //! ```
 //!
-//! ω halves each time the change of the mass turns its sign and is not much smaller, down to an eighth: a pass that
-//! overshoots.
+//! with x the entry load, stagnation pressure, speed at impact and both heat-shield thicknesses; f runs through geometry,
+//! mass, impact and structure, then flight, heating, soak and heat shield; ω the relaxation, M the entry mass in kg, Δ the
+//! last two steps and γ their parts ([`numerics::fixed_point`]). Σ γⱼ ΔMⱼ is how far the mass stands from its fixed point
+//! as the last steps tell it; u is the largest part of a coupling number that they leave unexplained, s the steepest
+//! change of the mass for such a part that they saw.
 //!
-//! with x the entry load, stagnation pressure, terminal speed and both heat-shield thicknesses, ω the relaxation, M the
-//! entry mass in kg; f runs through geometry, mass, impact and structure, then flight, heating, soak and heat shield.
+//! The answer's walls, foam and heat shields are made for the flight that it prints. That flight was flown by the vehicle
+//! before, whose mass differs by less than the criterion: the one place where two passes meet.
 //!
 //! # Valid
 //! Always ends: converged, not converged after the last pass, not closed, or with a flight that leaves the atmosphere.
 //!
 //! # References
-//! - \[samareh-2014\] section 2.2, steps 4 to 12.
+//! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
 
+use super::flown::Flown;
 use super::inputs::DesignInput;
 use super::misfit;
+use super::sized::Sized;
 use super::{Design, Pass, Solution};
-use crate::finding::Finding;
+use crate::finding::{Finding, Severity};
 use crate::flight::mission::{Body, Model};
-use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
+use crate::flight::{self, Flight, Request};
 use crate::outcome::Outcome;
-use crate::soak::SoakInput;
-use crate::tps::mer::{self, Sizing};
-use crate::tps::{Environment, Side, limits};
+use crate::tps::limits;
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
-use crate::vehicle::{self, Vehicle, VehicleInput};
-use numerics::math::FRAC_PI_2;
+use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
+use numerics::fixed_point::Anderson;
+use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
 
-/// Least relaxation that overshooting passes lead to, as a part of the one asked for.
-const LEAST_RELAXATION: f64 = 0.125;
-/// A change of the mass with the other sign overshoots when it is larger than this part of the one before.
-const OVERSHOOT: f64 = 0.3;
+/// Numbers that couple the passes.
+const NUMBERS: usize = 5;
 
 /// Designs a vehicle.
 pub fn solve(input: &DesignInput, request: Request) -> Solution {
     let mut vehicle_input = input.vehicle.clone();
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
-    let mut mass_before_kg: Option<f64> = None;
-    let mut change_before_kg: Option<f64> = None;
-    let mut relaxation = input.relaxation;
+    let mut anderson = Anderson::new(input.relaxation);
+    let mut damped: Option<[f64; NUMBERS]> = None;
     loop {
         let number = passes.len() as u32 + 1;
-        let vehicle = match vehicle::build(&vehicle_input) {
-            Ok(vehicle) => vehicle,
-            Err(not_closed) => {
-                let findings = misfit::findings(&not_closed, &vehicle_input);
-                return unclosed(not_closed.reason, findings, passes);
+        let vehicle = match (vehicle::build(&vehicle_input), damped.take()) {
+            (Ok(vehicle), _) => vehicle,
+            // the acceleration may lead where no vehicle closes though a plain pass does not
+            (Err(_), Some(damped)) => {
+                anderson.forget();
+                take(&mut vehicle_input, damped);
+                continue;
             }
+            (Err(not_closed), None) => return unclosed(not_closed, &vehicle_input, passes),
         };
         let mass_kg = vehicle.mass.mass_kg;
+        let mass_before_kg = passes.last().map(|pass| pass.mass_kg);
         let change_kg = mass_before_kg.map(|before| mass_kg - before);
-        if input.mission.solver.model == Model::ThreeDof
+        if model != input.mission.solver.model
             && change_kg.is_some_and(|change| change.abs() < HIGH_FIDELITY_BELOW * mass_kg)
         {
-            model = Model::ThreeDof;
+            model = input.mission.solver.model;
+            anderson.change_function();
         }
         let body = input.body(&vehicle);
         let flown = Flown::fly(input, &body, model);
         let sized = Sized::new(input, &vehicle, &flown);
+        let found = found(&flown, &sized);
+        let proposal = anderson.propose(taken(&vehicle_input), found, mass_kg);
+        let distance_kg = proposal.distance;
+        let same_model = passes
+            .last()
+            .is_some_and(|before| before.flight_model == model);
         passes.push(Pass {
             number,
-            flight_model: flown.flight.model.clone(),
-            crossings: crossings(&vehicle, &vehicle_input, &flown, &sized),
+            flight_model: model,
+            crossings: crossings(&vehicle, &flown, &sized),
             mass_kg,
             mass_change_kg: change_kg,
+            mass_distance_kg: distance_kg,
         });
         let high_fidelity = model == input.mission.solver.model;
-        let settled = change_kg.is_some_and(|change| change.abs() < input.mass_criterion_kg);
-        let outcome = match flown.outcome {
-            _ if !high_fidelity => None,
-            Outcome::SkippedOut | Outcome::Captured => Some(flown.outcome),
-            _ if settled && three_dof_before(&passes, model) => Some(Outcome::Converged),
-            _ => None,
-        };
-        let outcome = outcome.or((number >= input.max_iterations).then_some(Outcome::NotConverged));
-        if let Some(outcome) = outcome {
-            return Finished {
-                input,
-                request,
-                vehicle,
-                body,
-                flown,
-                sized,
-                passes,
-                outcome,
+        if high_fidelity && matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured) {
+            return departed(input, request, &body, flown, passes);
+        }
+        let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
+        let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
+        let is_last = number >= input.max_iterations;
+        if settled || is_last {
+            let mut closing_input = vehicle_input.clone();
+            take(&mut closing_input, found);
+            let closing = match vehicle::build(&closing_input) {
+                Ok(closing) => closing,
+                Err(not_closed) => return unclosed(not_closed, &closing_input, passes),
+            };
+            let settled = settled && near(closing.mass.mass_kg - mass_kg);
+            if settled || is_last {
+                if let Some(last) = passes.last_mut() {
+                    last.crossings = crossings(&closing, &flown, &sized);
+                    last.mass_kg = closing.mass.mass_kg;
+                    last.mass_change_kg = mass_before_kg.map(|before| last.mass_kg - before);
+                }
+                return Finished {
+                    input,
+                    request,
+                    vehicle: closing,
+                    body,
+                    flown,
+                    sized,
+                    passes,
+                    outcome: if settled {
+                        Outcome::Converged
+                    } else {
+                        Outcome::NotConverged
+                    },
+                }
+                .solution();
             }
-            .solution();
         }
-        if let (Some(before), Some(now)) = (change_before_kg, change_kg)
-            && now * before < 0.0
-            && now.abs() > OVERSHOOT * before.abs()
-        {
-            relaxation = (0.5 * relaxation).max(LEAST_RELAXATION * input.relaxation);
-        }
-        relax(&mut vehicle_input, relaxation, number, &flown, &sized);
-        change_before_kg = change_kg;
-        mass_before_kg = Some(mass_kg);
+        // the first pass replaces the guesses
+        let next = if number == 1 { found } else { proposal.next };
+        damped = (number > 1 && next != proposal.damped).then_some(proposal.damped);
+        take(&mut vehicle_input, next);
     }
 }
 
-/// Whether the mass of this pass already rests on a flight of the same model.
-fn three_dof_before(passes: &[Pass], model: Model) -> bool {
-    let same = |pass: &Pass| (pass.flight_model == "three-dof") == (model == Model::ThreeDof);
-    passes.len() >= 2 && passes.iter().rev().skip(1).take(1).all(same)
+/// The coupling numbers of a vehicle.
+fn taken(vehicle: &VehicleInput) -> [f64; NUMBERS] {
+    [
+        vehicle.loads.entry_load_earth_g,
+        vehicle.loads.peak_stagnation_pressure_pa,
+        vehicle.loads.terminal_speed_m_s,
+        vehicle.forebody.tps_thickness_m,
+        vehicle.aftbody_tps_thickness_m,
+    ]
 }
 
-/// Moves the coupling variables towards what the pass found; the first pass replaces the guesses.
-fn relax(vehicle: &mut VehicleInput, relaxation: f64, number: u32, flown: &Flown, sized: &Sized) {
-    let omega = if number == 1 { 1.0 } else { relaxation };
-    let towards = |value: &mut f64, target: f64| *value += omega * (target - *value);
-    towards(
-        &mut vehicle.loads.entry_load_earth_g,
+/// Gives a vehicle other coupling numbers.
+fn take(vehicle: &mut VehicleInput, numbers: [f64; NUMBERS]) {
+    [
+        vehicle.loads.entry_load_earth_g,
+        vehicle.loads.peak_stagnation_pressure_pa,
+        vehicle.loads.terminal_speed_m_s,
+        vehicle.forebody.tps_thickness_m,
+        vehicle.aftbody_tps_thickness_m,
+    ] = numbers;
+}
+
+/// The coupling numbers that a pass finds.
+fn found(flown: &Flown, sized: &Sized) -> [f64; NUMBERS] {
+    [
         flown.flight.peak_deceleration_earth_g.value,
-    );
-    towards(
-        &mut vehicle.loads.peak_stagnation_pressure_pa,
         flown.flight.peak_stagnation_pressure_pa.value,
-    );
-    towards(
-        &mut vehicle.loads.terminal_speed_m_s,
         flown.impact_speed_m_s,
-    );
-    towards(
-        &mut vehicle.forebody.tps_thickness_m,
         sized.forebody.thickness_m,
-    );
-    towards(
-        &mut vehicle.aftbody_tps_thickness_m,
         sized.aftbody.thickness_m,
-    );
-}
-
-/// A flight of one pass.
-struct Flown {
-    flight: Flight,
-    outcome: Outcome,
-    reason: Option<String>,
-    terminal_speed_m_s: f64,
-    /// Speed at impact, or the terminal speed where the flight does not come down.
-    impact_speed_m_s: f64,
-}
-
-impl Flown {
-    fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
-        let mission = &input.mission;
-        let (flight, outcome, reason) = match model {
-            Model::AllenEggers => (
-                allen_eggers::fly(mission, body, Request::Nothing),
-                Outcome::Landed,
-                None,
-            ),
-            Model::ThreeDof => {
-                let record = three_dof::integrate(mission, body);
-                let flight =
-                    summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
-                (flight, record.outcome, record.reason)
-            }
-        };
-        let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
-        let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
-        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped);
-        let impact_speed_m_s = if came_down {
-            flight.final_speed_m_s
-        } else {
-            terminal_speed_m_s
-        };
-        Flown {
-            flight,
-            outcome,
-            reason,
-            terminal_speed_m_s,
-            impact_speed_m_s,
-        }
-    }
-}
-
-/// Heat shields and payload temperature of one pass.
-struct Sized {
-    environment: Environment,
-    aft_environment: Environment,
-    forebody: Sizing,
-    aftbody: Sizing,
-    soak: SoakInput,
-    payload_temperature_k: f64,
-}
-
-impl Sized {
-    fn new(input: &DesignInput, vehicle: &Vehicle, flown: &Flown) -> Sized {
-        let flight = &flown.flight;
-        let environment = Environment {
-            side: Side::Forebody,
-            peak_heat_flux_w_m2: flight.peak_total_margined_heat_flux_w_m2.value,
-            heat_load_j_m2: flight.total_margined_heat_load_j_m2(),
-            peak_pressure_pa: flight.peak_stagnation_pressure_pa.value,
-            entry_speed_m_s: flight.entry_relative.speed_m_s,
-            entry_flight_path_angle_rad: flight.entry_relative.flight_path_angle_rad,
-            time_above_limit_s: None,
-        };
-        let aft_environment = environment.aftbody(&input.afterbody);
-        let soak = SoakInput {
-            peak_heat_flux_w_m2: environment.peak_heat_flux_w_m2,
-            heat_load_j_m2: environment.heat_load_j_m2,
-            diameter_m: vehicle.dimensions.diameter_m,
-        };
-        Sized {
-            forebody: mer::size(&input.forebody_material, &environment),
-            aftbody: mer::size(&input.aftbody_material, &aft_environment),
-            payload_temperature_k: input.soak.peak_temperature_k(&soak),
-            environment,
-            aft_environment,
-            soak,
-        }
-    }
+    ]
 }
 
 /// Values of [`super::crossings::CROSSINGS`] in one pass.
-fn crossings(vehicle: &Vehicle, given: &VehicleInput, flown: &Flown, sized: &Sized) -> Vec<f64> {
+fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
     vec![
         vehicle.dimensions.diameter_m,
         vehicle.dimensions.nose_radius_m,
@@ -236,23 +179,67 @@ fn crossings(vehicle: &Vehicle, given: &VehicleInput, flown: &Flown, sized: &Siz
         flown.impact_speed_m_s,
         flown.flight.peak_deceleration_earth_g.value,
         flown.flight.peak_stagnation_pressure_pa.value,
-        sized.environment.peak_heat_flux_w_m2,
-        sized.environment.heat_load_j_m2,
-        given.forebody.tps_thickness_m,
-        given.aftbody_tps_thickness_m,
+        sized.stagnation.peak_heat_flux_w_m2,
+        sized.stagnation.heat_load_j_m2,
+        sized.forebody.thickness_m,
+        sized.aftbody.thickness_m,
     ]
 }
 
-fn unclosed(reason: String, findings: Vec<Finding>, passes: Vec<Pass>) -> Solution {
+fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> Solution {
     Solution {
         outcome: Outcome::NotClosed,
-        reason: Some(reason),
+        findings: misfit::findings(&not_closed, input),
+        reason: Some(not_closed.reason),
         flight: None,
+        design: None,
+        adjustments: Vec::new(),
+        passes,
+    }
+}
+
+/// A flight that leaves the atmosphere: nothing can be sized for it.
+fn departed(
+    input: &DesignInput,
+    request: Request,
+    body: &Body,
+    flown: Flown,
+    passes: Vec<Pass>,
+) -> Solution {
+    let flight = with_history(input, request, body, flown.flight);
+    let mut findings = flight::findings(&input.mission, body, &flight);
+    findings.push(Finding {
+        severity: Severity::Exceeded,
+        model: "coupling".to_owned(),
+        key: "entry.flight_path_angle_deg".to_owned(),
+        value: Some(flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE),
+        valid: (None, None),
+        message: format!(
+            "A vehicle of {:.2} kg leaves the atmosphere again on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
+            body.mass_kg
+        ),
+        source: "convention of this program".to_owned(),
+        field: Some("entry.flight_path_angle_deg".to_owned()),
+    });
+    Solution {
+        outcome: flown.outcome,
+        reason: flown.reason,
+        flight: Some(flight),
         design: None,
         adjustments: Vec::new(),
         findings,
         passes,
     }
+}
+
+/// The last flight; only it keeps its history.
+fn with_history(input: &DesignInput, request: Request, body: &Body, flight: Flight) -> Flight {
+    if request == Request::Nothing {
+        return flight;
+    }
+    let mut mission = input.mission.clone();
+    mission.solver.model = flight.model;
+    flight::fly(&mission, body, request).0
 }
 
 /// The last pass, made into a solution.
@@ -286,23 +273,17 @@ impl Finished<'_> {
             passes,
             outcome,
         } = self;
-        let flight = match request {
-            Request::Nothing => flown.flight,
-            // Only the last flight keeps its history.
-            _ => flight::fly(&input.mission, &body, request).0,
-        };
+        let flight = with_history(input, request, &body, flown.flight);
         let adjustments = vehicle.adjustments.clone();
-        let shoulder_ratio =
-            2.0 * vehicle.dimensions.shoulder_radius_m / vehicle.dimensions.diameter_m;
-        let shoulder_factor = input.shoulder.ratio(shoulder_ratio);
         let last = passes.last();
         let reason = match outcome {
             Outcome::NotConverged => {
-                let change = last
-                    .and_then(|pass| pass.mass_change_kg)
-                    .unwrap_or(f64::NAN);
+                let far = last.map_or(String::new(), |pass| match pass.mass_distance_kg {
+                    Some(kg) => format!(", an estimated {kg:.3e} kg from where it settles"),
+                    None => String::new(),
+                });
                 Some(format!(
-                    "the mass still changed by {change:.3e} kg in pass {}, the last one allowed",
+                    "the mass had not settled in pass {}, the last one allowed{far}",
                     passes.len()
                 ))
             }
@@ -315,8 +296,10 @@ impl Finished<'_> {
             aftbody_tps_density_kg_m3: input.vehicle.aftbody_tps_density_kg_m3,
             aftbody_heat_flux_w_m2: sized.aft_environment.peak_heat_flux_w_m2,
             aftbody_heat_load_j_m2: sized.aft_environment.heat_load_j_m2,
-            shoulder_heat_flux_w_m2: sized.environment.peak_heat_flux_w_m2 * shoulder_factor,
-            shoulder_heat_flux_ratio: shoulder_factor,
+            shoulder_heat_flux_w_m2: sized.stagnation.peak_heat_flux_w_m2 * sized.shoulder_factor,
+            shoulder_heat_load_j_m2: sized.stagnation.heat_load_j_m2 * sized.shoulder_factor,
+            shoulder_heat_flux_ratio: sized.shoulder_factor,
+            forebody_judged: sized.environment,
             aftbody_pressure_pa: sized.aft_environment.peak_pressure_pa,
             payload_temperature_k: sized.payload_temperature_k,
             impact_drag_coefficient: input.drag.subsonic(),
@@ -324,8 +307,10 @@ impl Finished<'_> {
             cone_half_angle_rad: input.vehicle.cone_half_angle_rad,
             payload_mass_kg: input.vehicle.payload_mass_kg,
             structural: None,
+            stability: None,
+            turning: None,
             passes: passes.len() as u32,
-            mass_residual_kg: last.and_then(|pass| pass.mass_change_kg),
+            mass_residual_kg: last.and_then(|pass| pass.mass_distance_kg),
             landing,
             vehicle,
         };
@@ -343,7 +328,7 @@ impl Finished<'_> {
     fn landing(&self) -> Landing {
         let flown = &self.flown;
         // the closed form keeps its angle to the ground: only the integrated flight knows where it comes down from
-        let integrated = flown.flight.model == "three-dof";
+        let integrated = flown.flight.model == Model::ThreeDof;
         let angle_rad = match flown.outcome {
             Outcome::Landed | Outcome::Stopped if integrated => {
                 flown.flight.final_flight_path_angle_rad
@@ -382,6 +367,11 @@ impl Finished<'_> {
         );
         findings.extend(flight::findings(&input.mission, body, &flown.flight));
         findings.extend(input.shoulder.findings(shoulder_ratio));
+        findings.push(
+            sized
+                .environment
+                .judged(input.judged_at, sized.shoulder_factor),
+        );
         findings.extend(input.soak.findings(&sized.soak));
         findings.extend(vehicle.findings.iter().cloned());
         findings

@@ -7,6 +7,7 @@ use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
 use crate::heating::shoulder::Shoulder;
 use crate::soak::SoakCorrelation;
+use crate::tps::JudgedAt;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{Vehicle, VehicleInput};
@@ -30,13 +31,15 @@ pub struct DesignInput {
     pub afterbody: Afterbody,
     /// What the shoulder gets of the stagnation point's heating.
     pub shoulder: Shoulder,
+    /// Where the forebody's heat shield is judged.
+    pub judged_at: JudgedAt,
     /// Drag coefficient against Mach number.
     pub drag: DesignDrag,
-    /// Change of the entry mass below which a design is converged, kg.
+    /// Estimated distance of the entry mass from its fixed point below which a design is converged, kg.
     pub mass_criterion_kg: f64,
     /// Passes after which an answer is given as it is.
     pub max_iterations: u32,
-    /// Fraction of each change that a pass applies.
+    /// Fraction of a change that a pass applies where earlier passes do not yet explain it.
     pub relaxation: f64,
 }
 

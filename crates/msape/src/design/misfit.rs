@@ -23,8 +23,7 @@ fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
         }
         Misfit::PayloadWiderThanVehicle { .. }
         | Misfit::LidWiderThanShoulder { .. }
-        | Misfit::WingTooShallow { .. }
-        | Misfit::PayloadWiderThanLid { .. } => vec!["design.diameter_m", payload],
+        | Misfit::WingTooShallow { .. } => vec!["design.diameter_m", payload],
         Misfit::WingTooSteep => vec!["design.cone_half_angle_deg", payload],
         Misfit::NoRoomForLayers { .. } => {
             vec!["design.diameter_m", "design.shoulder_radius_ratio"]

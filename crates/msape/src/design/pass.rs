@@ -1,5 +1,6 @@
 //! The record of one pass of the coupling.
 
+use crate::flight::mission::Model;
 use serde::{Deserialize, Serialize};
 
 /// One pass of the coupling through the modules.
@@ -7,12 +8,15 @@ use serde::{Deserialize, Serialize};
 pub struct Pass {
     /// Number of the pass, from 1.
     pub number: u32,
-    /// Model of flight used: `allen-eggers` or `three-dof`.
-    pub flight_model: String,
+    /// Model of flight used.
+    pub flight_model: Model,
     /// Values that cross between the modules, by key of [`super::crossings::CROSSINGS`].
     pub crossings: Vec<f64>,
-    /// Entry mass, kg.
+    /// Entry mass, kg; in the last pass that of the vehicle made for its flight.
     pub mass_kg: f64,
     /// Change of the entry mass since the pass before, kg; absent in the first.
     pub mass_change_kg: Option<f64>,
+    /// Estimated distance of the entry mass from its fixed point, kg; absent while no two passes tell it.
+    #[serde(default)]
+    pub mass_distance_kg: Option<f64>,
 }

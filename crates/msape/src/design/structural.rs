@@ -215,13 +215,12 @@ fn unlike_the_flight(shell: &CarrierAnalysis, flight: &Flight) -> Option<Finding
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::benchmark::Bench;
+    use crate::answer::sample::designed;
 
     #[test]
     fn msr_has_every_rule_for_every_wall_and_all_four_corners() {
-        let bench = Bench::new().unwrap();
-        let (design, flight) = &bench.msr_design;
-        let structural = Structural::new(&bench.msr.input, design, flight);
+        let (input, design, flight) = designed("msr-eev-pica");
+        let structural = Structural::new(&input, &design, &flight);
         let count = |rule, wall| {
             let those = structural.checks.iter();
             those.filter(|c| c.rule == rule && c.wall == wall).count()
@@ -248,17 +247,15 @@ mod tests {
 
     #[test]
     fn a_hundred_times_the_pressure_is_found_too_much_by_both_levels() {
-        let bench = Bench::new().unwrap();
-        let (design, flight) = &bench.msr_design;
+        let (input, design, flight) = designed("msr-eev-pica");
         let found = |flight: &Flight| {
-            Structural::new(&bench.msr.input, design, flight)
-                .findings(&design.vehicle.structure, flight)
+            Structural::new(&input, &design, flight).findings(&design.vehicle.structure, flight)
         };
         let exceeded = |list: &[Finding], model: &str| {
             let those = list.iter().filter(|f| f.severity == Severity::Exceeded);
             those.filter(|f| f.model == model).count()
         };
-        let as_flown = found(flight);
+        let as_flown = found(&flight);
         assert_eq!(exceeded(&as_flown, "shell model"), 0);
         assert_eq!(exceeded(&as_flown, "structural rules"), 0);
         assert!(as_flown[0].message.contains("minimum gauge governs"));

@@ -17,13 +17,13 @@
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
 
 use super::equations::{CONVECTIVE, RADIATIVE, STATES};
-use super::mission::{Body, Mission};
+use super::mission::{Body, Mission, Model};
 use super::motion::Motion;
-use super::sample::{self, EARTH_G_M_S2, GAMMA};
+use super::sample::{self, EARTH_G_M_S2};
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak, three_dof};
 use crate::aero::Drag;
-use crate::heating::pressure::{Stream, stagnation_pressure_pa};
+use crate::heating::pressure::Stream;
 use crate::heating::{Flow, HeatFlux};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::geodetic::{DOWNRANGE_SPHERE_RADIUS_M, Geodetic};
@@ -211,13 +211,14 @@ impl<'a> Sum<'a> {
         let dynamic_pressure_pa = 0.5 * density_kg_m3 * entering_m_s * entering_m_s;
         let stream = Stream {
             pressure_pa: air.pressure_pa,
-            dynamic_pressure_pa,
+            density_kg_m3,
+            speed_m_s: entering_m_s,
             mach: entering_m_s / air.speed_of_sound_m_s,
         };
         let values = [
             dynamic_pressure_pa / entry.ballistic_coefficient_kg_m2 / EARTH_G_M_S2,
             dynamic_pressure_pa,
-            stagnation_pressure_pa(&stream, GAMMA) - air.pressure_pa,
+            mission.heating.pressure.pressure_pa(&stream) - air.pressure_pa,
             flux.convective_w_m2,
             flux.radiative_w_m2,
             flux.total_w_m2(),
@@ -297,7 +298,7 @@ impl<'a> Sum<'a> {
         });
         let final_speed_m_s = (end[3] * end[3] + end[4] * end[4] + end[5] * end[5]).sqrt();
         Flight {
-            model: "allen-eggers".to_string(),
+            model: Model::AllenEggers,
             entry_relative: mission.start.relative,
             entry_inertial: mission.start.inertial,
             peak_deceleration_earth_g: self.exact_deceleration(deceleration),
@@ -375,7 +376,8 @@ impl<'a> Sum<'a> {
     }
 }
 
-/// Speed at which drag carries the weight, m/s: equation 2 of the report; without limit where there is no drag.
+/// Speed at which drag carries the weight on the rotating planet, m/s: equation 2 of the report; without limit where there
+/// is no drag.
 pub fn terminal_speed_m_s(mission: &Mission, body: &Body, altitude_m: f64) -> f64 {
     let drag_coefficient = match &body.drag {
         Drag::Constant(coefficient) => *coefficient,
@@ -385,7 +387,9 @@ pub fn terminal_speed_m_s(mission: &Mission, body: &Body, altitude_m: f64) -> f6
         altitude_m,
         ..mission.planet.geodetic(mission.start.position_m)
     };
-    let [x, y, z] = mission.planet.gravity(mission.planet.cartesian_m(&below));
+    let [x, y, z] = mission
+        .planet
+        .effective_gravity(mission.planet.cartesian_m(&below));
     let gravity_m_s2 = (x * x + y * y + z * z).sqrt();
     let density = mission.atmosphere.density_kg_m3(altitude_m);
     let weight_n = body.mass_kg * gravity_m_s2;

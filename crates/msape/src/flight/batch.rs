@@ -21,6 +21,7 @@ use super::numbers::Numbers;
 use super::summary::{self, Extremes};
 use super::{Flight, Request, three_dof};
 use crate::outcome::Outcome;
+use crate::progress::Unwatched;
 use core::ops::ControlFlow;
 use numerics::scalar::Lanes;
 
@@ -78,7 +79,8 @@ fn all<const N: usize, R>(
     integration::integrate_all::<PointMass<Lanes<N>>, STATES, Lanes<N>>(
         keep,
         flights,
-        |number, motion, record| {
+        &mut Unwatched,
+        &mut |number, motion, record| {
             done(Flown {
                 number,
                 results: results(*motion, &record),

@@ -21,6 +21,7 @@ use super::equations::STATES;
 use super::motion::Motion;
 use super::sample::Loads;
 use crate::outcome::Outcome;
+use crate::progress::{Progress, Unwatched};
 use core::ops::ControlFlow;
 use course::{Course, Marks, Next};
 use node::Node;
@@ -81,13 +82,39 @@ where
     M: Motion<'a, N, S, Lane = M>,
     S: Single,
 {
+    one(motion, start, keep, &mut Unwatched)
+}
+
+/// The same with all its steps; who watches hears before each step which part of the fall is done, and may stop it there.
+pub fn integrate_watched<'a, M, const N: usize>(
+    motion: M,
+    start: [f64; N],
+    progress: &mut dyn Progress,
+) -> Record<N>
+where
+    M: Motion<'a, N, Lane = M>,
+{
+    one(motion, start, Keep::All, progress)
+}
+
+fn one<'a, M, const N: usize, S>(
+    motion: M,
+    start: [S; N],
+    keep: Keep,
+    progress: &mut dyn Progress,
+) -> Record<N, S>
+where
+    M: Motion<'a, N, S, Lane = M>,
+    S: Single,
+{
     let mut only = None;
-    let one = core::iter::once((motion, start));
-    let _ = integrate_all::<M, N, S>(keep, one, |_, _, record| {
+    let queue = core::iter::once((motion, start));
+    let mut done = |_, _: &M, record| {
         only = Some(record);
         ControlFlow::Continue(())
-    });
-    // One flight went in, so one has come out.
+    };
+    // A flight that is stopped has its record, too.
+    let _ = integrate_all::<M, N, S>(keep, queue, progress, &mut done);
     only.unwrap_or_else(|| Course::new(&Marks::of(&motion, keep), motion, start).into_record())
 }
 
@@ -95,11 +122,13 @@ where
 /// same steps as it would alone.
 ///
 /// `done` is told the number of a flight in the queue, its motion and its record, in the order in which they end; it may
-/// stop the rest. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
+/// stop the rest. Who watches hears before each step the part of the fall that the flights under way have done on average,
+/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
 pub fn integrate_all<'a, M, const N: usize, S>(
     keep: Keep,
     queue: impl IntoIterator<Item = (M::Lane, [S::Lane; N])>,
-    mut done: impl FnMut(usize, &M::Lane, Record<N, S::Lane>) -> ControlFlow<()>,
+    progress: &mut dyn Progress,
+    done: &mut impl FnMut(usize, &M::Lane, Record<N, S::Lane>) -> ControlFlow<()>,
 ) -> ControlFlow<()>
 where
     M: Motion<'a, N, S>,
@@ -143,6 +172,22 @@ where
         }
         if !active.any() {
             return ControlFlow::Continue(());
+        }
+        let (mut parts, mut under_way) = (0.0, 0.0);
+        for (_, course) in courses.iter().flatten() {
+            parts += course.part_done();
+            under_way += 1.0;
+        }
+        if progress.advance(parts / under_way).is_break() {
+            for (lane, place) in courses.iter_mut().enumerate() {
+                if let Some((index, mut course)) = place.take() {
+                    course.stop();
+                    course.record.evaluations = integrator.statistics_of(lane).evaluations;
+                    let motion = course.motion;
+                    done(index, &motion, course.into_record())?;
+                }
+            }
+            return ControlFlow::Break(());
         }
         let attempt = {
             let mut f = |t: S, y: &[S; N]| all.derivative(t, y);

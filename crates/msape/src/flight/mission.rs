@@ -8,6 +8,7 @@ use crate::planet::atmosphere::Atmosphere;
 use crate::planet::horizon::Velocity;
 use crate::planet::wind::Wind;
 use numerics::ode::Method;
+use serde::{Deserialize, Serialize};
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
@@ -51,12 +52,26 @@ pub struct Stop {
 }
 
 /// Which model flies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Model {
     /// Three degrees of freedom, integrated.
     ThreeDof,
+    /// The same with the attitude of a rigid body.
+    SixDof,
     /// The closed form of Allen and Eggers.
     AllenEggers,
+}
+
+impl Model {
+    /// Name as in files and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Model::ThreeDof => "three-dof",
+            Model::SixDof => "six-dof",
+            Model::AllenEggers => "allen-eggers",
+        }
+    }
 }
 
 /// How the flight is computed.

@@ -5,7 +5,7 @@ use super::mission::Mission;
 use super::motion::{Motion, head};
 use super::trajectory::Trajectory;
 use crate::heating::HeatFlux;
-use crate::heating::pressure::{Stream, stagnation_pressure_pa};
+use crate::heating::pressure::Stream;
 use crate::heating::wall::{ColdWall, Wall, radiating_temperature_k};
 use crate::planet::geodetic::{Geodetic, great_circle_m};
 use crate::planet::horizon::Horizon;
@@ -14,8 +14,6 @@ use numerics::scalar::{Scalar, Single};
 
 /// Standard acceleration of gravity, m/s²: the Earth g of loads.
 pub const EARTH_G_M_S2: f64 = 9.80665;
-/// Ratio of specific heats of cold air, for the stagnation pressure.
-pub const GAMMA: f64 = 1.4;
 
 /// What changes fast and is looked for at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,13 +66,11 @@ pub fn stagnation_pressure<S: Scalar>(equations: &Equations<S>, y: &[S; STATES])
     let air = equations.air(around.altitude_m);
     let stream = Stream {
         pressure_pa: air.pressure_pa,
-        dynamic_pressure_pa: around.density_kg_m3
-            * 0.5
-            * around.air_speed_m_s
-            * around.air_speed_m_s,
+        density_kg_m3: around.density_kg_m3,
+        speed_m_s: around.air_speed_m_s,
         mach: around.air_speed_m_s / air.speed_of_sound_m_s,
     };
-    stagnation_pressure_pa(&stream, GAMMA)
+    equations.mission.heating.pressure.pressure_pa(&stream)
 }
 
 /// Mach number relative to the air at one state.

@@ -11,7 +11,7 @@
 //! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
 //! - [`quaternion`], [`attitude`]: its attitude.
 //! - [`events`], [`remarks`]: what happens to the attitude, and what must be known of it.
-//! - [`reorientation`]: backward entries.
+//! - [`reorientation`], [`turning`]: backward entries, over places of the centre of gravity, and from a set of attitudes and rates.
 //!
 //! # Valid
 //! Rigid bodies of constant mass.
@@ -28,12 +28,14 @@ pub mod quaternion;
 pub mod remarks;
 pub mod reorientation;
 pub mod rigid;
+pub mod turning;
 
 use super::equations::Equations;
-use super::integration::{self, Keep, Record};
-use super::mission::{Body, Mission};
+use super::integration::{self, Record};
+use super::mission::{Body, Mission, Model};
 use super::{Flight, Request, summary, three_dof};
 use crate::outcome::Outcome;
+use crate::progress::{Progress, Unwatched};
 use events::Marks;
 use motion::{ATTITUDE, RATES, RIGID_STATES, RigidMotion};
 use rigid::Rigid;
@@ -56,13 +58,15 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> Rig
     }
 }
 
-/// Integrates a flight.
-pub fn integrate(mission: &Mission, body: &Body, rigid: &Rigid) -> Record<RIGID_STATES> {
-    integration::integrate(
-        motion(mission, body, rigid),
-        start(mission, rigid),
-        Keep::All,
-    )
+/// Integrates a flight; who watches hears of each step and may stop it there.
+pub fn integrate(
+    mission: &Mission,
+    body: &Body,
+    rigid: &Rigid,
+    progress: &mut dyn Progress,
+) -> Record<RIGID_STATES> {
+    let start = start(mission, rigid);
+    integration::integrate_watched(motion(mission, body, rigid), start, progress)
 }
 
 /// Flies a rigid body: the flight, how it ended, and why.
@@ -72,10 +76,21 @@ pub fn fly(
     rigid: &Rigid,
     request: Request,
 ) -> (Flight, Outcome, Option<String>) {
-    let record = integrate(mission, body, rigid);
+    fly_watched(mission, body, rigid, request, &mut Unwatched)
+}
+
+/// The same; who watches hears of each step and may stop the flight there.
+pub fn fly_watched(
+    mission: &Mission,
+    body: &Body,
+    rigid: &Rigid,
+    request: Request,
+    progress: &mut dyn Progress,
+) -> (Flight, Outcome, Option<String>) {
+    let record = integrate(mission, body, rigid, progress);
     let motion = motion(mission, body, rigid);
     let mut flight = summary::summarize(motion, &record, request);
-    flight.model = "six-dof".to_string();
+    flight.model = Model::SixDof;
     let marks = Marks {
         peak_heating_time_s: flight.peak_total_heat_flux_w_m2.time_s,
         peak_deceleration_time_s: flight.peak_deceleration_earth_g.time_s,

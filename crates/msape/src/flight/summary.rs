@@ -2,6 +2,7 @@
 
 use super::equations::{CONVECTIVE, RADIATIVE};
 use super::integration::{Leg, Record};
+use super::mission::Model;
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::sample;
@@ -36,7 +37,7 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     let end = sample::position(mission, &head(&y_end));
     let at_peak = flight.around(deceleration.time_s);
     Flight {
-        model: "three-dof".to_string(),
+        model: Model::ThreeDof,
         entry_relative: numbers.start.relative,
         entry_inertial: numbers.start.inertial,
         peak_deceleration_earth_g: deceleration,

@@ -1,4 +1,4 @@
-//! Heating of the stagnation point: both models, the wall, the model factor and the margins.
+//! Heating of the stagnation point: both models, the wall, the model factor and the margins; and its pressure.
 //!
 //! ```text
 //! q̇ᶜ = f q̇ᶜ(cold) (1 − h_w/h₀)       nominal
@@ -16,6 +16,7 @@
 //! - \[samareh-2014\] section 3.4.3 and the run page of appendix D.
 
 use super::convective::Convective;
+use super::pressure::StagnationPressure;
 use super::radiative::Radiative;
 use super::wall::{ColdWall, Wall, WallGas};
 use super::{Flow, PeakConditions};
@@ -83,6 +84,8 @@ pub struct StagnationHeating {
     pub radiative_margin: f64,
     /// Gas at the wall.
     pub gas: WallGas,
+    /// Pressure.
+    pub pressure: StagnationPressure,
 }
 
 /// Nominal heat fluxes, without margins.
@@ -240,6 +243,7 @@ impl StagnationHeating {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::heating::pressure::{PressureFit, PressureModel};
 
     fn portal() -> StagnationHeating {
         let margins = Margins::parse(include_str!("../../data/heating/margins.toml")).unwrap();
@@ -256,6 +260,13 @@ mod tests {
             .unwrap(),
             radiative_margin: margins.radiative_margin,
             gas: WallGas::parse(include_str!("../../data/heating/hot-wall.toml")).unwrap(),
+            pressure: StagnationPressure {
+                model: PressureModel::NewtonianLimit,
+                fit: PressureFit::parse(include_str!(
+                    "../../data/heating/stagnation-pressure.toml"
+                ))
+                .unwrap(),
+            },
         }
     }
 

@@ -13,7 +13,6 @@
 //! # References
 //! - \[coesa-1976\]; each model names its own.
 
-pub mod csv;
 pub mod exponential;
 pub mod piece;
 pub mod table;

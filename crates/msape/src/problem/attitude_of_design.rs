@@ -1,18 +1,24 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
 use super::freedom::{TOLERANCE_DATABASE, one_row};
-use super::{FlightProblem, attitude, design};
+use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;
 use crate::aero::standard::AeroBody;
+use crate::answer::Answer;
 use crate::case::{Case, InputError, Reader};
 use crate::design::Design;
+use crate::finding::{Finding, Severity};
+use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::Model;
 use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, OfOutline, Reference};
 use crate::flight::six_dof::attitude::at_start;
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
+use crate::flight::six_dof::turning::turning;
 use crate::library::Library;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::ode::Method;
 
@@ -28,6 +34,7 @@ pub fn attitude_of_design(
 ) -> Result<FlightProblem, Vec<InputError>> {
     let mut reader = Reader::new(case);
     let input = design::design(&mut reader, library);
+    remark_unused(&mut reader);
     let given = attitude::given(&mut reader);
     let rates = one_row::<3>(&mut reader, "attitude.body_rates_deg_s").flatten();
     let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
@@ -94,6 +101,100 @@ pub fn attitude_of_design(
     })
 }
 
+/// Whether a case leaves its vehicle to be designed: it has a section `[design]` and neither a mass nor an outline of its own.
+pub fn leaves_vehicle_to_design(case: &Case) -> bool {
+    let given = |start: &str| case.values.keys().any(|key| key.starts_with(start));
+    given("design.") && !given("outline.") && !case.values.contains_key("vehicle.mass_kg")
+}
+
+/// Whether `fly` flies the vehicle of a design as a rigid body.
+pub(super) fn flies_design(case: &Case) -> bool {
+    let dof = case.text("vehicle.dof");
+    leaves_vehicle_to_design(case) && dof.is_some_and(|dof| dof.trim() == "6")
+}
+
+/// The answer of a design, flown as a rigid body; without a vehicle the outcome of the design is the answer.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn fly_designed(
+    case: &Case,
+    library: &Library,
+    designed: &Answer,
+    request: Request,
+) -> Result<Answer, Vec<InputError>> {
+    let Some(design) = &designed.design else {
+        return Ok(Answer {
+            passes: Vec::new(),
+            ..designed.clone()
+        });
+    };
+    let mut answer = attitude_of_design(case, library, design)?.solve(&case.name, request);
+    answer.adjustments.clone_from(&designed.adjustments);
+    answer.findings.push(flown(designed.outcome, design));
+    Ok(answer)
+}
+
+/// Adds to the answer of a design its entries from a set of attitudes and rates; nothing where there is no vehicle.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn add_turning(
+    case: &Case,
+    library: &Library,
+    designed: &mut Answer,
+    progress: &mut dyn Progress,
+) -> Result<(), Vec<InputError>> {
+    if let Some(design) = &mut designed.design {
+        let FlightProblem { mission, body, .. } = attitude_of_design(case, library, design)?;
+        design.turning = turning(&mission, &body, progress);
+    }
+    Ok(())
+}
+
+/// The vehicle that was flown, and whether its design had settled.
+fn flown(outcome: Outcome, design: &Design) -> Finding {
+    let vehicle = &design.vehicle;
+    let mass = &vehicle.mass;
+    let (severity, settled) = match outcome {
+        Outcome::Converged => (Severity::Note, String::new()),
+        other => (
+            Severity::Extrapolated,
+            format!(" The design is {}.", other.name()),
+        ),
+    };
+    Finding {
+        severity,
+        model: "design".to_string(),
+        key: String::new(),
+        value: None,
+        valid: (None, None),
+        message: format!(
+            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, centre of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
+            mass.mass_kg,
+            vehicle.dimensions.diameter_m,
+            vehicle.dimensions.cg_from_apex_m,
+            mass.ixx_kg_m2,
+            mass.iyy_kg_m2,
+        ),
+        source: "the design of the case".to_string(),
+        field: None,
+    }
+}
+
+/// Keys of a vehicle that play a part beside a design.
+const BESIDE_DESIGN: [&str; 2] = ["vehicle.dof", "vehicle.cg_m"];
+
+/// Keys of a vehicle that are given and play no part are remarked.
+fn remark_unused(reader: &mut Reader) {
+    let unused = |key: &str| {
+        key.starts_with("vehicle.")
+            && !key.starts_with("vehicle.aerodynamics")
+            && !BESIDE_DESIGN.contains(&key)
+    };
+    freedom::unused(reader, "the attitude of a design", unused);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,5 +242,62 @@ mod tests {
                 .any(|fault| fault.key.starts_with("attitude.")),
             "{faults:?}"
         );
+    }
+
+    #[test]
+    fn fly_takes_the_vehicle_of_a_design_as_the_page_does() {
+        let library = Library::builtin().unwrap();
+        let mut case = case();
+        case.set("vehicle.dof", "6");
+        case.set("attitude.alpha_deg", "145");
+        let designed = design(&case, &library, Request::Steps).unwrap();
+        let page = attitude_of_design(&case, &library, designed.design.as_ref().unwrap()).unwrap();
+        let page = page.solve(&case.name, Request::Uniform(2.0));
+        let ours = crate::fly(&case, &library, Request::Uniform(2.0)).unwrap();
+        assert_eq!(ours.flight, page.flight);
+        assert_eq!(ours.outcome, page.outcome);
+        assert_eq!(ours.adjustments, designed.adjustments);
+        let said = &ours.findings.last().unwrap().message;
+        assert!(
+            said.contains("Flown is the vehicle of the design"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn a_design_without_a_vehicle_is_the_answer_and_keys_that_play_no_part_are_told() {
+        let library = Library::builtin().unwrap();
+        let mut case = case();
+        case.set("vehicle.dof", "6");
+        case.set("vehicle.inertia_kg_m2", "[[3, 0, 0], [0, 2, 0], [0, 0, 2]]");
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        let problem = attitude_of_design(&case, &library, answer.design.as_ref().unwrap()).unwrap();
+        let told = problem.findings.iter();
+        let told = told.filter(|f| f.key == "vehicle.inertia_kg_m2").count();
+        assert_eq!(told, 1);
+        let none = Answer {
+            outcome: Outcome::NotClosed,
+            flight: None,
+            design: None,
+            ..answer
+        };
+        let answer = fly_designed(&case, &library, &none, Request::Nothing).unwrap();
+        assert_eq!((answer.outcome, answer.flight), (Outcome::NotClosed, None));
+    }
+
+    #[test]
+    fn with_three_degrees_of_freedom_the_way_to_fly_a_design_is_told() {
+        let library = Library::builtin().unwrap();
+        let faults = crate::fly(&case(), &library, Request::Nothing).unwrap_err();
+        let mass = faults.iter().find(|f| f.key == "vehicle.mass_kg").unwrap();
+        assert!(mass.message.contains("vehicle.dof = 6"), "{mass}");
+        // A vehicle of its own is flown as before, whatever else the case says.
+        let mut own = case();
+        own.set("vehicle.dof", "6");
+        own.set("vehicle.mass_kg", "46");
+        assert!(!leaves_vehicle_to_design(&own));
+        own.set("vehicle.mass_kg", "");
+        own.set("outline.preset", "stardust");
+        assert!(!leaves_vehicle_to_design(&own));
     }
 }

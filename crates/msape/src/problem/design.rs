@@ -1,14 +1,17 @@
 //! Checks a design.
 
 use super::flight::{Angle, mission};
+use super::heating::choice as fixed;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::quantity::input::OWN_OUTLINE;
+use crate::tps::JudgedAt;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::CrushingMass;
+use crate::vehicle::FoamStrength;
 use crate::vehicle::ImpactInput;
 use crate::vehicle::WallPlace;
 use crate::vehicle::structure::{Carrier, Construction};
@@ -70,13 +73,15 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
     let aft_name = aftbody_material(reader, library);
     let ground_name = choice(reader, "design.ground", &library.grounds);
+    let foam_strength = reader.choice("design.foam_strength", &["crush-law", "equation-6"]);
+    let efficiency = reader.number("design.stroke_efficiency");
     let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
     let aero_name = aerodynamics(reader, library);
+    let judged_at = fixed(reader, "heating.judged_at").and_then(JudgedAt::named);
     let numbers = [
         "cone_half_angle_deg",
         "mass_margin",
         "crush_load_limit_earth_g",
-        "stroke_efficiency",
         "terminal_drag_coefficient",
         "mass_criterion_kg",
         "max_iterations",
@@ -87,7 +92,6 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         cone_deg,
         margin,
         crush_limit,
-        efficiency,
         terminal_drag,
         criterion,
         iterations,
@@ -143,7 +147,11 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         structure_loads: library.vehicle.structure_loads().ok()?,
         impact: ImpactInput {
             crush_load_limit_earth_g: crush_limit?,
-            stroke_efficiency: efficiency?,
+            stroke_efficiency: efficiency,
+            foam_strength: match foam_strength? {
+                "equation-6" => FoamStrength::Equation6,
+                _ => FoamStrength::CrushLaw,
+            },
             ground: named(&library.grounds, ground_name?)?.clone(),
             foam: library.impact_foam.clone(),
             crushing_mass: match crushing_mass? {
@@ -163,6 +171,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         fit_space: library.fit_space.clone(),
         afterbody: library.heating.afterbody.clone(),
         shoulder: library.heating.shoulder.clone(),
+        judged_at: judged_at?,
         drag: match aero_name? {
             OWN_OUTLINE => DesignDrag::Outline {
                 forces: library.axial_forces(),
@@ -170,6 +179,9 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             },
             name => {
                 let force = named(&library.aerodynamics, name)?;
+                let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);
+                let finding = force.other_cone(name, cone, "design.aerodynamics");
+                reader.findings.extend(finding);
                 DesignDrag::Table(force.table.with_subsonic(terminal_drag?))
             }
         },
@@ -235,6 +247,7 @@ pub(super) struct Densities {
     pub(super) aftbody_carrier: Option<f64>,
     pub(super) primary: Option<f64>,
     pub(super) impact_foam: Option<f64>,
+    pub(super) impact_panels: Option<f64>,
     pub(super) impact_shell: Option<f64>,
     pub(super) body_foam: Option<f64>,
     pub(super) lid_insulation: Option<f64>,
@@ -251,6 +264,7 @@ impl Densities {
             aftbody_carrier: of("aftbody_carrier_structure"),
             primary: of("primary_structure"),
             impact_foam: of("impact_foam"),
+            impact_panels: of("impact_panels"),
             impact_shell: of("impact_shell"),
             body_foam: of("body_foam"),
             lid_insulation: of("lid_insulation"),
@@ -261,7 +275,7 @@ impl Densities {
     fn fillings(&mut self, of_data: ComponentDensities) -> ComponentDensities {
         ComponentDensities {
             impact_foam_kg_m3: self.impact_foam.or(of_data.impact_foam_kg_m3),
-            impact_panels_kg_m3: of_data.impact_panels_kg_m3,
+            impact_panels_kg_m3: self.impact_panels.unwrap_or(of_data.impact_panels_kg_m3),
             impact_shell_kg_m3: self.impact_shell.unwrap_or(of_data.impact_shell_kg_m3),
             body_foam_kg_m3: self.body_foam.unwrap_or(of_data.body_foam_kg_m3),
             lid_insulation_kg_m3: self.lid_insulation.unwrap_or(of_data.lid_insulation_kg_m3),

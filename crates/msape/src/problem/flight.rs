@@ -348,7 +348,13 @@ fn drag(
                 .map(|(name, _)| name.as_str())
                 .collect();
             let name = reader.choice("vehicle.aerodynamics", &names)?;
-            named(&library.aerodynamics, name).map(|database| Drag::Table(database.table.clone()))
+            let force = named(&library.aerodynamics, name)?;
+            if let Outline::Body(body) = outline {
+                let finding =
+                    force.other_cone(name, body.cone_half_angle_rad, "vehicle.aerodynamics");
+                reader.findings.extend(finding);
+            }
+            Some(Drag::Table(force.table.clone()))
         }
         [_, second, ..] => {
             reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");

@@ -115,7 +115,7 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
 }
 
 /// Keys that are given and play no part are remarked, so that a case may be flown both ways.
-fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
+pub(super) fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
     for input in inputs().filter(|input| which(input.key)) {
         if reader.given(input.key) {
             reader.findings.push(Finding {

@@ -3,6 +3,7 @@
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
 use crate::heating::convective::Convective;
+use crate::heating::pressure::{PressureModel, StagnationPressure};
 use crate::heating::radiative::Radiative;
 use crate::heating::stagnation::ConvectiveOptions;
 use crate::heating::wall::Wall;
@@ -45,6 +46,7 @@ pub(super) fn heating(
     let model_factor = reader.number("heating.convective_model_factor");
     let convective_margin = reader.number("heating.convective_margin");
     let radiative_margin = reader.number("heating.radiative_margin");
+    let pressure = choice(reader, "heating.stagnation_pressure").and_then(PressureModel::named);
     let emissivity = emissivity?;
     let options = ConvectiveOptions {
         model_factor: model_factor?,
@@ -60,6 +62,10 @@ pub(super) fn heating(
         radiative: radiative?,
         radiative_margin: radiative_margin?,
         gas: models.wall_gas.clone(),
+        pressure: StagnationPressure {
+            model: pressure?,
+            fit: models.pressure_fit.clone(),
+        },
     };
     Some((heating, emissivity))
 }

@@ -175,7 +175,7 @@ static COLUMNS: &[Column] = &[
         "Stagnation Pressure",
         Dimension::Pressure,
         "kPa",
-        "Pressure at the stagnation point, equations 10 to 12.",
+        "Pressure at the stagnation point, by the model of heating.stagnation_pressure.",
     ),
     column(
         "deceleration_earth_g",

@@ -358,14 +358,13 @@ impl CarrierModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::benchmark::Bench;
+    use crate::answer::sample::designed;
     use crate::vehicle::{Loads, VehicleInput};
 
-    /// The MSR vehicle of the benchmark, its elements so much finer, its materials so much stiffer.
+    /// The shipped MSR vehicle, its elements so much finer, its materials so much stiffer.
     fn msr(refinement: f64, stiffer: f64) -> (CarrierModel, AnalysisLoads, f64) {
-        let bench = Bench::new().unwrap();
-        let (design, flight) = &bench.msr_design;
-        let mut input: VehicleInput = bench.msr.input.vehicle.clone();
+        let (input, design, flight) = designed("msr-eev-pica");
+        let mut input: VehicleInput = input.vehicle;
         input.loads = Loads {
             entry_load_earth_g: flight.peak_deceleration_earth_g.value,
             ..input.loads

@@ -263,7 +263,7 @@ fn masses(vehicle: &Vehicle, areas: &[f64; 6]) -> [f64; 6] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::benchmark::Bench;
+    use crate::answer::sample::designed;
     use crate::shell::analysis::AnalysisLoads;
     use crate::vehicle::{Concept, PayloadSize, build};
 
@@ -274,8 +274,7 @@ mod tests {
 
     /// Vehicles over the trade space of the report, both concepts.
     fn vehicles(count: u32) -> impl Iterator<Item = (VehicleInput, Vehicle)> {
-        let bench = Bench::new().unwrap();
-        let inputs = [&bench.msr.input.vehicle, &bench.galahad.input.vehicle].map(Clone::clone);
+        let inputs = ["msr-eev-pica", "galahad"].map(|case| designed(case).0.vehicle);
         (0..count).filter_map(move |i| {
             let mut input = inputs[(i % 2) as usize].clone();
             let at = |step, low: f64, high: f64| low + (high - low) * spread(i, step);

@@ -36,12 +36,18 @@ impl FitSpace {
         toml::from_str(text).map_err(|error| error.to_string())
     }
 
-    /// Findings for an entry outside the fitted trajectories; `forebody` is the forebody's environment.
+    /// Findings for an entry outside the fitted trajectories; `forebody` is what its heat
+    /// shield is judged by.
     pub fn findings(
         &self,
         forebody: &Environment,
         ballistic_coefficient_kg_m2: f64,
     ) -> Vec<Finding> {
+        let place = forebody.point.place();
+        let (flux_of, load_of) = (
+            format!("Peak heat flux {place}"),
+            format!("Heat load {place}"),
+        );
         let speed = Check {
             severity: Severity::Extrapolated,
             model: "mer",
@@ -76,8 +82,8 @@ impl FitSpace {
             ..speed
         };
         let flux = Check {
-            key: "peak_total_margined_heat_flux_w_m2",
-            quantity: "Forebody peak heat flux",
+            key: forebody.point.heat_flux_key(),
+            quantity: &flux_of,
             value: forebody.peak_heat_flux_w_m2 / PER_CM2,
             range: self.heat_flux_w_cm2,
             unit: "W/cm²",
@@ -85,8 +91,8 @@ impl FitSpace {
             ..speed
         };
         let load = Check {
-            key: "total_margined_heat_load_j_m2",
-            quantity: "Forebody heat load",
+            key: forebody.point.heat_load_key(),
+            quantity: &load_of,
             value: forebody.heat_load_j_m2 / PER_CM2,
             range: self.heat_load_j_cm2,
             unit: "J/cm²",
@@ -112,12 +118,12 @@ impl FitSpace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tps::Side;
+    use crate::tps::Point;
     use numerics::math::RADIANS_PER_DEGREE;
 
     /// 12 km/s at −9°, 12 kJ/cm², 800 W/cm², half an atmosphere: quiet for PICA.
     const FOREBODY: Environment = Environment {
-        side: Side::Forebody,
+        point: Point::Stagnation,
         peak_heat_flux_w_m2: 800e4,
         heat_load_j_m2: 12_000e4,
         peak_pressure_pa: 0.5 * PA_PER_ATM,

@@ -25,28 +25,16 @@ pub fn findings(
     environment: &Environment,
     sizing: &Sizing,
 ) -> Vec<Finding> {
-    let side = environment.side.name();
+    let side = environment.side().name();
     let model = format!("mer {}", material.name);
-    let key = |quantity: &str| format!("{side}_{quantity}");
-    let (flux_key, thickness_key) = (
-        if side == "forebody" {
-            "peak_total_margined_heat_flux_w_m2".to_string()
-        } else {
-            key("peak_heat_flux_w_m2")
-        },
-        key("tps_thickness_m"),
-    );
-    let pressure_key = if side == "forebody" {
-        "peak_stagnation_pressure_pa".to_string()
-    } else {
-        key("peak_pressure_pa")
-    };
+    let thickness_key = format!("{side}_tps_thickness_m");
+    let flux_of = format!("Peak heat flux {}", environment.point.place());
     let field = format!("design.{side}_tps");
     let limits = material.limits;
     let pressure = Check {
         severity: Severity::Exceeded,
         model: &model,
-        key: &pressure_key,
+        key: environment.point.pressure_key(),
         quantity: "Peak pressure",
         value: environment.peak_pressure_pa / PA_PER_ATM,
         range: Range::up_to(limits.pressure_atm),
@@ -57,8 +45,8 @@ pub fn findings(
         field: Some(&field),
     };
     let flux = Check {
-        key: &flux_key,
-        quantity: "Peak heat flux",
+        key: environment.point.heat_flux_key(),
+        quantity: &flux_of,
         value: environment.peak_heat_flux_w_m2 / PER_CM2,
         unit: "W/cm²",
         si_per_unit: PER_CM2,
@@ -105,9 +93,9 @@ pub fn findings(
             .iter()
             .filter_map(Check::finding),
     );
-    findings.extend(second_branch(material, environment, sizing, &fitted));
+    findings.extend(branch(material, environment, sizing, &fitted));
     findings.extend(in_depth(material, environment, &fitted));
-    findings.extend(other_side(material, environment.side, &fitted));
+    findings.extend(other_side(material, environment.side(), &fitted));
     findings
 }
 
@@ -148,25 +136,45 @@ fn heat_flux(check: &Check, limits: &Limits, time_above_limit_s: Option<f64>) ->
     .finding()
 }
 
-/// The range of x of a relation's second branch.
-fn second_branch(
+/// The branch that a relation of two takes, and the range of x of the second.
+fn branch(
     material: &TpsMaterial,
     environment: &Environment,
     sizing: &Sizing,
     template: &Check,
-) -> Option<Finding> {
+) -> Vec<Finding> {
     let Mer::TwoBranch {
         switch_heat_flux_w_cm2,
         largest_x,
         ..
     } = material.mer
     else {
-        return None;
+        return Vec::new();
     };
-    if environment.peak_heat_flux_w_m2 / PER_CM2 <= switch_heat_flux_w_cm2 {
-        return None;
-    }
-    Check {
+    let flux_w_cm2 = environment.peak_heat_flux_w_m2 / PER_CM2;
+    let second = flux_w_cm2 > switch_heat_flux_w_cm2;
+    // one beyond the switch is on the second branch, the switch itself on the first
+    let [lower, upper] = [switch_heat_flux_w_cm2, switch_heat_flux_w_cm2 + 1.0]
+        .map(|flux| material.mer.thickness_cm(sizing.x, flux));
+    let taken = if second { "second" } else { "first" };
+    let named = Finding {
+        severity: Severity::Note,
+        model: template.model.into(),
+        key: template.key.into(),
+        value: Some(sizing.relation_thickness_m),
+        valid: (None, None),
+        message: format!(
+            "The relation jumps at {} W/cm²: with this heat load from {} cm on its first branch to {} cm on its second. \
+             At {} W/cm² the {taken} counts.",
+            short(switch_heat_flux_w_cm2),
+            short(lower),
+            short(upper),
+            short(flux_w_cm2),
+        ),
+        source: "NASA/TM-2014-218507, Table 7".into(),
+        field: template.field.map(str::to_owned),
+    };
+    let held = Check {
         severity: Severity::Exceeded,
         quantity: "Heat load over squared entry speed",
         value: sizing.x,
@@ -175,15 +183,16 @@ fn second_branch(
         si_per_unit: PER_CM2 / 1e6,
         meaning: "the relation turns down there and is held, the thickness is too small",
         ..*template
-    }
-    .finding()
+    };
+    let held = second.then(|| held.finding()).flatten();
+    core::iter::once(named).chain(held).collect()
 }
 
 /// The relation against an in-depth model at the angle of this entry.
 fn in_depth(material: &TpsMaterial, environment: &Environment, template: &Check) -> Vec<Finding> {
     let depth = environment.entry_depth_deg();
     let at_angle = |row: &&super::material::InDepth| {
-        environment.side == Side::Forebody && row.flight_path_angle_deg.contains(depth)
+        environment.side() == Side::Forebody && row.flight_path_angle_deg.contains(depth)
     };
     let finding = |row: &super::material::InDepth| {
         let Range { min, max } = row.difference_percent;
@@ -255,6 +264,7 @@ fn other_side(material: &TpsMaterial, side: Side, template: &Check) -> Option<Fi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tps::Point;
     use crate::tps::material::tests::FILES;
     use crate::tps::mer::size;
     use numerics::math::RADIANS_PER_DEGREE;
@@ -265,7 +275,7 @@ mod tests {
 
     /// 12 km/s at −9°, 12 kJ/cm², 800 W/cm², half an atmosphere: quiet for PICA.
     const FOREBODY: Environment = Environment {
-        side: Side::Forebody,
+        point: Point::Stagnation,
         peak_heat_flux_w_m2: 800e4,
         heat_load_j_m2: 12_000e4,
         peak_pressure_pa: 0.5 * PA_PER_ATM,
@@ -275,7 +285,7 @@ mod tests {
     };
 
     const AFTBODY: Environment = Environment {
-        side: Side::Aftbody,
+        point: Point::Aftbody,
         peak_heat_flux_w_m2: 40e4,
         heat_load_j_m2: 600e4,
         peak_pressure_pa: 0.1 * PA_PER_ATM,
@@ -399,7 +409,45 @@ mod tests {
                 .iter()
                 .any(|finding| finding.severity == Severity::Exceeded)
         );
-        assert!(at(9e4).is_empty());
+        assert!(
+            at(9e4)
+                .iter()
+                .all(|finding| finding.severity == Severity::Note)
+        );
+    }
+
+    #[test]
+    fn li_900_names_the_branch_it_takes_and_both_thicknesses() {
+        // x = 576 J/cm² / 144 = 4: first 0.6961 × 4^0.656 = 0.6961 × 2.4828 = 1.728 cm, second 2.543 cm
+        for (flux, branch) in [(10.0, "first"), (10.1, "second")] {
+            let findings = found(
+                4,
+                Environment {
+                    peak_heat_flux_w_m2: flux * 1e4,
+                    heat_load_j_m2: 576e4,
+                    ..AFTBODY
+                },
+            );
+            assert_eq!(findings.len(), 1, "{findings:?}");
+            let said = &findings[0].message;
+            let counts = format!("the {branch} counts");
+            assert!(
+                said.contains(&counts) && said.contains("1.728 cm") && said.contains("2.543 cm"),
+                "{said}"
+            );
+        }
+    }
+
+    #[test]
+    fn limit_of_the_shoulder_is_that_of_the_shoulder() {
+        let hot = Environment {
+            point: Point::Shoulder,
+            peak_heat_flux_w_m2: 1302e4,
+            ..FOREBODY
+        };
+        let findings = found(0, hot);
+        assert_eq!(findings[0].key, "shoulder_peak_heat_flux_w_m2");
+        assert!(findings[0].message.contains("on the shoulder"));
     }
 
     #[test]

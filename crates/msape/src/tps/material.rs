@@ -84,6 +84,9 @@ pub struct InDepth {
 pub struct Density {
     /// Density, kg/m³.
     pub density_kg_m3: f64,
+    /// Densities of other lots and sources, kg/m³; open where none was found.
+    #[serde(default)]
+    pub range_kg_m3: Range,
     /// Key of the reference; `assumed` for a choice of ours.
     pub source: String,
     /// Place, spread, doubt.

@@ -89,6 +89,10 @@ pub struct Sizing {
     pub governed_by: Governed,
     /// Whether the relation gives less than the least thickness it was fitted to.
     pub below_fit: bool,
+    /// Least recession among the trajectories of the fit, m; absent where nothing recedes.
+    pub least_recession_m: Option<f64>,
+    /// Largest recession among them, m.
+    pub largest_recession_m: Option<f64>,
 }
 
 impl Mer {
@@ -151,13 +155,15 @@ pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
             Governed::Relation
         },
         below_fit: t < fit.minimum_thickness_cm,
+        least_recession_m: fit.recession_cm.and_then(|range| Some(range.min? / 100.0)),
+        largest_recession_m: fit.recession_cm.and_then(|range| Some(range.max? / 100.0)),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tps::Side;
+    use crate::tps::Point;
     use crate::tps::material::tests::FILES;
 
     fn material(index: usize) -> TpsMaterial {
@@ -167,7 +173,7 @@ mod tests {
     /// Heat load x V² at V = 10 km/s.
     fn at_x(x: f64, heat_flux_w_cm2: f64) -> Environment {
         Environment {
-            side: Side::Aftbody,
+            point: Point::Aftbody,
             peak_heat_flux_w_m2: heat_flux_w_cm2 * 1e4,
             heat_load_j_m2: x * 100.0 * 1e4,
             peak_pressure_pa: 1e4,
@@ -226,6 +232,20 @@ mod tests {
             sizing.below_fit && (sizing.relation_thickness_m - 0.003_628).abs() < 1e-6,
             "{sizing:?}"
         );
+    }
+
+    #[test]
+    fn recession_is_that_of_table_7_and_an_insulator_has_none() {
+        // 0.60 to 1.15 cm and 0.0002 to 0.141 cm
+        for (index, expected) in [(0, [0.006, 0.0115]), (1, [2e-6, 0.00141])] {
+            let sizing = size(&material(index), &at_x(4.0, 5.0));
+            let recession = [sizing.least_recession_m, sizing.largest_recession_m];
+            for (ours, table) in recession.into_iter().zip(expected) {
+                assert!((ours.unwrap() - table).abs() < 1e-15, "{index}: {ours:?}");
+            }
+        }
+        let tile = size(&material(4), &at_x(4.0, 5.0));
+        assert!(tile.least_recession_m.is_none() && tile.largest_recession_m.is_none());
     }
 
     #[test]

@@ -20,9 +20,7 @@
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::Layout;
-use crate::vehicle::mass::Component;
-use crate::vehicle::mass::MassProperties;
-use crate::vehicle::mass::total;
+use crate::vehicle::mass::{Component, MassProperties, Part, total};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, asin, sin_cos};
@@ -41,22 +39,18 @@ pub fn crushed(
     stroke_m: f64,
 ) -> MassProperties {
     let stroke_m = stroke_m.min(MOST_STROKE * layout.foam_thickness_m);
-    let parts: Vec<Component> = components
-        .iter()
-        .map(|part| match part.kind {
-            ComponentKind::Payload => Component {
-                cg_x_m: part.cg_x_m - stroke_m,
-                ..part.clone()
-            },
-            ComponentKind::ImpactFoam => foam(concept, layout, part, stroke_m),
-            _ => part.clone(),
-        })
-        .collect();
-    total(&parts)
+    total(components.iter().map(|component| match component.kind {
+        ComponentKind::Payload => Part {
+            cg_x_m: component.cg_x_m - stroke_m,
+            ..component.part()
+        },
+        ComponentKind::ImpactFoam => foam(concept, layout, component.part(), stroke_m),
+        _ => component.part(),
+    }))
 }
 
 /// The foam with the columns ahead of the payload compressed.
-fn foam(concept: Concept, layout: &Layout, part: &Component, stroke_m: f64) -> Component {
+fn foam(concept: Concept, layout: &Layout, part: Part, stroke_m: f64) -> Part {
     let mass_kg = part.mass_with_margin_kg;
     let density = mass_kg / part.volume_m3;
     let columns_m3 = columns(concept, layout).solid().volume_m3;
@@ -66,11 +60,11 @@ fn foam(concept: Concept, layout: &Layout, part: &Component, stroke_m: f64) -> C
         + mass_kg * part.cg_x_m * part.cg_x_m
         + density * second_moment_change_m5(concept, layout, stroke_m);
     let radius = layout.payload_radius_m;
-    Component {
+    Part {
         volume_m3: part.volume_m3 - PI * radius * radius * stroke_m,
         cg_x_m,
         iyy_kg_m2: about_apex - mass_kg * cg_x_m * cg_x_m,
-        ..part.clone()
+        ..part
     }
 }
 

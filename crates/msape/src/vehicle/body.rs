@@ -15,7 +15,6 @@
 
 pub mod check;
 pub mod facts;
-pub mod import;
 pub mod points;
 pub mod preset;
 pub mod shape;

@@ -1,26 +1,36 @@
-//! The closing loop at one diameter: geometry, masses and walls until nothing moves any more.
+//! Closing at one diameter: the centre of gravity that the vehicle about it has, its walls settled.
 //!
 //! ```text
-//! geometry(x_cg, walls) → masses → x_cg → loads → walls → geometry
+//! walls(x)    least fixed point of  walls → geometry(x, walls) → masses → loads → walls,  from the least gauges up
+//! g(x)        centre of gravity of the vehicle laid out about x with these walls
+//! g(x) = x    bracketed among the x that leave room for a wing; the foremost root
 //! ```
 //!
-//! with x_cg the centre of gravity in m. It stops when x_cg, the attached structure and every wall move less than the rules say.
+//! with x in m. Too far forward the lid is so flat, too far aft its foot stands so high that the wing is too shallow: in between
+//! is the admissible interval; g outside it is not asked for. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start: what
+//! closes at a diameter depends on the input and the diameter alone.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`].
+//! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`]. Thicker walls make heavier vehicles and these thicker walls:
+//! from the least gauges the walls rise to the lightest that carry their vehicle, or without end when there are none.
+//! g changes little with x, as lid and filling are a small part of the mass: more than one root has not been met; a
+//! root ahead of the one found is looked for at a few places only.
 //!
 //! # References
-//! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it).
+//! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it). Its loop, geometry about the last centre of gravity
+//!   over and over, is replaced by the bracketed root: it need not settle where a vehicle closes.
 
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
-use crate::vehicle::layout::{Depths, Frame, Layout, Misfit};
-use crate::vehicle::mass::found_foam;
-use crate::vehicle::mass::{Component, Densities, MassProperties, components, total};
+use crate::vehicle::layout::{Depths, Frame, Layout, Misfit, Trial};
+use crate::vehicle::mass::{
+    Component, Densities, MassProperties, Masses, components, masses, total,
+};
 use crate::vehicle::structure::{Structure, Wall, size};
 use crate::vehicle::{msr, non_msr};
+use numerics::root;
 
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
@@ -33,170 +43,274 @@ pub struct Closed {
     pub mass: MassProperties,
     /// Walls.
     pub structure: Structure,
-    /// Turns of the loop.
+    /// Geometries laid out.
     pub iterations: u32,
 }
 
-impl Closed {
-    /// Start for a neighbouring diameter.
-    pub fn start(&self) -> Start {
-        Start {
-            cg_over_diameter: self.mass.cg_x_m / self.layout.outline.forebody.diameter_m,
-            structure: self.structure,
+/// Turns after which walls count as rising without end.
+const MOST_TURNS: u32 = 500;
+
+/// Precision of centre of gravity and walls, as part of what the rules ask.
+const PRECISION: f64 = 1e-4;
+
+/// Room that walls of the least gauge must nearly have, m: thicker ones never give as much back.
+const HOPELESS_M: f64 = -0.02;
+
+/// Step that tells to which side there is more room, and room that is nought but for rounding, m.
+const NEAR_M: f64 = 1e-9;
+
+/// Room that counts for each metre by which a centre of gravity lies beyond the places that leave room: it moves faster with
+/// the diameter than the annulus does.
+const CG_SHARE: f64 = 0.2;
+
+/// Places between nose and aft end at which the foremost root is looked for.
+const PLACES: u32 = 6;
+
+/// A vehicle at a diameter, whether it closes or not.
+#[derive(Clone, Debug)]
+pub struct Attempt {
+    /// Where everything stands, or would.
+    trial: Trial,
+    structure: Structure,
+    iterations: u32,
+}
+
+impl Attempt {
+    /// Why it does not close.
+    pub fn misfit(&self) -> Option<Misfit> {
+        self.trial.misfit
+    }
+
+    /// How much room there is, continuous in the diameter: negative where the vehicle is too small, m.
+    pub fn room_m(&self) -> f64 {
+        self.trial.room_m
+    }
+
+    /// The whole vehicle, when it closes.
+    pub fn closed(&self, input: &VehicleInput, foam: &FoamRule) -> Result<Closed, Misfit> {
+        if let Some(misfit) = self.trial.misfit {
+            return Err(misfit);
         }
-    }
-}
-
-/// Turns after which the loop gives up.
-const MOST_TURNS: u32 = 200;
-
-/// Where the loop starts: a centre of gravity and walls.
-#[derive(Clone, Copy, Debug)]
-pub struct Start {
-    /// Centre of gravity over diameter.
-    pub cg_over_diameter: f64,
-    /// Walls.
-    pub structure: Structure,
-}
-
-/// The vehicle at the diameter `diameter_m`, with the impact foam that `foam` asks for or more of it.
-pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Closed, Misfit> {
-    let structure = Structure {
-        forebody: match input.forebody.carrier_thickness_m {
-            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
-            None => input.forebody.carrier.at_minimum_gauge(),
-        },
-        aftbody: input.aftbody_carrier.at_minimum_gauge(),
-        primary: input.primary_carrier.at_minimum_gauge(),
-    };
-    let forebody = forebody(input, diameter_m);
-    let cg_x_m = first_cg_x_m(&forebody, input.payload_diameter_m() / 2.0);
-    let start = Start {
-        cg_over_diameter: cg_x_m / diameter_m,
-        structure,
-    };
-    close_from(input, diameter_m, foam, start)
-}
-
-fn forebody(input: &VehicleInput, diameter_m: f64) -> Forebody {
-    let radius_m = diameter_m / 2.0;
-    Forebody {
-        diameter_m,
-        nose_radius_m: input.nose_radius_ratio * radius_m,
-        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-        cone_half_angle_rad: input.cone_half_angle_rad,
-    }
-}
-
-/// The same from a neighbour's centre of gravity and walls, which takes fewer turns.
-pub fn close_from(
-    input: &VehicleInput,
-    diameter_m: f64,
-    foam: &FoamRule,
-    start: Start,
-) -> Result<Closed, Misfit> {
-    let forebody = forebody(input, diameter_m);
-    let rules = &input.rules;
-    let payload_radius_m = input.payload_diameter_m() / 2.0;
-    if payload_radius_m >= forebody.diameter_m / 2.0 {
-        return Err(Misfit::PayloadWiderThanVehicle {
-            payload_radius_m,
-            vehicle_radius_m: forebody.diameter_m / 2.0,
-        });
-    }
-    let mut structure = start.structure;
-    let mut cg_x_m = start.cg_over_diameter * diameter_m;
-    let mut last_foot_x_m = f64::INFINITY;
-    let mut moved = f64::INFINITY;
-    let mut last = None;
-    for iterations in 1..=MOST_TURNS {
-        let depths = Depths {
-            forebody_tps_m: input.forebody.tps_thickness_m,
-            bond_m: input.forebody.bond_thickness_m,
-            forebody_carrier_m: structure.forebody.thickness_m,
-            aftbody_tps_m: input.aftbody_tps_thickness_m,
-            aftbody_carrier_m: structure.aftbody.thickness_m,
-            primary_m: structure.primary.thickness_m,
-        };
-        let frame = Frame {
-            forebody,
-            depths,
-            payload_radius_m,
-            foam_thickness_m: foam.least_thickness_m,
-            cg_x_m,
-            rules,
-        };
-        let layout = match input.concept {
-            Concept::Msr => msr::layout(&frame)?,
-            Concept::NonMsr => non_msr::layout(&frame)?,
-        };
+        let (layout, structure) = (self.trial.layout, self.structure);
         let foam = foam.at(layout.foam_thickness_m);
-        let foam_material = found_foam(input, foam);
         let components = components(
             input,
             &layout,
             &Densities {
                 structure: &structure,
                 foam,
-                foam_material: &foam_material,
             },
         );
-        let mass = total(&components);
+        let mass = total(components.iter().map(Component::part));
         let sized = size::walls(input, &size::loads(input, &layout, &components, &mass));
-        let foot_x_m = layout.outline.attached_structure_x_m;
-        moved = (mass.cg_x_m - cg_x_m).abs();
-        let settled = moved < rules.convergence_m
-            && (foot_x_m - last_foot_x_m).abs() < rules.convergence_m
-            && [
-                (sized.forebody, structure.forebody),
-                (sized.aftbody, structure.aftbody),
-                (sized.primary, structure.primary),
-            ]
-            .iter()
-            .all(|(new, old)| (new.thickness_m - old.thickness_m).abs() < rules.convergence_m);
-        if settled {
-            let slope_rad = layout.outline.wing_slope_rad;
-            if slope_rad < rules.wing_slope_min_rad.min(frame.steepest_rad()) {
-                return Err(Misfit::WingTooShallow {
-                    slope_rad,
-                    least_rad: rules.wing_slope_min_rad,
-                });
-            }
-            return Ok(Closed {
-                layout,
-                components,
-                mass,
-                structure: sized_labels(structure, sized),
-                iterations,
-            });
+        Ok(Closed {
+            layout,
+            components,
+            mass,
+            structure: sized_labels(structure, sized),
+            iterations: self.iterations,
+        })
+    }
+}
+
+/// The vehicle at the diameter `diameter_m`, with the impact foam that `foam` asks for or more of it.
+pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Closed, Misfit> {
+    attempt(input, diameter_m, foam)?.closed(input, foam)
+}
+
+/// Lays the vehicle out at a diameter.
+pub fn attempt(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Attempt, Misfit> {
+    let radius_m = diameter_m / 2.0;
+    let payload_radius_m = input.payload_diameter_m() / 2.0;
+    if payload_radius_m >= radius_m {
+        return Err(Misfit::PayloadWiderThanVehicle {
+            payload_radius_m,
+            vehicle_radius_m: radius_m,
+        });
+    }
+    let mut candidate = Candidate {
+        input,
+        foam,
+        forebody: Forebody {
+            diameter_m,
+            nose_radius_m: input.nose_radius_ratio * radius_m,
+            shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+            cone_half_angle_rad: input.cone_half_angle_rad,
+        },
+        payload_radius_m,
+        structure: least_walls(input),
+        turns: 0,
+    };
+    let trial = match input.concept {
+        Concept::Msr => candidate.settle(0.0)?.0,
+        Concept::NonMsr => candidate.about_its_own_cg()?,
+    };
+    Ok(Attempt {
+        trial,
+        structure: candidate.structure,
+        iterations: candidate.turns,
+    })
+}
+
+fn least_walls(input: &VehicleInput) -> Structure {
+    Structure {
+        forebody: match input.forebody.carrier_thickness_m {
+            Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),
+            None => input.forebody.carrier.at_minimum_gauge(),
+        },
+        aftbody: input.aftbody_carrier.at_minimum_gauge(),
+        primary: input.primary_carrier.at_minimum_gauge(),
+    }
+}
+
+/// A diameter being tried.
+struct Candidate<'a> {
+    input: &'a VehicleInput,
+    foam: &'a FoamRule<'a>,
+    forebody: Forebody,
+    payload_radius_m: f64,
+    /// Walls of the last turn.
+    structure: Structure,
+    turns: u32,
+}
+
+impl Candidate<'_> {
+    fn lay_out(&self, cg_x_m: f64) -> Trial {
+        let (input, structure) = (self.input, &self.structure);
+        let frame = Frame {
+            forebody: self.forebody,
+            depths: Depths {
+                forebody_tps_m: input.forebody.tps_thickness_m,
+                bond_m: input.forebody.bond_thickness_m,
+                forebody_carrier_m: structure.forebody.thickness_m,
+                aftbody_tps_m: input.aftbody_tps_thickness_m,
+                aftbody_carrier_m: structure.aftbody.thickness_m,
+                primary_m: structure.primary.thickness_m,
+            },
+            payload_radius_m: self.payload_radius_m,
+            foam_thickness_m: self.foam.least_thickness_m,
+            cg_x_m,
+            rules: &input.rules,
+        };
+        match input.concept {
+            Concept::Msr => msr::layout(&frame),
+            Concept::NonMsr => non_msr::layout(&frame),
         }
-        let next = secant_step(last, (cg_x_m, mass.cg_x_m));
-        last = Some((cg_x_m, mass.cg_x_m));
-        cg_x_m = next;
-        last_foot_x_m = foot_x_m;
-        structure = sized;
     }
-    Err(Misfit::NotConverged { move_m: moved })
+
+    /// Width within which centre of gravity and walls are found, m.
+    fn precision_m(&self) -> f64 {
+        PRECISION * self.input.rules.convergence_m
+    }
+
+    /// The layout about a centre of gravity with walls that carry it, from those at hand on, and its masses.
+    fn settle(&mut self, cg_x_m: f64) -> Result<(Trial, Masses), Misfit> {
+        let input = self.input;
+        let mut move_m = f64::INFINITY;
+        for _ in 0..MOST_TURNS {
+            self.turns += 1;
+            let trial = self.lay_out(cg_x_m);
+            let masses = masses(
+                input,
+                &trial.layout,
+                &Densities {
+                    structure: &self.structure,
+                    foam: self.foam.at(trial.layout.foam_thickness_m),
+                },
+            );
+            if input.concept == Concept::Msr && trial.room_m < HOPELESS_M {
+                return Ok((trial, masses));
+            }
+            let sized = size::walls(input, &size::loads_of(input, &trial.layout, &masses));
+            move_m = largest_move_m(&self.structure, &sized);
+            if move_m <= self.precision_m() {
+                return Ok((trial, masses));
+            }
+            if move_m.is_nan() || move_m > self.forebody.diameter_m {
+                break;
+            }
+            self.structure = sized;
+        }
+        Err(Misfit::NotConverged { move_m })
+    }
+
+    /// How far the centre of gravity lies behind the place about which the vehicle is laid out, m; where the wing is too
+    /// shallow by how much, positive when a place further aft has it less so.
+    fn lead_m(&mut self, x_m: f64) -> Result<f64, Misfit> {
+        let mut trial = self.lay_out(x_m);
+        if trial.room_m >= 0.0 {
+            let (settled, masses) = self.settle(x_m)?;
+            if settled.room_m >= 0.0 {
+                return Ok(masses.cg_x_m - x_m);
+            }
+            trial = settled;
+        }
+        let further = self.lay_out(x_m + NEAR_M);
+        Ok(if further.room_m > trial.room_m {
+            -trial.room_m
+        } else {
+            trial.room_m
+        })
+    }
+
+    /// The layout about the centre of gravity that it has.
+    fn about_its_own_cg(&mut self) -> Result<Trial, Misfit> {
+        let tolerance = self.precision_m();
+        let nose_x_m = self.forebody.nose_tip_x_m();
+        let payload_x_m = self.forebody.resting_ball_x_m(0.0, self.payload_radius_m);
+        let aft_x_m = self.forebody.shoulder_center().x_m.max(payload_x_m) + self.payload_radius_m;
+        let step_m = (aft_x_m - nose_x_m) / f64::from(PLACES);
+        let mut fault = None;
+        let mut lead_m = |x_m: f64| match self.lead_m(x_m) {
+            Ok(lead_m) => lead_m,
+            Err(misfit) => {
+                fault = Some(misfit);
+                f64::NAN
+            }
+        };
+        // the foremost: from the nose on, and beyond the vehicle no centre of gravity lies behind
+        let place = |k: u32| nose_x_m + step_m * f64::from(k);
+        let passed = (1..=4 * PLACES).find(|&k| !(lead_m(place(k)) > 0.0));
+        let found =
+            passed.and_then(|k| root::brent(&mut lead_m, place(k - 1), place(k), tolerance));
+        let Some(x_m) = found else {
+            return Err(fault.unwrap_or(Misfit::NotConverged { move_m: step_m }));
+        };
+        let trial = self.lay_out(x_m);
+        if trial.room_m < -NEAR_M {
+            return Ok(trial);
+        }
+        let (trial, masses) = self.settle(x_m)?;
+        let off_m = (masses.cg_x_m - x_m).abs();
+        if off_m < self.input.rules.convergence_m {
+            return Ok(trial);
+        }
+        // the last place that leaves room for a wing, and the centre of gravity lies beyond it
+        let about_cg = self.lay_out(masses.cg_x_m);
+        let slope_rad = about_cg.layout.outline.wing_slope_rad;
+        Ok(Trial {
+            room_m: -off_m * CG_SHARE,
+            misfit: about_cg.misfit.or(Some(Misfit::WingTooShallow {
+                slope_rad,
+                least_rad: self.input.rules.wing_slope_min_rad,
+            })),
+            ..trial
+        })
+    }
 }
 
-/// Next guess of x = g(x) from two pairs (x, g(x)) by the secant, from one by g(x) itself; never further than twice the way to g(x).
-fn secant_step(last: Option<(f64, f64)>, now: (f64, f64)) -> f64 {
-    let residual = now.1 - now.0;
-    let Some(last) = last else { return now.1 };
-    let change = residual - (last.1 - last.0);
-    let step = -residual * (now.0 - last.0) / change;
-    if step * residual > 0.0 && step.abs() <= 2.0 * residual.abs() {
-        now.0 + step
-    } else {
-        now.1
-    }
-}
-
-/// A first centre of gravity, ahead of where it will be: then the lid is wide and its foot is lifted, never too low.
-fn first_cg_x_m(forebody: &Forebody, payload_radius_m: f64) -> f64 {
-    0.8 * forebody
-        .resting_ball_x_m(0.0, payload_radius_m)
-        .max(0.5 * forebody.shoulder_center().x_m)
+/// Largest change of a wall's thickness, or of its faces', m.
+fn largest_move_m(old: &Structure, new: &Structure) -> f64 {
+    let pairs = [
+        (old.forebody, new.forebody),
+        (old.aftbody, new.aftbody),
+        (old.primary, new.primary),
+    ];
+    let moves = pairs.map(|(old, new)| {
+        let height = (new.thickness_m - old.thickness_m).abs();
+        height + (new.face_thickness_m - old.face_thickness_m).abs()
+    });
+    moves.iter().sum()
 }
 
 /// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
@@ -211,20 +325,5 @@ fn sized_labels(used: Structure, sized: Structure) -> Structure {
         forebody: label(used.forebody, sized.forebody),
         aftbody: label(used.aftbody, sized.aftbody),
         primary: label(used.primary, sized.primary),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_secant_finds_the_fixed_point_of_a_line_at_once() {
-        // g(x) = 3 − x/2 has its fixed point at 2
-        let pair = |x: f64| (x, 3.0 - x / 2.0);
-        assert_eq!(secant_step(None, pair(0.0)), 3.0);
-        assert!((secant_step(Some(pair(0.0)), pair(3.0)) - 2.0).abs() < 1e-15);
-        // no slope to go by: g(x)
-        assert_eq!(secant_step(Some(pair(1.0)), pair(1.0)), 2.5);
     }
 }

@@ -1,21 +1,26 @@
 //! The smallest diameter at which a vehicle closes, and the widest payload where none does.
 //!
 //! ```text
-//! D, 1.03 D, 1.03² D ...   until it closes; then halving of the last step
+//! D → D − room / L   while room < 0;   then the root of room(D) in the last step
 //! ```
 //!
-//! with D the diameter asked for in m.
+//! with D the diameter in m, from the one asked for up; `room` in m how far the annulus stands inside the shallowest wing and the
+//! shoulder, negative when the vehicle is too small; L a bound of its growth with D. Steps that long cannot pass a
+//! diameter that closes; where the room is nearly enough, and where something else does not fit, they are small parts of D.
 //!
 //! # Valid
-//! Up to the largest diameter of the rules. A vehicle that closes only within less than 3 % of diameter may be stepped over.
+//! Up to the largest diameter of the rules. L is that of a rigid filling in a growing forebody, with a reserve for what
+//! centre of gravity and walls do; tests scan what lies below the diameters found.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2: the diameter is increased until the smallest vehicle is found.
 
-use crate::vehicle::close::{Closed, close, close_from};
+use crate::vehicle::close::{Closed, attempt, close};
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::{PayloadSize, VehicleInput};
 use crate::vehicle::layout::Misfit;
+use numerics::math::sin_cos;
+use numerics::root;
 use serde::{Deserialize, Serialize};
 
 /// A vehicle that closes at no diameter up to the largest allowed.
@@ -29,8 +34,18 @@ pub struct NotClosed {
     pub at_largest: Option<Misfit>,
 }
 
-/// Growth of the diameter from one try to the next.
-const GROWTH: f64 = 1.03;
+/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's centre, that times cot θ along the axis; and as much
+/// again for what the filling does.
+fn largest_growth(input: &VehicleInput) -> f64 {
+    let (s, c) = sin_cos(input.cone_half_angle_rad);
+    (c / s).max(1.0)
+}
+
+/// Smallest step of the diameter, as part of it.
+const LEAST_STEP: f64 = 0.002;
+
+/// Step of the diameter where no room tells how far it is, as part of it.
+const BLIND_STEP: f64 = 0.01;
 
 /// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
 pub fn smallest_that_closes(
@@ -42,25 +57,48 @@ pub fn smallest_that_closes(
         Err(misfit) => misfit,
     };
     let largest = input.rules.diameter_max_m;
+    // positive when it closes
+    let room_m = |diameter_m: f64| match attempt(input, diameter_m, foam) {
+        Ok(tried) => match tried.misfit() {
+            None => Ok(tried.room_m().max(f64::MIN_POSITIVE)),
+            Some(misfit) => Err((misfit, tried.room_m())),
+        },
+        Err(misfit @ Misfit::PayloadWiderThanVehicle { .. }) => {
+            Err((misfit, diameter_m / 2.0 - input.payload_diameter_m() / 2.0))
+        }
+        Err(misfit) => Err((misfit, 0.0)),
+    };
+    let growth = largest_growth(input);
     let mut low = input.diameter_m;
     let mut at_largest = at_input;
-    while low < largest {
-        let mut high = (low * GROWTH).min(largest);
-        match close(input, high, foam) {
-            Ok(mut best) => {
-                while high - low > input.rules.diameter_resolution_m {
-                    let middle = 0.5 * (low + high);
-                    match close_from(input, middle, foam, best.start()) {
-                        Ok(closed) => (high, best) = (middle, closed),
-                        Err(_) => low = middle,
-                    }
-                }
-                // from the beginning, so that the vehicle does not depend on the search
-                let settled = close(input, high, foam).unwrap_or(best);
-                return Ok((high, settled));
-            }
-            Err(misfit) => (low, at_largest) = (high, misfit),
+    let mut tried = room_m(low);
+    while let Err((misfit, room)) = tried {
+        at_largest = misfit;
+        if low >= largest {
+            break;
         }
+        let step = if room < 0.0 {
+            (-room / growth).max(LEAST_STEP * low)
+        } else {
+            BLIND_STEP * low
+        };
+        let high = (low + step).min(largest);
+        tried = room_m(high);
+        if tried.is_ok() {
+            let signed = |diameter_m| match room_m(diameter_m) {
+                Ok(room) => room,
+                Err((_, room)) => room.min(-f64::MIN_POSITIVE),
+            };
+            let resolution = input.rules.diameter_resolution_m;
+            let found = root::bracket(signed, low, high, resolution);
+            let smallest = found.map_or(high, |[one, other]| one.max(other));
+            for diameter_m in [smallest, high] {
+                if let Ok(closed) = close(input, diameter_m, foam) {
+                    return Ok((diameter_m, closed));
+                }
+            }
+        }
+        low = high;
     }
     let mut reason = format!(
         "No vehicle of {:.3} m to {:.3} m closes: at {:.3} m {}; at {:.3} m {}.",
@@ -93,7 +131,7 @@ fn largest_payload_m(input: &VehicleInput, foam: &FoamRule, diameter_m: f64) -> 
     let closes = |payload_m: f64| {
         let mut input = input.clone();
         input.payload_size = PayloadSize::DiameterM(payload_m);
-        close(&input, diameter_m, foam).is_ok()
+        attempt(&input, diameter_m, foam).is_ok_and(|tried| tried.misfit().is_none())
     };
     let (mut low, mut high) = (0.0, input.payload_diameter_m());
     for _ in 0..PAYLOAD_HALVINGS {

@@ -11,7 +11,9 @@
 //! speed at impact in m/s, M the mass in kg, Ḡ the design load in Earth g, g = 9.80665 m/s², FS in Pa, M_PL the payload's
 //! mass in kg, A_p its cross-section in m², η the usable fraction of the foam's thickness.
 //!
-//! The landing in time, with crush of the foam and penetration together, is in [`crush`] and [`landing`].
+//! The landing in time, with crush of the foam and penetration together, is in [`crush`] and [`landing`]. The payload feels the
+//! foam over its footprint there and not over its own cross-section as in equation 6: [`foam_rule`] takes thickness and strength
+//! from that law, or from equation 6 as printed.
 //!
 //! # Valid
 //! Vertical fall, one dimension, rigid payload. Equation 1: soft clay for which α was measured.
@@ -22,6 +24,7 @@
 
 pub mod absorber;
 pub mod crush;
+pub mod estimates;
 pub mod foam;
 pub mod foam_rule;
 pub mod footprint;
@@ -31,13 +34,14 @@ pub mod landing;
 pub mod remarks;
 pub mod soil;
 pub mod striker;
+pub mod supply;
 pub mod young;
 
 pub use ground::{Ground, RigidBodyLoad};
 
 use crate::vehicle::kinds::Concept;
 use crate::vehicle::kinds::EARTH_G_M_S2;
-use crate::vehicle::kinds::FoamGrade;
+use crate::vehicle::kinds::FoamStrength;
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +50,8 @@ use serde::{Deserialize, Serialize};
 pub struct Impact {
     /// Load of a rigid vehicle in the chosen ground, Earth g; absent on rigid ground.
     pub ground_penetration: Option<RigidBodyLoad>,
+    /// The constant α of equation 1; absent on other grounds.
+    pub penetration_alpha: Option<f64>,
     /// Load on a rigid surface, which the foam is made for, Earth g.
     pub crush_load_limit_earth_g: f64,
     /// Nose diameter in equation 1, m.
@@ -54,28 +60,18 @@ pub struct Impact {
     pub required_stroke_m: f64,
     /// Foam thickness that gives this stroke, m.
     pub required_foam_thickness_m: f64,
-    /// Compressive strength of the foam, Pa.
+    /// Part of the foam's thickness that was used for it.
+    pub stroke_efficiency: f64,
+    /// What the strength of the foam follows from.
+    pub foam_strength_by: FoamStrength,
+    /// Compressive strength asked for, Pa.
     pub foam_strength_pa: f64,
+    /// The same by equation 6, Pa.
+    pub equation_6_strength_pa: f64,
     /// Density of the foam, kg/m³.
     pub foam_density_kg_m3: f64,
     /// Energy of the vehicle at impact, J.
     pub impact_energy_j: f64,
-}
-
-/// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³.
-pub fn foam_density_kg_m3(grades: &[FoamGrade], strength_pa: f64) -> Option<f64> {
-    let first = grades.first()?;
-    if strength_pa <= first.compressive_strength_pa {
-        return Some(first.density_kg_m3);
-    }
-    let mut pairs = grades.iter().zip(grades.iter().skip(1));
-    let (low, high) = pairs
-        .clone()
-        .find(|(_, high)| strength_pa <= high.compressive_strength_pa)
-        .or(pairs.next_back())?;
-    let share = (strength_pa - low.compressive_strength_pa)
-        / (high.compressive_strength_pa - low.compressive_strength_pa);
-    Some(low.density_kg_m3 + share * (high.density_kg_m3 - low.density_kg_m3))
 }
 
 /// Peak load of ground penetration, Earth g.
@@ -88,13 +84,17 @@ pub fn penetration_load_earth_g(
     alpha * nose_diameter_m * speed_m_s * speed_m_s / mass_kg
 }
 
-/// Stroke of the payload on a rigid surface, m.
-pub fn required_stroke_m(concept: Concept, speed_m_s: f64, design_load_earth_g: f64) -> f64 {
-    let pulse = match concept {
+/// Stroke over that of a constant deceleration: a triangular pulse takes twice as much.
+pub fn pulse_factor(concept: Concept) -> f64 {
+    match concept {
         Concept::Msr => 2.0,
         Concept::NonMsr => 1.0,
-    };
-    pulse * speed_m_s * speed_m_s / (2.0 * design_load_earth_g * EARTH_G_M_S2)
+    }
+}
+
+/// Stroke of the payload on a rigid surface, m.
+pub fn required_stroke_m(concept: Concept, speed_m_s: f64, design_load_earth_g: f64) -> f64 {
+    pulse_factor(concept) * speed_m_s * speed_m_s / (2.0 * design_load_earth_g * EARTH_G_M_S2)
 }
 
 /// Compressive strength of the foam, Pa.
@@ -133,20 +133,5 @@ mod tests {
         let area = PI * 0.2 * 0.2 / 4.0;
         let strength = foam_strength_pa(10.0, 0.2, 31.0, stroke);
         assert!((strength - 10.0 * 1000.0 * EARTH_G_M_S2 / area).abs() < 1e-6);
-    }
-
-    #[test]
-    fn foam_of_3_mpa_between_2_and_4_has_the_mean_density() {
-        let grade = |density_kg_m3, compressive_strength_pa| FoamGrade {
-            name: String::new(),
-            density_kg_m3,
-            compressive_strength_pa,
-            source: String::new(),
-        };
-        let grades = [grade(50.0, 1.0e6), grade(100.0, 2.0e6), grade(200.0, 4.0e6)];
-        assert_eq!(foam_density_kg_m3(&grades, 3.0e6), Some(150.0));
-        assert_eq!(foam_density_kg_m3(&grades, 6.0e6), Some(300.0)); // beyond: 50 kg/m³ a MPa further
-        assert_eq!(foam_density_kg_m3(&grades, 0.5e6), Some(50.0));
-        assert_eq!(foam_density_kg_m3(&[], 1.0e6), None);
     }
 }

@@ -3,7 +3,7 @@
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::kinds::FoamGrade;
-use crate::vehicle::kinds::{ComponentDensities, Concept, CrushingMass};
+use crate::vehicle::kinds::{ComponentDensities, Concept, CrushingMass, FoamStrength};
 use crate::vehicle::material::Materials;
 use crate::vehicle::rules::Rules;
 use crate::vehicle::structure::{Carrier, StructureLoads};
@@ -27,10 +27,12 @@ pub enum PayloadSize {
 pub struct ImpactInput {
     /// Design load of the payload, Earth g.
     pub crush_load_limit_earth_g: f64,
-    /// Usable fraction of the foam's thickness.
-    pub stroke_efficiency: f64,
+    /// Usable fraction of the foam's thickness; `None` takes the end of the plateau of the foam in use.
+    pub stroke_efficiency: Option<f64>,
     /// The ground.
     pub ground: Ground,
+    /// What its strength follows from.
+    pub foam_strength: FoamStrength,
     /// How the foam crushes.
     pub foam: FoamKind,
     /// What crushes it.
@@ -132,7 +134,10 @@ impl VehicleInput {
                 "crush_load_limit_earth_g",
                 self.impact.crush_load_limit_earth_g,
             ),
-            ("stroke_efficiency", self.impact.stroke_efficiency),
+            (
+                "stroke_efficiency",
+                self.impact.stroke_efficiency.unwrap_or(1.0),
+            ),
         ];
         let not_negative = [
             ("mass_margin", self.mass_margin),

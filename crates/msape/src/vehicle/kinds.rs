@@ -15,6 +15,16 @@ pub enum Concept {
     NonMsr,
 }
 
+impl Concept {
+    /// Name as the report has it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Msr => "MSR",
+            Self::NonMsr => "non-MSR",
+        }
+    }
+}
+
 /// The parts of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -91,13 +101,15 @@ impl WallPlace {
     }
 }
 
-/// Impact foam as equations 4 and 6 ask for it.
+/// Impact foam as the landing asks for it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Foam {
     /// Thickness, m.
     pub thickness_m: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
+    /// Compressive strength asked for, Pa.
+    pub strength_pa: f64,
 }
 
 /// A foam and its strength.
@@ -117,7 +129,7 @@ pub struct FoamGrade {
 /// Densities of what fills the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComponentDensities {
-    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength of equation 6, and adds the panels.
+    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength asked for, and adds the panels.
     pub impact_foam_kg_m3: Option<f64>,
     /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
     pub impact_panels_kg_m3: f64,
@@ -129,6 +141,16 @@ pub struct ComponentDensities {
     pub lid_insulation_kg_m3: f64,
     /// Wing insulation, kg/m³.
     pub wing_insulation_kg_m3: f64,
+}
+
+/// What the strength of the impact foam follows from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FoamStrength {
+    /// The law by which the landing is judged: energy over the volume that is crushed.
+    #[default]
+    CrushLaw,
+    /// Equation 6 as printed: energy over the payload's cross-section and the stroke.
+    Equation6,
 }
 
 /// What crushes the impact foam.

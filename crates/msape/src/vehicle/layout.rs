@@ -1,23 +1,27 @@
 //! Where everything in a vehicle stands at one diameter, and why it may not fit: what both concepts share.
 //!
 //! ```text
-//! room = (x_a − x_s) cos φ + (r_s − r_a) sin φ − R_s ≥ 0      the wing is no steeper than φ
+//! (x_a − x_s) cos φ + (r_s − r_a) sin φ − R_s ≥ 0      the wing is no steeper than φ, the steepest allowed
+//! (x_a − x_s)² + (r_s − r_a)² ≥ R_s²                   the annulus does not cut into the shoulder
+//! R_s − (x_a − x_s) cos φ₀ − (r_s − r_a) sin φ₀ ≥ 0    the wing is no shallower than φ₀
 //! ```
 //!
-//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the centre of the shoulder arc in m, φ the steepest slope
-//! allowed in rad, R_s the shoulder radius in m.
+//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the centre of the shoulder arc in m, φ and φ₀ in rad, R_s the
+//! shoulder radius in m. Of the lids that a concept may have the lowest and widest is taken that keeps the first two; the third
+//! then tells by how much a vehicle is too small, continuously in every dimension.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`].
 //!
 //! # References
-//! - \[samareh-2014\] section 3.1.2. Thickening the impact foam where the vehicle is too flat for its wing is a rule of ours.
+//! - \[samareh-2014\] section 3.1.2.
 
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::outline::{Outline, smallest_shoulder_radius_m, wing_slope_rad};
 use crate::vehicle::rules::Rules;
 use crate::vehicle::segment::Point;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE, sin_cos};
+use numerics::root;
 use serde::{Deserialize, Serialize};
 
 /// Depths of the layers under the outer mould line and thickness of the inner walls.
@@ -126,14 +130,9 @@ pub enum Misfit {
         /// Layers of forebody and aftbody together, m.
         layers_m: f64,
     },
-    /// Payload and clearance are wider than the space under the lid.
-    PayloadWiderThanLid {
-        /// Radius of the payload, m.
-        payload_radius_m: f64,
-    },
-    /// Masses and geometry kept moving.
+    /// Walls that carry themselves were not found: each turn asks for thicker ones.
     NotConverged {
-        /// Last move of the centre of gravity, m.
+        /// Last growth of a wall, m.
         move_m: f64,
     },
 }
@@ -170,28 +169,36 @@ impl Misfit {
                 "the layers of forebody and aftbody cross: {:.0} mm together, they do not fit between the outer surfaces",
                 mm(layers_m)
             ),
-            Self::PayloadWiderThanLid { payload_radius_m } => format!(
-                "the payload crosses the primary structure under the lid: it is {:.0} mm in radius",
-                mm(payload_radius_m)
+            Self::NotConverged { move_m } => format!(
+                "no walls carry themselves: masses and geometry did not settle, walls still grow by {:.3} mm a turn",
+                mm(move_m)
             ),
-            Self::NotConverged { move_m } => {
-                format!(
-                    "masses and geometry did not settle: the lid about the centre of gravity and the foam that raises the payload to it move it on by {:.3} mm a turn",
-                    mm(move_m)
-                )
-            }
         }
     }
 }
 
-/// A shoulder this part smaller than the layers ask for is rounding: the slope of a wing at its limit carries that much.
-pub const SHOULDER_TOLERANCE: f64 = 1e-9;
+/// Precision of the smallest shoulder, as part of what counts as rounding.
+const SHOULDER_PRECISION: f64 = 1e-3;
 
 /// At the smallest shoulder a wing at its limit is parallel to the forebody, and the layers touch: to within this, m.
 const ROUNDING_M: f64 = 1e-9;
 
-/// How much impact foam a search may add, m.
-const MOST_ADDED_FOAM_M: f64 = 0.5;
+/// Width of the last interval in the search for a lid or its shoulder, m.
+pub const LID_TOLERANCE_M: f64 = 1e-14;
+
+/// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
+const WING_LENGTH_M: f64 = 1e-6;
+
+/// A layout, whether it closes or not.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    /// Where everything stands.
+    pub layout: Layout,
+    /// By how much the wing keeps its least slope, measured at the edge of the annulus; negative when it does not, m.
+    pub room_m: f64,
+    /// Why it does not close.
+    pub misfit: Option<Misfit>,
+}
 
 impl Frame<'_> {
     /// Steepest slope of the wing: the rule's, and never steeper than the forebody, rad.
@@ -201,108 +208,206 @@ impl Frame<'_> {
             .min(FRAC_PI_2 - self.forebody.cone_half_angle_rad)
     }
 
+    /// Least slope of the wing: the rule's, or the steepest where that is less, rad.
+    pub fn shallowest_rad(&self) -> f64 {
+        self.rules.wing_slope_min_rad.min(self.steepest_rad())
+    }
+
     /// Smallest shoulder radius for the layers when the wing slopes `slope_rad`, m.
-    pub fn shoulder_floor_m(&self, slope_rad: f64) -> f64 {
+    fn shoulder_floor_m(&self, slope_rad: f64) -> f64 {
         let theta = self.forebody.cone_half_angle_rad;
         smallest_shoulder_radius_m(self.depths.fore_m(), self.depths.aft_m(), theta, slope_rad)
     }
 
+    /// The layout with the shoulder radius asked for or, when the layers have no room in it, with the smallest in which they
+    /// have. `lay_out` is given a floor for the radius; the room needed depends on the slope of the wing, and so on the radius.
+    pub fn with_room_for_layers(&self, lay_out: impl Fn(f64) -> Trial) -> Trial {
+        let (least, most) = (self.shallowest_rad(), self.steepest_rad());
+        let lack_m = |trial: &Trial| {
+            let outline = &trial.layout.outline;
+            let slope_rad = outline.wing_slope_rad.max(least).min(most);
+            self.shoulder_floor_m(slope_rad) - outline.forebody.shoulder_radius_m
+        };
+        let floors = [least, most].map(|slope_rad| self.shoulder_floor_m(slope_rad));
+        let (low_m, high_m) = (floors[0].min(floors[1]), floors[0].max(floors[1]));
+        let trial = lay_out(low_m);
+        if lack_m(&trial) <= ROUNDING_M * SHOULDER_PRECISION {
+            return trial;
+        }
+        // the largest floor is enough for every slope, so that the smallest that is enough lies below it
+        let lack_at_m = |floor_m| lack_m(&lay_out(floor_m));
+        let tolerance_m = ROUNDING_M * SHOULDER_PRECISION;
+        let found = root::bracket(lack_at_m, low_m, high_m, tolerance_m);
+        lay_out(found.map_or(high_m, |[one, other]| one.max(other)))
+    }
+
     /// The forebody with another shoulder radius.
-    pub fn with_shoulder(&self, shoulder_radius_m: f64) -> Forebody {
+    fn with_shoulder(&self, shoulder_radius_m: f64) -> Forebody {
         Forebody {
             shoulder_radius_m,
             ..self.forebody
         }
     }
 
-    /// How far an annulus edge stands behind where the steepest wing would put it, m (along the wing's normal).
-    pub fn room_m(&self, shoulder_radius_m: f64, edge: Point) -> f64 {
-        let center = self.with_shoulder(shoulder_radius_m).shoulder_center();
-        let (s, c) = sin_cos(self.steepest_rad());
-        (edge.x_m - center.x_m) * c + (center.r_m - edge.r_m) * s - shoulder_radius_m
+    /// The limits that a shoulder sets to the annulus.
+    pub fn wing(&self, shoulder_radius_m: f64) -> Wing {
+        Wing {
+            center: self.with_shoulder(shoulder_radius_m).shoulder_center(),
+            radius_m: shoulder_radius_m,
+            steepest: sin_cos(self.steepest_rad()),
+            shallowest: sin_cos(self.shallowest_rad()),
+        }
     }
 
-    /// Largest shoulder radius at which an annulus edge has room, m; negative when there is none. The room is linear in it.
-    pub fn shoulder_with_room_m(&self, edge: Point) -> f64 {
-        let none = self.room_m(0.0, edge);
-        let slope = none - self.room_m(1.0, edge);
-        none / slope
-    }
-
-    /// Least impact foam, at least what was asked for, at which `room` is not negative, m.
-    pub fn thickened_foam_m(&self, room: impl Fn(f64) -> f64) -> Result<f64, Misfit> {
-        let (mut low, mut high) = (
-            self.foam_thickness_m,
-            self.foam_thickness_m + MOST_ADDED_FOAM_M,
-        );
-        if room(low) >= 0.0 {
-            return Ok(low);
+    /// The limits at the largest shoulder radius, from the one asked for down to `floor_m`, at which an annulus edge has room;
+    /// at the floor when it has at none.
+    pub fn wing_for(&self, edge: Point, floor_m: f64) -> Wing {
+        let asked_m = self.forebody.shoulder_radius_m.max(floor_m);
+        let asked = self.wing(asked_m);
+        if asked.clearance_m(edge) >= 0.0 {
+            return asked;
         }
-        if room(high) < 0.0 || room(high).is_nan() {
-            return Err(Misfit::WingTooSteep);
-        }
-        // to 0.5 m / 2⁴⁵, well under a nanometre
-        for _ in 0..45 {
-            let middle = 0.5 * (low + high);
-            if room(middle) >= 0.0 {
-                high = middle
-            } else {
-                low = middle
-            }
-        }
-        Ok(high)
+        let clearance_m = |radius_m| self.wing(radius_m).clearance_m(edge);
+        let found = root::bracket(clearance_m, floor_m, asked_m, LID_TOLERANCE_M);
+        self.wing(found.map_or(floor_m, |[one, other]| one.min(other)))
     }
 
     /// Finishes a layout: the slope of the wing, and whether the layers fit everywhere.
-    pub fn outline(&self, lid: Lid, shoulder_radius_m: f64) -> Result<Outline, Misfit> {
-        let forebody = self.with_shoulder(shoulder_radius_m);
-        let (nose, shoulder) = (
-            forebody.nose_tangent(0.0).r_m,
-            forebody.shoulder_tangent(0.0).r_m,
-        );
-        if nose >= shoulder {
-            return Err(Misfit::NoseWiderThanShoulder {
-                nose_r_m: nose,
-                shoulder_r_m: shoulder,
-            });
-        }
+    pub fn outline(&self, lid: Lid, wing: &Wing) -> (Outline, f64, Option<Misfit>) {
+        let forebody = self.with_shoulder(wing.radius_m);
         let edge = lid.edge(self.rules.annulus_width_m);
-        let too_wide = Misfit::LidWiderThanShoulder {
-            annulus_r_m: edge.r_m,
-            shoulder_r_m: forebody.shoulder_center().r_m,
-        };
-        let slope = wing_slope_rad(&forebody, edge).ok_or(too_wide)?;
+        let slope = wing_slope_rad(&forebody, edge);
         let outline = Outline {
             forebody,
-            wing_slope_rad: slope.min(self.steepest_rad()),
+            wing_slope_rad: slope.unwrap_or_default().min(self.steepest_rad()),
             attached_structure_x_m: lid.foot_x_m,
             annulus_width_m: self.rules.annulus_width_m,
             lid_radius_m: lid.radius_m,
             lid_center_x_m: lid.center_x_m,
         };
-        let least_rad = RADIANS_PER_DEGREE;
-        if slope < least_rad {
-            return Err(Misfit::WingTooShallow {
-                slope_rad: slope,
+        let room_m = wing.room_m(edge);
+        let too_steep = wing.clearance_m(edge) < -ROUNDING_M && room_m >= 0.0;
+        let misfit = if too_steep {
+            Some(Misfit::WingTooSteep)
+        } else {
+            self.misfit(&outline, edge, slope, room_m)
+        };
+        (outline, room_m, misfit)
+    }
+
+    fn misfit(
+        &self,
+        outline: &Outline,
+        edge: Point,
+        slope: Option<f64>,
+        room_m: f64,
+    ) -> Option<Misfit> {
+        let forebody = &outline.forebody;
+        let (nose_r_m, shoulder_r_m) = (
+            forebody.nose_tangent(0.0).r_m,
+            forebody.shoulder_tangent(0.0).r_m,
+        );
+        if nose_r_m >= shoulder_r_m {
+            return Some(Misfit::NoseWiderThanShoulder {
+                nose_r_m,
+                shoulder_r_m,
+            });
+        }
+        let too_wide = Misfit::LidWiderThanShoulder {
+            annulus_r_m: edge.r_m,
+            shoulder_r_m: forebody.shoulder_center().r_m,
+        };
+        let Some(slope_rad) = slope else {
+            return Some(too_wide);
+        };
+        if room_m < 0.0 && slope_rad >= self.shallowest_rad() {
+            return Some(too_wide);
+        }
+        if room_m < 0.0 {
+            return Some(Misfit::WingTooShallow {
+                slope_rad,
                 least_rad: self.rules.wing_slope_min_rad,
             });
         }
         let (fore, aft) = (self.depths.fore_m(), self.depths.aft_m());
         let corner_r = outline.annulus_outer_r_m(aft);
-        if outline.on_tip_line(shoulder_radius_m - aft).r_m <= corner_r {
-            return Err(too_wide);
-        }
-        let no_room = Misfit::NoRoomForLayers {
-            layers_m: fore + aft,
-        };
         let wall_r = outline.lid_foot_r_m(aft) + self.depths.primary_m;
-        if wall_r >= corner_r
-            || forebody.depth_x_m(fore, corner_r) > lid.foot_x_m - aft + ROUNDING_M
-            || aft >= lid.radius_m
-        {
-            return Err(no_room);
-        }
-        Ok(outline)
+        let crossed = wall_r >= corner_r
+            || forebody.depth_x_m(fore, corner_r)
+                > outline.attached_structure_x_m - aft + ROUNDING_M
+            || aft >= outline.lid_radius_m;
+        crossed.then_some(Misfit::NoRoomForLayers {
+            layers_m: fore + aft,
+        })
+    }
+}
+
+/// Where the outer edge of the annulus may stand: inwards of the steepest wing and of the shoulder's circle, ahead of the
+/// shallowest wing.
+#[derive(Clone, Copy, Debug)]
+pub struct Wing {
+    /// Centre of the shoulder arc.
+    center: Point,
+    /// Its radius, m.
+    radius_m: f64,
+    /// Sine and cosine of the steepest slope.
+    steepest: (f64, f64),
+    /// Sine and cosine of the least slope.
+    shallowest: (f64, f64),
+}
+
+impl Wing {
+    /// How far an edge stands behind the steepest wing, m.
+    pub fn behind_steepest_m(&self, edge: Point) -> f64 {
+        let (s, c) = self.steepest;
+        (edge.x_m - self.center.x_m) * c + (self.center.r_m - edge.r_m) * s - self.radius_m
+    }
+
+    /// Sine and cosine of the steepest slope.
+    pub fn steepest(&self) -> (f64, f64) {
+        self.steepest
+    }
+
+    /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
+    pub fn is_aft_of_steepest(&self, edge: Point) -> bool {
+        edge.x_m - self.center.x_m > self.radius_m * self.steepest.1
+    }
+
+    /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
+    /// shoulder: the least of the three, m.
+    fn room_m(&self, edge: Point) -> f64 {
+        let (s, c) = self.shallowest;
+        let (behind, along) = (edge.x_m - self.center.x_m, self.center.r_m - edge.r_m);
+        let ahead = self.radius_m - behind * c - along * s;
+        let outside = if self.is_aft_of_steepest(edge) {
+            along - self.circle_m(behind)
+        } else {
+            f64::INFINITY
+        };
+        ahead.min(along - self.radius_m * s).min(outside)
+    }
+
+    /// Half the width of the shoulder's circle at a distance behind its centre, m; zero aft of it.
+    fn circle_m(&self, behind_m: f64) -> f64 {
+        let square = self.radius_m * self.radius_m - behind_m * behind_m;
+        square.max(0.0).sqrt()
+    }
+
+    /// Largest distance from the axis of an edge at the axial position `x_m`: on the steepest wing, further aft on the
+    /// shoulder's circle, at most where the shallowest wing touches it, m.
+    pub fn widest_r_m(&self, x_m: f64) -> f64 {
+        let (behind, (s, c)) = (x_m - self.center.x_m, self.steepest);
+        let inwards = if behind <= self.radius_m * c {
+            (self.radius_m - behind * c) / s
+        } else {
+            (self.circle_m(behind) + WING_LENGTH_M).max(self.radius_m * self.shallowest.0)
+        };
+        self.center.r_m - inwards
+    }
+
+    /// How far inwards of the widest place an edge stands, m.
+    pub fn clearance_m(&self, edge: Point) -> f64 {
+        self.widest_r_m(edge.x_m) - edge.r_m
     }
 }
 

@@ -169,8 +169,53 @@ pub struct Densities<'a> {
     pub structure: &'a Structure,
     /// Impact foam.
     pub foam: Foam,
-    /// Its material, where the input names none.
-    pub foam_material: &'a Material,
+}
+
+/// A component's kind and its mass with margin, kg.
+pub type PartMass = (ComponentKind, f64);
+
+/// Mass and centre of gravity alone, margin included.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Masses {
+    /// Each component, in the order in which they are summed.
+    pub parts: Vec<PartMass>,
+    /// Their sum, kg.
+    pub mass_kg: f64,
+    /// Axial position of the centre of gravity from the virtual apex, m.
+    pub cg_x_m: f64,
+}
+
+/// The factor of the margin on a component.
+fn margin_factor(kind: ComponentKind, input: &VehicleInput) -> f64 {
+    match kind {
+        ComponentKind::Payload => 1.0,
+        _ => 1.0 + input.mass_margin,
+    }
+}
+
+/// What the closing loop reads of [`components`] and [`total`], with the same bits.
+pub fn masses(input: &VehicleInput, layout: &Layout, found: &Densities) -> Masses {
+    let mut all = Masses::default();
+    let mut moment = 0.0;
+    for (kind, profiles) in profiles(input.concept, layout) {
+        let (mut volume_m3, mut volume_moment_m4) = (0.0, 0.0);
+        for profile in &profiles {
+            let (volume, of_volume) = profile.volume_and_moment();
+            volume_m3 += volume;
+            volume_moment_m4 += of_volume;
+        }
+        let mass_kg = density_kg_m3(kind, input, found) * volume_m3;
+        let with_margin_kg = margin_factor(kind, input) * mass_kg;
+        if volume_m3 > 0.0 {
+            moment += with_margin_kg * (volume_moment_m4 / volume_m3);
+        }
+        all.mass_kg += with_margin_kg;
+        all.parts.push((kind, with_margin_kg));
+    }
+    if all.mass_kg > 0.0 {
+        all.cg_x_m = moment / all.mass_kg;
+    }
+    all
 }
 
 fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -> f64 {
@@ -209,21 +254,18 @@ fn areas_m2(profiles: &[Profile], outside: &Profile) -> [f64; 2] {
 
 /// Every component with its mass.
 pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> Vec<Component> {
+    let foam_material = found_foam(input, found.foam);
     let outside = layout.outline.profile();
     profiles(input.concept, layout)
         .into_iter()
         .map(|(kind, profiles)| {
             let areas = areas_m2(&profiles, &outside);
-            let material = input.materials.of(kind, found.foam_material);
+            let material = input.materials.of(kind, &foam_material);
             let solid = profiles
                 .iter()
                 .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
             let density = density_kg_m3(kind, input, found);
-            let factor = if kind == ComponentKind::Payload {
-                1.0
-            } else {
-                1.0 + input.mass_margin
-            };
+            let factor = margin_factor(kind, input);
             let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
             let about_apex = factor * density * solid.transverse_second_moment_m5;
             Component {
@@ -246,12 +288,43 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
         .collect()
 }
 
+/// What the sum reads of a component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Volume, m³.
+    pub volume_m3: f64,
+    /// Mass without margin, kg.
+    pub mass_kg: f64,
+    /// Mass with margin, kg.
+    pub mass_with_margin_kg: f64,
+    /// Axial position of its centre of gravity from the virtual apex, m.
+    pub cg_x_m: f64,
+    /// Moment of inertia about the axis, with margin, kg m².
+    pub ixx_kg_m2: f64,
+    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    pub iyy_kg_m2: f64,
+}
+
+impl Component {
+    /// What the sum reads of it.
+    pub fn part(&self) -> Part {
+        Part {
+            volume_m3: self.volume_m3,
+            mass_kg: self.mass_kg,
+            mass_with_margin_kg: self.mass_with_margin_kg,
+            cg_x_m: self.cg_x_m,
+            ixx_kg_m2: self.ixx_kg_m2,
+            iyy_kg_m2: self.iyy_kg_m2,
+        }
+    }
+}
+
 /// The sum of all components.
-pub fn total(components: &[Component]) -> MassProperties {
+pub fn total(parts: impl Iterator<Item = Part>) -> MassProperties {
     let mut sum = MassProperties::default();
     let mut moment = 0.0;
     let mut about_apex = 0.0;
-    for c in components {
+    for c in parts {
         sum.mass_kg += c.mass_with_margin_kg;
         sum.mass_without_margin_kg += c.mass_kg;
         sum.volume_m3 += c.volume_m3;
@@ -268,7 +341,7 @@ pub fn total(components: &[Component]) -> MassProperties {
 }
 
 /// Impact foam of a density: the grade, or the two between which it lies, and the panels in it.
-pub fn found_foam(input: &VehicleInput, foam: Foam) -> Material {
+fn found_foam(input: &VehicleInput, foam: Foam) -> Material {
     let panels_kg_m3 = match input.concept {
         Concept::Msr => input.densities.impact_panels_kg_m3,
         Concept::NonMsr => 0.0,

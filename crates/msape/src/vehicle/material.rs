@@ -1,7 +1,7 @@
 //! What each component is made of, and where its density comes from.
 //!
 //! ```text
-//! ρ_foam = ρ_grade(strength of equation 6) + ρ_panels
+//! ρ_foam = ρ_grade(strength asked for) + ρ_panels
 //! ```
 //!
 //! with densities in kg/m³, the panels in the MSR concept only. A density found from an assumed one counts as assumed.
@@ -101,7 +101,7 @@ pub struct Materials {
     pub primary_structure: Material,
     /// Filling of the wing.
     pub wing_insulation: Material,
-    /// Impact foam; without a name that of the grade which has the strength of equation 6.
+    /// Impact foam; without a name that of the grade which has the strength asked for.
     pub impact_foam: Option<Material>,
     /// Impact shell.
     pub impact_shell: Material,

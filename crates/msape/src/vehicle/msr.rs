@@ -7,7 +7,9 @@
 //! ```
 //!
 //! with lengths in m. The gap holds body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
-//! rules allow when the wing would be too steep, then the shoulder radius shrinks, then the impact foam is thickened.
+//! rules allow when the wing would be too steep or the lid would reach the shoulder, then the shoulder radius shrinks, then the
+//! impact foam is thickened: sphere, lid and attached structure being tied to each other and to the forebody, nothing else
+//! raises the lid.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`].
@@ -17,10 +19,11 @@
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, sin_cos};
+use numerics::root;
 
 impl Frame<'_> {
     fn msr_lid(&self, foam_m: f64, gap_m: f64) -> Lid {
@@ -32,42 +35,62 @@ impl Frame<'_> {
             foot_x_m: x_m,
         }
     }
+
+    /// Impact foam to add for an edge that stands `lack_m` ahead of the steepest wing, m.
+    ///
+    /// Foam that is thicker by 1 m moves the edge outwards by as much and aft by 1 m on the nose, by 1 / sin θ m in the cone.
+    fn foam_to_add_m(&self, lack_m: f64) -> f64 {
+        let (s, c) = sin_cos(self.steepest_rad());
+        let sin_theta = self.forebody.sin_cos().0;
+        let sphere =
+            self.payload_radius_m + self.foam_thickness_m + self.rules.impact_shell_thickness_m;
+        let nose = self.forebody.nose_radius_m - self.depths.fore_m();
+        let on_nose = lack_m / (c - s);
+        // until it leaves the nose, then in the cone
+        let left = (nose - sphere).max(0.0);
+        if on_nose <= left {
+            on_nose
+        } else {
+            left + (lack_m - left * (c - s)) / (c / sin_theta - s)
+        }
+    }
 }
 
+/// Most impact foam that is added for the wing, m.
+const MOST_ADDED_FOAM_M: f64 = 0.5;
+
 /// Lays the concept out at the diameter of the frame.
-pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
+pub fn layout(frame: &Frame) -> Trial {
+    frame.with_room_for_layers(|floor_m| at(frame, floor_m))
+}
+
+/// The layout with a shoulder radius of at least `floor_m`.
+fn at(frame: &Frame, floor_m: f64) -> Trial {
     let rules = frame.rules;
     let (least_gap, width) = (rules.lid_gap_min_m, rules.annulus_width_m);
-    let most_gap = rules.body_foam_gap_m + rules.lid_insulation_gap_m;
-    let mut floor = frame.shoulder_floor_m(frame.steepest_rad());
-    // a shallower wing needs a little more shoulder, which makes it steeper: settles in a few turns
-    for _ in 0..20 {
-        let mut shoulder = frame.forebody.shoulder_radius_m.max(floor);
-        let mut foam = frame.foam_thickness_m;
-        let edge = frame.msr_lid(foam, least_gap).edge(width);
-        if frame.room_m(shoulder, edge) < 0.0 {
-            shoulder = frame.shoulder_with_room_m(edge);
-            if shoulder < floor {
-                shoulder = floor;
-                foam = frame.thickened_foam_m(|f| {
-                    frame.room_m(floor, frame.msr_lid(f, least_gap).edge(width))
-                })?;
-            }
-        }
-        // a wider gap moves the edge outwards: the room falls by sin φ for each metre
-        let spare = frame
-            .room_m(shoulder, frame.msr_lid(foam, least_gap).edge(width))
-            .max(0.0);
-        let gap =
-            (least_gap + spare / sin_cos(frame.steepest_rad()).0).min(most_gap.max(least_gap));
-        let outline = frame.outline(frame.msr_lid(foam, gap), shoulder)?;
-        let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
-        if needed > shoulder * (1.0 + SHOULDER_TOLERANCE) {
-            floor = needed;
-            continue;
-        }
-        let body_foam = gap * rules.body_foam_gap_m / most_gap;
-        return Ok(Layout {
+    let most_gap = (rules.body_foam_gap_m + rules.lid_insulation_gap_m).max(least_gap);
+    let narrowest = |foam_m| frame.msr_lid(foam_m, least_gap).edge(width);
+    let mut foam = frame.foam_thickness_m;
+    let wing = frame.wing_for(narrowest(foam), floor_m);
+    let clearance = |foam_m| wing.clearance_m(narrowest(foam_m));
+    if clearance(foam) < -LID_TOLERANCE_M {
+        // on the steepest wing, unless the shoulder lets a wider edge stand further forward
+        let lack_m = -wing.behind_steepest_m(narrowest(foam));
+        let most = foam + frame.foam_to_add_m(lack_m.max(0.0));
+        foam = if wing.is_aft_of_steepest(narrowest(most)) {
+            root::brent(clearance, foam, most, LID_TOLERANCE_M).unwrap_or(most)
+        } else {
+            most
+        };
+    }
+    // a wider gap moves the edge straight outwards
+    let gap = (least_gap + clearance(foam)).max(least_gap).min(most_gap);
+    let (outline, room_m, misfit) = frame.outline(frame.msr_lid(foam, gap), &wing);
+    let too_thick = foam - frame.foam_thickness_m > MOST_ADDED_FOAM_M;
+    let body_foam =
+        gap * rules.body_foam_gap_m / (rules.body_foam_gap_m + rules.lid_insulation_gap_m);
+    Trial {
+        layout: Layout {
             outline,
             depths: frame.depths,
             payload_x_m: outline.lid_center_x_m,
@@ -76,11 +99,14 @@ pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
             impact_shell_thickness_m: rules.impact_shell_thickness_m,
             body_foam_thickness_m: body_foam,
             lid_insulation_thickness_m: gap - body_foam,
-        });
+        },
+        room_m,
+        misfit: if too_thick {
+            Some(Misfit::WingTooSteep)
+        } else {
+            misfit
+        },
     }
-    Err(Misfit::NoRoomForLayers {
-        layers_m: frame.depths.fore_m() + frame.depths.aft_m(),
-    })
 }
 
 /// What is inside the primary structure and under the lid.

@@ -4,117 +4,120 @@
 //! x_p = rest of a ball of radius R_p + foam on the forebody's layers
 //! R_L = x_p + R_p + 50 mm + t_a − x_cg
 //! x_a ≥ x_cg                                    the lid is at most a hemisphere
+//! (R_L − t_a)² ≥ (R_p + c)² + (x_a − x_cg)²     the payload passes the foot of the lid, where the primary structure ends
 //! ```
 //!
-//! with lengths in m, x_p the payload's centre, x_cg the centre of gravity, x_a the attached structure. Of all x_a the least is
-//! taken at which the wing is no steeper than allowed; when payload and wall then collide the shoulder radius shrinks, then
-//! the impact foam is thickened. The foam reaches up to the attached structure or the payload's centre, whichever is higher;
-//! lid insulation fills the rest.
+//! with lengths in m, x_p the payload's centre, x_cg the centre of gravity, x_a the attached structure, t_a the layers of the
+//! aftbody, c the clearance between payload and wall. Of all x_a the least is taken at which the wing is no steeper than allowed;
+//! when the payload does not pass there the shoulder radius shrinks, then the lid is raised: R_L grows beyond the
+//! 50 mm until the foot stands where the wing asks for it. The payload stays where it is. The foam reaches up to the
+//! attached structure or the payload's centre, whichever is higher, and never above the payload; lid insulation fills the
+//! rest.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`].
 //!
 //! # References
-//! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested is a choice of ours.
+//! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested, and that the lid is raised where 50 mm leave no room
+//!   for the wing, are choices of ours.
 
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, Layout, Lid, Misfit, SHOULDER_TOLERANCE};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial, Wing};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, atan2};
+use numerics::root;
 
 impl Frame<'_> {
-    fn payload_x_m(&self, foam_m: f64) -> f64 {
+    fn payload_x_m(&self) -> f64 {
+        let radius_m = self.payload_radius_m + self.foam_thickness_m;
         self.forebody
-            .resting_ball_x_m(self.depths.fore_m(), self.payload_radius_m + foam_m)
+            .resting_ball_x_m(self.depths.fore_m(), radius_m)
     }
 
-    fn lid_radius_m(&self, foam_m: f64) -> f64 {
-        let top = self.payload_x_m(foam_m) + self.payload_radius_m + self.rules.payload_lid_gap_m;
-        top + self.depths.aft_m() - self.cg_x_m
-    }
-
-    fn lid_at(&self, foam_m: f64, foot_x_m: f64) -> Lid {
+    fn lid_at(&self, radius_m: f64, foot_x_m: f64) -> Lid {
         Lid {
             center_x_m: self.cg_x_m,
-            radius_m: self.lid_radius_m(foam_m),
+            radius_m,
             foot_x_m,
         }
     }
 
-    /// The highest lid foot at which the payload still passes through, m; `None` when it never does.
-    fn highest_foot_x_m(&self, foam_m: f64) -> Option<f64> {
-        let inner = self.lid_radius_m(foam_m) - self.depths.aft_m();
-        let least = self.payload_radius_m + self.rules.payload_wall_gap_min_m;
-        (inner > least).then(|| self.cg_x_m + (inner * inner - least * least).sqrt())
+    /// The lid with the highest foot through which the payload passes.
+    fn narrowest_lid(&self, radius_m: f64) -> Lid {
+        let inner = radius_m - self.depths.aft_m();
+        let passage = self.payload_radius_m + self.rules.payload_wall_gap_min_m;
+        let height = (inner * inner - passage * passage).max(0.0).sqrt();
+        self.lid_at(radius_m, self.cg_x_m + height)
     }
 }
 
 /// Lays the concept out at the diameter and the centre of gravity of the frame.
-pub fn layout(frame: &Frame) -> Result<Layout, Misfit> {
-    let width = frame.rules.annulus_width_m;
-    let mut floor = frame.shoulder_floor_m(frame.steepest_rad());
-    for _ in 0..20 {
-        let mut shoulder = frame.forebody.shoulder_radius_m.max(floor);
-        let mut foam = frame.foam_thickness_m;
-        let too_wide = Misfit::PayloadWiderThanLid {
-            payload_radius_m: frame.payload_radius_m,
-        };
-        let highest_edge = |foam_m| {
-            frame
-                .highest_foot_x_m(foam_m)
-                .map(|x_m| frame.lid_at(foam_m, x_m).edge(width))
-        };
-        // no lid over the payload counts as no room: a payload far ahead of the centre of gravity is raised, too
-        let room = |radius_m: f64, edge: Option<Point>| {
-            edge.map_or(-1.0, |edge| frame.room_m(radius_m, edge))
-        };
-        if room(shoulder, highest_edge(foam)) < 0.0 {
-            shoulder = highest_edge(foam)
-                .map_or(floor, |edge| frame.shoulder_with_room_m(edge).max(floor));
-            foam = frame.thickened_foam_m(|f| room(shoulder * (1.0 - 1e-12), highest_edge(f)))?;
-        }
-        let foot = lowest_foot_x_m(frame, foam, shoulder).ok_or(too_wide)?;
-        let outline = frame.outline(frame.lid_at(foam, foot), shoulder)?;
-        let needed = frame.shoulder_floor_m(outline.wing_slope_rad);
-        if needed > shoulder * (1.0 + SHOULDER_TOLERANCE) {
-            floor = needed;
-            continue;
-        }
-        return Ok(Layout {
-            outline,
-            depths: frame.depths,
-            payload_x_m: frame.payload_x_m(foam),
-            payload_radius_m: frame.payload_radius_m,
-            foam_thickness_m: foam,
-            impact_shell_thickness_m: 0.0,
-            body_foam_thickness_m: 0.0,
-            lid_insulation_thickness_m: frame.rules.payload_lid_gap_m,
-        });
-    }
-    Err(Misfit::NoRoomForLayers {
-        layers_m: frame.depths.fore_m() + frame.depths.aft_m(),
-    })
+pub fn layout(frame: &Frame) -> Trial {
+    frame.with_room_for_layers(|floor_m| at(frame, floor_m))
 }
 
-/// The lowest lid foot, at or above the centre of gravity, at which the wing is not too steep, m.
-fn lowest_foot_x_m(frame: &Frame, foam_m: f64, shoulder_m: f64) -> Option<f64> {
+/// Furthest that a lid is raised for its wing, m.
+const MOST_RAISED_M: f64 = 1.0;
+
+/// The layout with a shoulder radius of at least `floor_m`.
+fn at(frame: &Frame, floor_m: f64) -> Trial {
+    let (rules, width) = (frame.rules, frame.rules.annulus_width_m);
+    let aft = frame.depths.aft_m();
+    let payload_x_m = frame.payload_x_m();
+    let payload_top = payload_x_m + frame.payload_radius_m;
+    let passage = frame.payload_radius_m + rules.payload_wall_gap_min_m;
+    // a payload far ahead of the centre of gravity needs a wider lid to pass
+    let radius = (payload_top + rules.payload_lid_gap_m - frame.cg_x_m).max(passage) + aft;
+    let narrowest = frame.narrowest_lid(radius);
+    let wing = frame.wing_for(narrowest.edge(width), floor_m);
+    let clearance = |radius| wing.clearance_m(frame.narrowest_lid(radius).edge(width));
+    let lid = if clearance(radius) < -LID_TOLERANCE_M {
+        let raised = root::brent(clearance, radius, radius + MOST_RAISED_M, LID_TOLERANCE_M);
+        raised.map(|radius| frame.narrowest_lid(radius))
+    } else {
+        Some(lowest_lid(frame, &wing, narrowest))
+    };
+    let (outline, room_m, misfit) = frame.outline(lid.unwrap_or(narrowest), &wing);
+    Trial {
+        layout: Layout {
+            outline,
+            depths: frame.depths,
+            payload_x_m,
+            payload_radius_m: frame.payload_radius_m,
+            foam_thickness_m: frame.foam_thickness_m,
+            impact_shell_thickness_m: 0.0,
+            body_foam_thickness_m: 0.0,
+            lid_insulation_thickness_m: outline.lid_top_x_m() - aft - payload_top,
+        },
+        room_m,
+        misfit: match lid {
+            Some(_) => misfit,
+            None => misfit.or(Some(Misfit::WingTooSteep)),
+        },
+    }
+}
+
+/// The lid with the lowest foot, at or above its centre, at which the wing is not too steep; it is at `narrowest`.
+fn lowest_lid(frame: &Frame, wing: &Wing, narrowest: Lid) -> Lid {
     let width = frame.rules.annulus_width_m;
-    let room = |x_m: f64| frame.room_m(shoulder_m, frame.lid_at(foam_m, x_m).edge(width));
-    let (mut low, mut high) = (frame.cg_x_m, frame.highest_foot_x_m(foam_m)?);
-    if room(low) >= 0.0 {
-        return Some(low);
+    let at = |foot_x_m| frame.lid_at(narrowest.radius_m, foot_x_m);
+    let hemisphere = at(frame.cg_x_m);
+    let edge = hemisphere.edge(width);
+    if wing.clearance_m(edge) >= 0.0 {
+        return hemisphere;
     }
-    // a higher foot is narrower: the room rises all the way
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if room(middle) >= 0.0 {
-            high = middle
-        } else {
-            low = middle
-        }
+    // behind the steepest wing by −K + R sin(β − φ) at the angle β above the hemisphere's foot: zero at β = φ + arcsin(K/R)
+    let (s, c) = wing.steepest();
+    let k = -wing.behind_steepest_m(edge) / narrowest.radius_m - s;
+    let sin_angle = (s * (1.0 - k * k).max(0.0).sqrt() + c * k).max(0.0);
+    let lid = at(frame.cg_x_m + narrowest.radius_m * sin_angle);
+    if !wing.is_aft_of_steepest(lid.edge(width)) {
+        return lid;
     }
-    Some(high)
+    // a higher foot is narrower: once clear it stays so
+    let clearance = |foot_x_m| wing.clearance_m(at(foot_x_m).edge(width));
+    root::brent(clearance, frame.cg_x_m, narrowest.foot_x_m, LID_TOLERANCE_M).map_or(narrowest, at)
 }
 
 /// What is inside the primary structure and under the lid.
@@ -127,10 +130,12 @@ pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
 
 /// Top of the impact foam, m.
 fn nest_x_m(layout: &Layout) -> f64 {
+    let payload_top = layout.payload_x_m + layout.payload_radius_m;
     layout
         .outline
         .attached_structure_x_m
         .max(layout.payload_x_m)
+        .min(payload_top)
 }
 
 /// The lid's inner surface from the axial position `from_x_m` (at its foot when below it) to the axis.
@@ -157,7 +162,7 @@ fn lid_inner_angle_rad(layout: &Layout, x_m: f64) -> f64 {
     atan2((radius * radius - along * along).max(0.0).sqrt(), along)
 }
 
-/// Direction from the payload's centre to where the top of the foam meets it, rad; zero when the foam covers it.
+/// Direction from the payload's centre to where the top of the foam meets it, rad.
 fn payload_angle_rad(layout: &Layout) -> f64 {
     let (radius, along) = (
         layout.payload_radius_m,
@@ -176,7 +181,7 @@ fn impact_foam(layout: &Layout) -> Profile {
     let wall_r = layout.primary_inner_r_m();
     let (nest, foot) = (nest_x_m(layout), outline.attached_structure_x_m);
     let mut path = outline.forebody.between(fore, 0.0, wall_r).line_to(Point {
-        x_m: foot,
+        x_m: foot.min(nest),
         r_m: wall_r,
     });
     if nest > foot {
@@ -190,22 +195,26 @@ fn impact_foam(layout: &Layout) -> Profile {
             segments: vec![Segment::arc(center, radius, from, to - from)],
         });
     }
-    if nest > layout.payload_x_m + layout.payload_radius_m {
-        path = path.line_to(Point::on_axis(nest));
-    }
     path.then(&payload_arc(layout, payload_angle_rad(layout), PI))
         .closed()
 }
 
 fn lid_insulation(layout: &Layout) -> Profile {
-    let nest = nest_x_m(layout);
-    let path = lid_above(layout, nest);
-    let angle = payload_angle_rad(layout);
-    if angle > 0.0 {
-        path.then(&payload_arc(layout, 0.0, angle)).closed()
+    let (nest, foot) = (nest_x_m(layout), layout.outline.attached_structure_x_m);
+    let (angle, wall_r) = (payload_angle_rad(layout), layout.primary_inner_r_m());
+    let mut path = lid_above(layout, nest);
+    path = if angle > 0.0 {
+        path.then(&payload_arc(layout, 0.0, angle))
     } else {
-        path.line_to(Point::on_axis(nest)).closed()
+        path.line_to(Point::on_axis(nest))
+    };
+    if nest < foot {
+        path = path.line_to(Point {
+            x_m: nest,
+            r_m: wall_r,
+        });
     }
+    path.closed()
 }
 
 fn payload_arc(layout: &Layout, from_rad: f64, to_rad: f64) -> Profile {

@@ -169,7 +169,7 @@ impl Outline {
     pub fn annulus_outer_r_m(&self, depth_m: f64) -> f64 {
         // the line at depth t runs parallel to the wing, the annulus' parallel to the annulus: they meet tan(φ/2) t further out
         let (s, c) = sin_cos(self.wing_slope_rad);
-        self.lid_foot_r_m(0.0) + self.annulus_width_m + depth_m * (1.0 - c) / s
+        self.lid_foot_r_m(0.0) + self.annulus_width_m + depth_m * s / (1.0 + c)
     }
 
     /// The closed outer mould line, from the nose tip round the shoulder and over the lid.

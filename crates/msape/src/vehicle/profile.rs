@@ -127,6 +127,19 @@ impl Profile {
         }
     }
 
+    /// Volume and its moment about x = 0 as in [`Profile::solid`], with the same bits, m³ and m⁴.
+    pub fn volume_and_moment(&self) -> (f64, f64) {
+        let (mut r_dx, mut r2_dx, mut x_r2_dx) = (0.0, 0.0, 0.0);
+        for segment in &self.segments {
+            let i = segment.integrals();
+            r_dx += i.r_dx;
+            r2_dx += i.r2_dx;
+            x_r2_dx += i.x_r2_dx;
+        }
+        let sign = if r_dx > 0.0 { 1.0 } else { -1.0 };
+        (sign * PI * r2_dx, sign * PI * x_r2_dx)
+    }
+
     /// Area swept by the curve when it is turned about the axis, m².
     pub fn wetted_area_m2(&self) -> f64 {
         self.segments.iter().map(Segment::swept_area_m2).sum()

@@ -3,9 +3,10 @@
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::vehicle::close::Closed;
 use crate::vehicle::impact::Impact;
+use crate::vehicle::impact::foam_rule::FoamRule;
+use crate::vehicle::impact::remarks::strength;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
-use crate::vehicle::kinds::FoamGrade;
 use crate::vehicle::layout::Layout;
 
 /// Changes smaller than this are rounding, m.
@@ -15,7 +16,7 @@ const ROUNDING_M: f64 = 1e-9;
 pub fn adjustments(
     input: &VehicleInput,
     diameter_m: f64,
-    foam_m: f64,
+    foam: &FoamRule,
     layout: &Layout,
 ) -> Vec<Adjustment> {
     let mut list = Vec::new();
@@ -45,12 +46,34 @@ pub fn adjustments(
             source,
         });
     }
-    if layout.foam_thickness_m > foam_m + ROUNDING_M {
+    if let Some(asked) = input.impact.stroke_efficiency
+        && foam.stroke_efficiency < asked
+    {
+        list.push(Adjustment {
+            key: "design.stroke_efficiency".to_owned(),
+            from: asked,
+            to: foam.stroke_efficiency,
+            reason: "The stroke efficiency was reduced to what the plateau of the foam in use has: beyond it the foam stiffens and the payload feels more than its limit.".to_owned(),
+            source: "Gibson and Ashby, Cellular Solids; strain where densification begins".to_owned(),
+        });
+    }
+    if layout.foam_thickness_m > foam.least_thickness_m + ROUNDING_M {
         list.push(Adjustment {
             key: "foam_thickness_m".to_owned(),
-            from: foam_m,
+            from: foam.least_thickness_m,
             to: layout.foam_thickness_m,
-            reason: "The impact foam was thickened beyond the required stroke, as the lid would stand too low for its wing."
+            reason: "The impact foam was thickened beyond the required stroke, as the lid, tied to the impact sphere, would stand too low for its wing."
+                .to_owned(),
+            source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
+        });
+    }
+    let gap_m = input.rules.payload_lid_gap_m;
+    if input.concept == Concept::NonMsr && layout.lid_insulation_thickness_m > gap_m + ROUNDING_M {
+        list.push(Adjustment {
+            key: "lid_gap_m".to_owned(),
+            from: gap_m,
+            to: layout.lid_insulation_thickness_m,
+            reason: "The lid was raised over the payload and the primary structure lengthened, as the lid about the centre of gravity would not let the payload pass or would stand too low for its wing."
                 .to_owned(),
             source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
         });
@@ -58,32 +81,10 @@ pub fn adjustments(
     list
 }
 
-/// Remarks on foam strength and balance.
+/// Remarks on foam and balance.
 pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<Finding> {
     let mut list = Vec::new();
-    let strongest = input.foam_grades.last();
-    let offered_pa = match input.densities.impact_foam_kg_m3 {
-        Some(density) => foam_strength_at_pa(&input.foam_grades, density),
-        None => strongest.map(|grade| grade.compressive_strength_pa),
-    };
-    if let Some(offered_pa) = offered_pa
-        && impact.foam_strength_pa > offered_pa
-    {
-        list.push(Finding {
-            severity: Severity::Extrapolated,
-            model: "impact foam".to_owned(),
-            key: "foam_strength_pa".to_owned(),
-            value: Some(impact.foam_strength_pa),
-            valid: (None, Some(offered_pa)),
-            message: format!(
-                "Equation 6 asks for {:.1} MPa of crush strength, the foam offers {:.1} MPa: webs or honeycomb have to carry the rest.",
-                impact.foam_strength_pa / 1e6,
-                offered_pa / 1e6
-            ),
-            source: "NASA/TM-2014-218507, equation 6; data sheets of Rohacell".to_owned(),
-            field: Some("design.crush_load_limit_earth_g".to_owned()),
-        });
-    }
+    list.extend(strength(input, impact));
     list.extend(narrow_gap(input, &closed.layout));
     let payload_x_m = closed.layout.payload_x_m;
     if closed.mass.cg_x_m > payload_x_m {
@@ -121,37 +122,4 @@ fn narrow_gap(input: &VehicleInput, layout: &Layout) -> Option<Finding> {
         source: "NASA/TM-2014-218507, section 3.1.2 and Table 9".to_owned(),
         field: None,
     })
-}
-
-/// Compressive strength of a foam of this density between the grades, Pa; `None` outside them.
-pub fn foam_strength_at_pa(grades: &[FoamGrade], density_kg_m3: f64) -> Option<f64> {
-    grades
-        .iter()
-        .zip(grades.iter().skip(1))
-        .find_map(|(low, high)| {
-            let (from, to) = (low.density_kg_m3, high.density_kg_m3);
-            (from < to && (from..=to).contains(&density_kg_m3)).then(|| {
-                let share = (density_kg_m3 - from) / (to - from);
-                low.compressive_strength_pa
-                    + share * (high.compressive_strength_pa - low.compressive_strength_pa)
-            })
-        })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn foam_half_way_between_two_grades_has_the_mean_strength() {
-        let grade = |density_kg_m3, compressive_strength_pa| FoamGrade {
-            name: String::new(),
-            density_kg_m3,
-            compressive_strength_pa,
-            source: String::new(),
-        };
-        let grades = [grade(50.0, 1.0e6), grade(100.0, 3.0e6)];
-        assert_eq!(foam_strength_at_pa(&grades, 75.0), Some(2.0e6));
-        assert_eq!(foam_strength_at_pa(&grades, 101.0), None);
-    }
 }

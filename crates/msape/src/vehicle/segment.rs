@@ -215,7 +215,8 @@ impl Segment {
         }
     }
 
-    /// The line integrals, exact.
+    /// The line integrals, exact; inlined, so that a caller that reads some of them pays for those.
+    #[inline]
     pub fn integrals(&self) -> Integrals {
         match *self {
             Self::Line { start, end } => line_integrals(start, end),
@@ -237,6 +238,7 @@ impl Segment {
     }
 }
 
+#[inline]
 fn line_integrals(start: Point, end: Point) -> Integrals {
     let (x0, r0, dx, dr) = (
         start.x_m,
@@ -265,6 +267,7 @@ fn line_integrals(start: Point, end: Point) -> Integrals {
     }
 }
 
+#[inline]
 fn arc_integrals(ends: [Point; 2], center: Point, radius: f64, sweep: f64) -> Integrals {
     let [from, to] = ends.map(|p| ((p.r_m - center.r_m) / radius, (p.x_m - center.x_m) / radius));
     let ((s0, c0), (s1, c1)) = (from, to);

@@ -5,7 +5,6 @@ use crate::display::input_number;
 use msape::aero::bridging::{CONTINUUM, FREE_MOLECULAR};
 use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
-use msape::aero::polar::Trim;
 use msape_plot::{Axis, EventLine, Figure, Kind, LimitLine, Marker, Scale, Series, Style};
 
 /// What a figure is drawn over.
@@ -108,7 +107,7 @@ pub fn figure(curves: &Curves, coefficient: Coefficient, over: Over) -> Figure {
         let points = |stable: bool| {
             let trims = curves.over_alpha.iter().flat_map(|curve| &curve.polar.trim);
             trims
-                .filter(|trim| is_stable(trim) == stable)
+                .filter(|trim| trim.is_stable() == stable)
                 .map(|trim| (trim.alpha_deg, 0.0))
                 .collect::<Vec<_>>()
         };
@@ -133,11 +132,6 @@ pub fn figure(curves: &Curves, coefficient: Coefficient, over: Over) -> Figure {
         }
     }
     figure
-}
-
-/// Whether a disturbed body returns to this trim.
-pub fn is_stable(trim: &Trim) -> bool {
-    trim.cm_alpha_per_rad < 0.0
 }
 
 fn of_lines(lines: &[Line], coefficient: Coefficient) -> Vec<Series> {

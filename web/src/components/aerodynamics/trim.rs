@@ -1,7 +1,7 @@
 //! Angles at which a body flies of itself, and how it gets there.
 
 use super::AeroView;
-use super::figures::{family_names, is_stable};
+use super::figures::family_names;
 use crate::display::number;
 use leptos::prelude::*;
 
@@ -17,9 +17,8 @@ pub fn TrimTable() -> impl IntoView {
             let row = |(curve, name): (&crate::aerodynamics::OverAlpha, String)| {
                 let shown = |value: Option<f64>| value.map_or("–".to_string(), |value| number(value, 4));
                 let trims = curve.polar.trim.iter().map(|trim| {
-                    let stable = is_stable(trim);
-                    let words = if stable { "stable" } else { "unstable" };
-                    let class = if stable { "mark mark-good" } else { "mark mark-extrapolated" };
+                    let words = trim.word();
+                    let class = if trim.is_stable() { "mark mark-good" } else { "mark mark-extrapolated" };
                     view! { <span class="trim-point">{format!("{} deg ", number(trim.alpha_deg, 4))}<span class=class>{words}</span></span> " " }
                 });
                 view! {

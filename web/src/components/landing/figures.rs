@@ -138,7 +138,7 @@ pub fn figure(of: &Histories, what: Curves, units: UnitSystem) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use msape::benchmark::Bench;
+    use benchmark::Bench;
 
     #[test]
     fn force_is_the_payload_s_mass_times_its_deceleration_and_the_equations_are_there() {

@@ -3,9 +3,9 @@
 use super::facts::length_units;
 use crate::components::file_import::{FileImport, Verdict, Wording, stem};
 use crate::state::State;
+use cad::outline::{LengthUnit, read};
 use leptos::prelude::*;
 use msape::vehicle::body::from_rows;
-use msape::vehicle::body::import::{LengthUnit, read};
 
 const WORDING: Wording = Wording {
     file: "Import an outline (CSV or DXF)",

@@ -107,7 +107,7 @@ pub fn figure(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use msape::benchmark::Bench;
+    use benchmark::Bench;
     use msape::design::structural::Structural;
 
     #[test]

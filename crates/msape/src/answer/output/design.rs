@@ -22,9 +22,9 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("number_of_iterations", "Number of Iterations", Module::Coupling, |a| design(a, |d| f64::from(d.passes)))
         .help("Passes through the modules.", "NASA/TM-2014-218507, section 2.2")
         .report(),
-    Output::new("mass_residual_kg", "Mass Change in the Last Pass", Module::Coupling, |a| a.design.as_ref().and_then(|d| d.mass_residual_kg))
+    Output::new("mass_residual_kg", "Mass Left to Settle", Module::Coupling, |a| a.design.as_ref().and_then(|d| d.mass_residual_kg))
         .unit(Dimension::Mass, "kg")
-        .help("Change of the entry mass in the last pass.", "NASA/TM-2014-218507, section 2.2"),
+        .help("Estimated distance of the entry mass from where further passes would lead it.", "NASA/TM-2014-218507, section 2.2"),
     Output::new("diameter_m", "Vehicle Diameter", Module::Geometry, |a| design(a, |d| d.vehicle.dimensions.diameter_m))
         .unit(Dimension::Length, "m")
         .help("Largest diameter after the closing rules.", "NASA/TM-2014-218507, Appendix D"),
@@ -218,7 +218,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .report(),
     Output::new("foam_strength_pa", "Foam Crush Strength", Module::Impact, |a| design(a, |d| d.vehicle.impact.foam_strength_pa))
         .unit(Dimension::Pressure, "MPa")
-        .help("Compressive strength that the foam needs.", "NASA/TM-2014-218507, equation 6"),
+        .help("Compressive strength asked for: by the crush law, or by equation 6 where the case says so.", "NASA/TM-2014-218507, section 3.1.5 and equation 6"),
     Output::new("impact_energy_j", "Impact Energy (J)", Module::Impact, |a| design(a, |d| d.vehicle.impact.impact_energy_j))
         .help("Kinetic energy of the vehicle at impact, in J.", "NASA/TM-2014-218507, section 3.1.5"),
     Output::new("impact_sphere_diameter_m", "Impact Sphere Diameter", Module::Impact, |a| design(a, |d| d.vehicle.dimensions.impact_sphere_diameter_m))
@@ -279,6 +279,15 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("shoulder_peak_heat_flux_w_m2", "Shoulder Max Heat Rate", Module::Heating, |a| design(a, |d| d.shoulder_heat_flux_w_m2))
         .unit(Dimension::HeatFlux, "W/cm^2")
         .help("Largest heat flux on the shoulder with margins; a substitute for the power law of Figure 42.", "NASA/TM-2014-218507, section 3.4.3"),
+    Output::new("shoulder_heat_load_j_m2", "Shoulder Total Heat Load", Module::Heating, |a| design(a, |d| d.shoulder_heat_load_j_m2))
+        .unit(Dimension::HeatLoad, "J/cm^2")
+        .help("Heat load on the shoulder with margins, taken with the factor of the heat flux.", "NASA/TM-2014-218507, section 3.4.3"),
+    Output::new("forebody_judged_heat_flux_w_m2", "Forebody TPS Judged Heat Rate", Module::Heating, |a| design(a, |d| d.forebody_judged.peak_heat_flux_w_m2))
+        .unit(Dimension::HeatFlux, "W/cm^2")
+        .help("Heat flux with margins that is held against the limits of the forebody's heat shield: that of the point of heating.judged_at, which a finding names.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
+    Output::new("forebody_judged_heat_load_j_m2", "Forebody TPS Judged Heat Load", Module::Heating, |a| design(a, |d| d.forebody_judged.heat_load_j_m2))
+        .unit(Dimension::HeatLoad, "J/cm^2")
+        .help("Heat load with margins for which the forebody's heat shield is sized, at the same point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
     Output::new("shoulder_to_stagnation_heat_flux_ratio", "Shoulder / Stagnation Heat Rate", Module::Heating, |a| design(a, |d| d.shoulder_heat_flux_ratio))
         .help("Shoulder heating over stagnation heating; a substitute for the power law of Figure 42.", "NASA/TM-2014-218507, section 3.4.3"),
     Output::new("forebody_tps_thickness_m", "Forebody TPS Thickness", Module::HeatShield, |a| design(a, |d| d.vehicle.layout.depths.forebody_tps_m))
@@ -291,6 +300,12 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("forebody_tps_largest_thickness_m", "Forebody TPS Thickness, Largest Under-Prediction", Module::HeatShield, |a| design(a, |d| d.forebody_tps.largest_thickness_m))
         .unit(Dimension::Length, "cm")
         .help("Thickness where the relation under-predicts the most.", "NASA/TM-2014-218507, Table 7"),
+    Output::new("forebody_tps_least_recession_m", "Forebody TPS Recession, Least", Module::HeatShield, |a| a.design.as_ref().and_then(|d| d.forebody_tps.least_recession_m))
+        .unit(Dimension::Length, "cm")
+        .help("Least recession among the trajectories to which the relation was fitted; part of its thickness.", "NASA/TM-2014-218507, Table 7"),
+    Output::new("forebody_tps_largest_recession_m", "Forebody TPS Recession, Largest", Module::HeatShield, |a| a.design.as_ref().and_then(|d| d.forebody_tps.largest_recession_m))
+        .unit(Dimension::Length, "cm")
+        .help("Largest recession among them; a backshell has none.", "NASA/TM-2014-218507, Table 7"),
     Output::new("aftbody_tps_thickness_m", "Aftbody TPS Thickness", Module::HeatShield, |a| design(a, |d| d.vehicle.layout.depths.aftbody_tps_m))
         .unit(Dimension::Length, "cm")
         .help("Thickness of the heat shield as built.", "NASA/TM-2014-218507, Table 7")
@@ -302,7 +317,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .unit(Dimension::Length, "cm")
         .help("Thickness where the relation under-predicts the most.", "NASA/TM-2014-218507, Table 7"),
     Output::new("heat_load_over_speed_squared", "Heat Load / Entry Velocity Squared (J/cm^2)/(km/s)^2", Module::HeatShield, |a| design(a, |d| d.forebody_tps.x))
-        .help("Argument of the mass-estimating relations.", "NASA/TM-2014-218507, equation 13"),
+        .help("Argument of the mass-estimating relations, at the point where the forebody's heat shield is judged.", "NASA/TM-2014-218507, equation 13"),
     Output::new("max_payload_temperature_k", "Max Payload Temperature", Module::ThermalSoak, |a| design(a, |d| d.payload_temperature_k))
         .unit(Dimension::Temperature, "C")
         .help("Peak temperature of the payload container hours after landing; the form of the correlation is deduced.", "NASA/TM-2014-218507, Tables 12 and 13")

@@ -4,15 +4,32 @@ use super::Output;
 use crate::answer::Answer;
 use crate::quantity::Module;
 use crate::units::Dimension;
+use crate::vehicle::impact::estimates::Fall;
 use crate::vehicle::impact::landing::Landing;
 use numerics::math::RADIANS_PER_DEGREE;
 
 const SECTION: &str = "NASA/TM-2014-218507, section 3.1.5";
 const DYNAMICS: &str = "crush dynamics in one dimension, after NASA/TM-2014-218507, section 3.1.5";
+/// Gravity on Earth is within 0.5 % of the standard one; a terminal speed further off has another weight.
+const EARTH_TOLERANCE: f64 = 0.01;
 const FOAM: &str = "Gibson and Ashby, Cellular Solids; data sheets of Rohacell";
 
 fn landing(answer: &Answer, get: impl Fn(&Landing) -> f64) -> Option<f64> {
     answer.design.as_ref().map(|design| get(&design.landing))
+}
+
+/// The vehicle at terminal speed; absent where the weight of equation 2 is not that on Earth.
+fn fall(answer: &Answer) -> Option<Fall> {
+    let (design, flight) = (answer.design.as_ref()?, answer.flight.as_ref()?);
+    let vehicle = &design.vehicle;
+    let fall = Fall {
+        mass_kg: vehicle.mass.mass_kg,
+        diameter_m: vehicle.dimensions.diameter_m,
+        drag_coefficient: design.impact_drag_coefficient,
+        density_kg_m3: flight.final_density_kg_m3,
+    };
+    let speed = design.terminal_speed_m_s / fall.terminal_speed_m_s();
+    ((speed - 1.0).abs() < EARTH_TOLERANCE).then_some(fall)
 }
 
 pub(super) static OUTPUTS: &[Output] = &[
@@ -31,6 +48,26 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("rigid_surface_peak_load_earth_g", "Max Impact Deceleration on a Rigid Surface", Module::Impact, |a| landing(a, |l| l.rigid_surface.peak_load_earth_g))
         .unit(Dimension::Load, "g's")
         .help("Largest deceleration of the payload on a rigid surface, where the foam takes all.", DYNAMICS),
+    Output::new("rigid_surface_sphere_peak_load_earth_g", "Max Impact Deceleration on a Rigid Surface with the Impact Sphere", Module::Impact, |a| a.design.as_ref().and_then(|d| d.landing.sphere_peak_load_earth_g))
+        .unit(Dimension::Load, "g's")
+        .help("The same where the whole impact sphere crushes the foam and not the payload alone; absent without one.", DYNAMICS),
+    Output::new("equation_3_impact_load_earth_g", "Impact Load of Equation 3", Module::Impact, |a| {
+        let impact = &a.design.as_ref()?.vehicle.impact;
+        Some(fall(a)?.penetration_load_earth_g(impact.penetration_alpha?, impact.nose_diameter_m))
+    })
+        .unit(Dimension::Load, "g's")
+        .help("Equation 1 at the terminal velocity of equation 2: peak deceleration of a rigid vehicle without its mass and speed; absent on other grounds and away from Earth.", "NASA/TM-2014-218507, equation 3"),
+    Output::new("equation_5_stroke_m", "Required Stroke of Equation 5", Module::Impact, |a| {
+        let vehicle = &a.design.as_ref()?.vehicle;
+        Some(fall(a)?.required_stroke_m(vehicle.concept, vehicle.impact.crush_load_limit_earth_g))
+    })
+        .unit(Dimension::Length, "cm")
+        .help("Equation 4 at the terminal velocity of equation 2: in proportion to the ballistic coefficient; doubled for the MSR concept as equation 4 is, absent away from Earth.", "NASA/TM-2014-218507, equation 5"),
+    Output::new("stroke_efficiency", "Stroke Efficiency in Use", Module::Impact, |a| a.design.as_ref().map(|d| d.vehicle.impact.stroke_efficiency))
+        .help("Stroke over the foam thickness that it asks for: that of the case or, where the plateau of the foam ends before, the end of it.", FOAM),
+    Output::new("equation_6_foam_strength_pa", "Foam Crush Strength of Equation 6", Module::Impact, |a| a.design.as_ref().map(|d| d.vehicle.impact.equation_6_strength_pa))
+        .unit(Dimension::Pressure, "MPa")
+        .help("Strength that equation 6 asks for over the payload's cross-section; that in use is the Foam Crush Strength.", "NASA/TM-2014-218507, equation 6"),
     Output::new("dynamic_stroke_m", "Dynamic Stroke", Module::Impact, |a| landing(a, |l| l.ground.stroke_m))
         .unit(Dimension::Length, "cm")
         .help("Crush of the impact foam on the chosen ground.", DYNAMICS),

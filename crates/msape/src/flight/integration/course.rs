@@ -88,6 +88,8 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub limit_s: S,
     /// Index of the piece of the atmosphere.
     pub(super) layer: usize,
+    /// Altitude at the start, m.
+    start_m: f64,
     /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
     pub(super) exit_m: Option<f64>,
     /// Whether the flight has turned from falling to rising.
@@ -148,6 +150,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             },
             limit_s: S::constant(marks.end_s),
             layer,
+            start_m: altitude_m,
             exit_m,
             turned_up: false,
             here,
@@ -164,6 +167,17 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             self.land();
         }
         over
+    }
+
+    /// Part of the fall that is done, 0 to 1.
+    pub fn part_done(&self) -> f64 {
+        let fall_m = (self.start_m - self.marks.ground_m).max(1.0);
+        ((self.start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0)
+    }
+
+    /// Ends a flight that is wanted no further.
+    pub fn stop(&mut self) {
+        self.record.reason = Some("stopped on request".to_string());
     }
 
     /// What has been flown.

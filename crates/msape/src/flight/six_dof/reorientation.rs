@@ -77,7 +77,8 @@ fn entry(mission: &Mission, body: &Body, cg_x_m: f64) -> Option<Reorientation> {
     })
 }
 
-fn facing(attitude: &AttitudeEvents) -> Facing {
+/// How an entry faces the heat.
+pub(super) fn facing(attitude: &AttitudeEvents) -> Facing {
     if attitude.total_alpha_at_peak_heating_rad >= FRAC_PI_2 {
         Facing::Backward
     } else if attitude.maximum_total_alpha_after_peak_heating.angle_rad >= FRAC_PI_2 {

@@ -49,7 +49,12 @@ fn rigid(problem: &FlightProblem) -> &Rigid {
 }
 
 fn record(problem: &FlightProblem) -> Record<RIGID_STATES> {
-    integrate(&problem.mission, &problem.body, rigid(problem))
+    integrate(
+        &problem.mission,
+        &problem.body,
+        rigid(problem),
+        &mut crate::progress::Unwatched,
+    )
 }
 
 fn rates(y: &[f64; RIGID_STATES]) -> [f64; 3] {

@@ -86,9 +86,16 @@ pub(super) const INPUTS: &[Input] = &[
         .basic()
         .help("Design impact load of the payload on a rigid surface; a higher one needs less stroke. Not printed; 3500 g is assumed, with which the vehicle of Table 15 closes.", IMPACT),
     Input::number("design.stroke_efficiency", "Stroke Efficiency", Group::Impact, Dimension::One, RATIO)
-        .usual(0.3, 0.9)
-        .preset(Preset::Number(0.55))
-        .help("Fraction of the foam thickness that can be crushed; 0.5 to 0.6 agrees with the geometry of Table 9.", ASSUMED),
+        .usual(0.3, 0.5)
+        .help("Fraction of the foam thickness that can be crushed; when absent, the end of the plateau of the foam in use (for a slab less half of its elastic strain). A larger one is reduced to it.", IMPACT),
+    Input::new(
+        "design.foam_strength",
+        "Foam Strength",
+        Group::Impact,
+        Kind::Choice(Choices::Fixed(&[("crush-law", "Crush law"), ("equation-6", "Equation 6")])),
+    )
+    .preset(Preset::Name("crush-law"))
+    .help("Where the crush strength of the impact foam comes from: the law by which the landing is judged, with which the payload keeps its limit, or equation 6 as printed, over the payload's cross-section.", IMPACT),
     Input::new("design.ground", "Ground", Group::Impact, Kind::Choice(Choices::Grounds))
         .preset(Preset::Name("uttr-clay"))
         .help("Ground on which the vehicle lands; the load on a rigid surface is shown beside it.", IMPACT),
@@ -99,7 +106,7 @@ pub(super) const INPUTS: &[Input] = &[
         Kind::Choice(Choices::Fixed(&[("payload", "Payload"), ("impact-sphere", "Impact sphere with payload")])),
     )
     .preset(Preset::Name("payload"))
-    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept.", IMPACT),
+    .help("Mass that crushes the impact foam in the crush dynamics: the payload alone, as equations 4 and 6 have it, or the whole impact sphere of the MSR concept. The foam is made for the payload alone.", IMPACT),
     Input::number("design.terminal_drag_coefficient", "Terminal Drag Coefficient", Group::Models, Dimension::One, Range::above(0.0, 5.0))
         .usual(0.5, 1.1)
         .preset(Preset::Number(0.73))
@@ -113,6 +120,9 @@ pub(super) const INPUTS: &[Input] = &[
     density("design.density_kg_m3.aftbody_carrier_structure", "Aftbody Carrier Structure Density"),
     density("design.density_kg_m3.primary_structure", "Primary Structure Density"),
     density("design.density_kg_m3.impact_foam", "Foam Density"),
+    Input::number("design.density_kg_m3.impact_panels", "Impact Panels Density", Group::Densities, Dimension::Density, Range::closed(0.0, 25_000.0))
+        .unit("kg/m^3")
+        .help("Radial composite panels of the MSR impact sphere, smeared over its foam and added to it; when absent, that of the vehicle's data file, which is calibrated on Table 15.", ASSUMED),
     density("design.density_kg_m3.impact_shell", "Impact Shell Density"),
     density("design.density_kg_m3.body_foam", "Body Foam Density"),
     density("design.density_kg_m3.lid_insulation", "Lid Density"),
@@ -122,7 +132,7 @@ pub(super) const INPUTS: &[Input] = &[
         .usual(0.0001, 1.0)
         .preset(Preset::Number(0.001))
         .basic()
-        .help("Change of the entry mass between passes below which a design is converged.", RUN_PAGE),
+        .help("A design is converged when its entry mass is estimated to be no further than this from where further passes would lead it.", RUN_PAGE),
     Input::number("design.max_iterations", "Max Number of Iterations", Group::Solver, Dimension::One, Range::closed(1.0, 10_000.0))
         .usual(1.0, 200.0)
         .whole()
@@ -132,5 +142,5 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("design.relaxation", "Relaxation", Group::Solver, Dimension::One, Range::above(0.0, 1.5))
         .usual(0.3, 1.0)
         .preset(Preset::Number(1.0))
-        .help("Fraction of each change that a pass applies; 1 is plain Gauss-Seidel.", "convention of this program"),
+        .help("Fraction of a change that a pass applies where earlier passes do not yet tell how the change goes on; the answer does not depend on it.", "convention of this program"),
 ];

@@ -172,6 +172,29 @@ pub(super) const INPUTS: &[Input] = &[
         .usual(0.5, 1.0)
         .preset(Preset::Number(0.85))
         .help("Emissivity of the wall for its radiative-equilibrium temperature.", "NASA/TM-2014-218507, section 3.4.2"),
+    Input::new(
+        "heating.stagnation_pressure",
+        "Stagnation Pressure",
+        Group::Models,
+        Kind::Choice(Choices::Fixed(&[
+            ("newtonian-limit", "Newtonian limit, twice the dynamic pressure"),
+            ("equation-9", "Equation 9, fit to Navier-Stokes results"),
+            ("perfect-gas", "Perfect gas, equations 10 to 12"),
+        ])),
+    )
+    .preset(Preset::Name("newtonian-limit"))
+    .help("How the pressure at the stagnation point is found, which loads the walls and is held against the limits of the heat shield; the Newtonian limit bounds the others.", "NASA/TM-2014-218507, equations 9 to 12"),
+    Input::new(
+        "heating.judged_at",
+        "Heat Shield Judged at",
+        Group::Models,
+        Kind::Choice(Choices::Fixed(&[
+            ("hottest-point", "Hottest point of each part, shoulder included"),
+            ("stagnation-point", "Stagnation point"),
+        ])),
+    )
+    .preset(Preset::Name("hottest-point"))
+    .help("Where heat flux and heat load are taken for the thickness of the forebody's heat shield and for its limits; the report's relations took those of the stagnation point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
     Input::number("stop.altitude_m", "Final Altitude", Group::Mission, Dimension::Length, Range::closed(-5e3, 1e6))
         .unit("m")
         .usual(-500.0, 5_000.0)

@@ -140,7 +140,8 @@ impl CrushLaw {
         (self.scale_pa() / self.solid_modulus_pa).sqrt()
     }
 
-    fn scale_pa(&self) -> f64 {
+    /// Stress times strain left to closed cells on the rising branch, Pa.
+    pub fn scale_pa(&self) -> f64 {
         self.plateau_pa * self.closed_strain / self.knee_factor
     }
 }

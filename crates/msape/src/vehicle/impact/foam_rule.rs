@@ -1,44 +1,74 @@
-//! The impact foam that a landing asks for: least thickness, strength, and density at a thickness.
+//! The impact foam that a landing asks for: least thickness, and strength and density at a thickness.
 //!
 //! ```text
-//! t ≥ Stroke / η
-//! ρ = ρ(FS) + ρ_panels        the grade that has the strength FS of equation 6; panels in the MSR concept only
+//! t ≥ Stroke / η                     η ≤ ε_p, the end of the plateau of the foam in use        MSR
+//!                                    η ≤ ε_p − ε_y/2, the elastic part takes half              non-MSR
+//! FS = ½ M_PL V² / 𝒱(η t)               crush law: 𝒱 the volume swept by the footprint, less its elastic part
+//! FS ≤ M_PL V² / (2 A_p Stroke)      equation 6, where the foam then keeps to its plateau
+//! FS ≥ ½ M_PL V² / 𝒱(ε_p t)             the plateau takes all of the energy
+//! ρ = ρ(FS) + ρ_panels               panels in the MSR concept only
 //! ```
 //!
-//! with t the thickness in m, η the usable fraction of it, FS in Pa, ρ in kg/m³.
+//! with t the thickness in m, η the usable fraction of it, ε_p and ε_y the strains at the end and the start of the plateau, FS the
+//! strength in Pa, M_PL the payload's mass in kg, 𝒱 in m³ as in [`crate::vehicle::impact::absorber`], ρ in kg/m³. As ε_p is that
+//! of the foam that has FS, both are found together, as a bracketed root; without η of the case it is ε_p itself.
+//!
+//! On a rigid surface this is the landing that [`crate::vehicle::impact::crush`] follows in time: the payload stops at W = ½ M_PL V²
+//! under the force FS A(s), which is the limit Ḡ where s is the stroke of equation 4, in a column to the last digit, and
+//!
+//! ```text
+//! load / Ḡ = (1 − s/2R) / (1 − s/3R) / (1 − (ε_y t/s)² (1 − ε_y t/4R) / (3 − s/R)),   below 1 for s/R > 2 (ε_y t/s)²,
+//! ```
+//!
+//! in a sphere of the radius R, and less in thicker foam.
 //!
 //! # Valid
-//! As [`crate::vehicle::impact`].
+//! As [`crate::vehicle::impact`]. The payload alone crushes the foam, as in equations 4 and 6; foam for the whole impact sphere would
+//! have to carry its own mass, which takes a foam that is no longer one. Foam weaker than the weakest grade is not on offer: there the load is above the limit.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5, equations 4 and 6.
 
-use crate::vehicle::impact::{foam_density_kg_m3, foam_strength_pa, required_stroke_m};
+use crate::vehicle::impact::absorber::{Absorber, Shape};
+use crate::vehicle::impact::foam::CrushLaw;
+use crate::vehicle::impact::supply::Supply;
+use crate::vehicle::impact::{foam_strength_pa, required_stroke_m};
 use crate::vehicle::input::VehicleInput;
-use crate::vehicle::kinds::{Concept, Foam};
+use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
+use numerics::root;
+
+/// Fraction from which a usable one is looked for: a foam as dense as its solid has 0.06.
+const LEAST_EFFICIENCY: f64 = 0.01;
+/// Intervals in which the softest foam is looked for.
+const STEPS: u32 = 16;
+/// Width of the last interval in the search for a usable fraction.
+const RESOLUTION: f64 = 1e-15;
 
 /// Impact foam as the landing asks for it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FoamRule {
+#[derive(Clone, Copy, Debug)]
+pub struct FoamRule<'a> {
     /// Stroke of the payload on a rigid surface, m.
     pub stroke_m: f64,
+    /// Usable fraction of the foam: that of the case, or less where the plateau of the foam in use ends before.
+    pub stroke_efficiency: f64,
     /// Thickness that gives this stroke, m.
     pub required_thickness_m: f64,
     /// The same or the least that the rules allow, m.
     pub least_thickness_m: f64,
-    /// Compressive strength asked for, Pa.
-    pub strength_pa: f64,
-    density_kg_m3: f64,
+    /// Strength of equation 6, Pa.
+    pub equation_6_pa: f64,
+    /// End of the plateau of the foam that the least thickness with the largest fraction asks for.
+    plateau_strain: f64,
+    input: &'a VehicleInput,
 }
 
-impl FoamRule {
+impl FoamRule<'_> {
     /// The foam for the landing of a vehicle.
-    pub fn new(input: &VehicleInput) -> FoamRule {
+    pub fn new(input: &VehicleInput) -> FoamRule<'_> {
         let v = input.loads.terminal_speed_m_s;
         let stroke_m = required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
-        let required_thickness_m = stroke_m / input.impact.stroke_efficiency;
         // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
-        let strength_pa = if stroke_m > 0.0 {
+        let equation_6_pa = if stroke_m > 0.0 {
             foam_strength_pa(
                 input.payload_mass_kg,
                 input.payload_diameter_m(),
@@ -48,30 +78,112 @@ impl FoamRule {
         } else {
             0.0
         };
-        let density_kg_m3 = match input.densities.impact_foam_kg_m3 {
-            Some(density) => density,
-            None => {
-                let panels = match input.concept {
-                    Concept::Msr => input.densities.impact_panels_kg_m3,
-                    Concept::NonMsr => 0.0,
-                };
-                foam_density_kg_m3(&input.foam_grades, strength_pa).unwrap_or(0.0) + panels
-            }
-        };
-        FoamRule {
+        let mut rule = FoamRule {
             stroke_m,
-            required_thickness_m,
-            least_thickness_m: required_thickness_m.max(input.rules.foam_thickness_min_m),
-            strength_pa,
-            density_kg_m3,
-        }
+            stroke_efficiency: 0.0,
+            required_thickness_m: 0.0,
+            least_thickness_m: input.rules.foam_thickness_min_m,
+            equation_6_pa,
+            plateau_strain: 0.0,
+            input,
+        };
+        let usable = rule.largest_efficiency();
+        rule.plateau_strain = usable + rule.elastic_part();
+        rule.stroke_efficiency = match input.impact.stroke_efficiency {
+            Some(asked) => asked.min(usable),
+            None => usable,
+        };
+        rule.required_thickness_m = stroke_m / rule.stroke_efficiency;
+        rule.least_thickness_m = rule.least_thickness_m.max(rule.required_thickness_m);
+        rule
     }
 
     /// The foam at a thickness, m.
     pub fn at(&self, thickness_m: f64) -> Foam {
+        let strength_pa = self.strength_pa(thickness_m);
+        let panels_kg_m3 = match (self.input.concept, self.input.densities.impact_foam_kg_m3) {
+            (Concept::Msr, None) => self.input.densities.impact_panels_kg_m3,
+            _ => 0.0,
+        };
         Foam {
             thickness_m,
-            density_kg_m3: self.density_kg_m3,
+            density_kg_m3: self.supply().density_kg_m3(strength_pa) + panels_kg_m3,
+            strength_pa,
         }
+    }
+
+    fn supply(&self) -> Supply<'_> {
+        Supply::new(self.input)
+    }
+
+    /// Part of the thickness that the elastic branch takes from the stroke of equation 4.
+    fn elastic_part(&self) -> f64 {
+        match self.input.concept {
+            Concept::Msr => 0.0,
+            Concept::NonMsr => 0.5 * self.supply().law(self.equation_6_pa).yield_strain(),
+        }
+    }
+
+    /// The largest fraction with which the foam of the least thickness keeps to its plateau.
+    fn largest_efficiency(&self) -> f64 {
+        let supply = self.supply();
+        let usable = |law: CrushLaw| law.plateau_strain() - self.elastic_part();
+        let softest = usable(supply.law(0.0));
+        let excess = |efficiency: f64| {
+            let strength_pa = match (self.input.impact.foam_strength, self.input.concept) {
+                (FoamStrength::CrushLaw, Concept::Msr) if self.stroke_m > 0.0 => {
+                    self.needed_pa(self.stroke_m / efficiency, self.stroke_m)
+                }
+                // in a column the stroke of equation 4 asks for the strength of equation 6
+                _ => self.equation_6_pa,
+            };
+            usable(supply.law(strength_pa)) - efficiency
+        };
+        // stronger foam is denser and its plateau shorter: the excess falls throughout
+        root::brent(excess, LEAST_EFFICIENCY, softest, RESOLUTION).unwrap_or(softest)
+    }
+
+    /// Strength asked for at a thickness, Pa.
+    fn strength_pa(&self, thickness_m: f64) -> f64 {
+        if self.input.impact.foam_strength == FoamStrength::Equation6 || self.stroke_m == 0.0 {
+            return self.equation_6_pa;
+        }
+        let on_plateau_pa = self.on_plateau_pa(thickness_m);
+        match self.input.impact.stroke_efficiency {
+            None => on_plateau_pa,
+            Some(_) => {
+                let crush_m = self.stroke_efficiency * thickness_m;
+                let needed_pa = self.needed_pa(thickness_m, crush_m);
+                on_plateau_pa.max(needed_pa.min(self.equation_6_pa))
+            }
+        }
+    }
+
+    /// Least strength with which a foam takes the energy on its plateau, Pa.
+    fn on_plateau_pa(&self, thickness_m: f64) -> f64 {
+        let supply = self.supply();
+        let strength_pa = |strain: f64| self.needed_pa(thickness_m, strain * thickness_m);
+        let left = |strain: f64| supply.law(strength_pa(strain)).plateau_strain() - strain;
+        let softest = supply.law(0.0).plateau_strain();
+        // thicker foam can be softer, and its plateau longer than that of the least thickness; beyond the grades there may be more than
+        // one such foam, of which the softest is looked for
+        let step = (softest - self.plateau_strain) / f64::from(STEPS);
+        let strain = (1..=STEPS)
+            .map(|i| softest - f64::from(i) * step)
+            .find(|strain| left(*strain) >= 0.0)
+            .and_then(|low| root::brent(left, low, low + step, RESOLUTION));
+        strength_pa(strain.unwrap_or(self.plateau_strain))
+    }
+
+    /// Strength that takes the energy at a thickness within a crush on the plateau, m, Pa.
+    fn needed_pa(&self, thickness_m: f64, crush_m: f64) -> f64 {
+        let supply = self.supply();
+        let v = self.input.loads.terminal_speed_m_s;
+        let absorber = Absorber {
+            shape: Shape::of(self.input),
+            thickness_m,
+            law: supply.law(self.equation_6_pa),
+        };
+        0.5 * self.input.payload_mass_kg * v * v / absorber.taken_m3(crush_m)
     }
 }

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! with masses in kg, m₁ the mass that crushes the foam, m₂ the rest, M the entry mass. The plateau of the foam is what its grade
-//! offers: the strength of equation 6 unless a density is given.
+//! offers, see [`super::supply`]. Of the MSR concept the load with the whole sphere as m₁ stands beside, whatever was asked for: on a
+//! rigid surface it is the force where the foam has taken its energy, see [`super::absorber`].
 //!
 //! # Valid
 //! As [`super::crush`]. With the payload alone the rest of the impact sphere is taken to carry itself: neither the mass of its foam
@@ -20,15 +21,15 @@
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::absorber::{Absorber, Shape};
 use crate::vehicle::impact::crush::{Pulse, Touchdown, pulse};
-use crate::vehicle::impact::foam_density_kg_m3;
 use crate::vehicle::impact::soil::Soil;
 use crate::vehicle::impact::striker::Striker;
+use crate::vehicle::impact::supply::Supply;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::Concept;
 use crate::vehicle::kinds::CrushingMass;
-use crate::vehicle::remarks::foam_strength_at_pa;
-use numerics::math::{self, PI};
+use crate::vehicle::kinds::EARTH_G_M_S2;
+use numerics::math;
 use serde::{Deserialize, Serialize};
 
 /// Velocity at touchdown, relative to the ground.
@@ -51,6 +52,9 @@ pub struct Landing {
     pub absorber: Absorber,
     /// Pulse on a rigid surface.
     pub rigid_surface: Pulse,
+    /// Largest load on a rigid surface with the whole impact sphere as the mass that crushes the foam, Earth g; absent in the
+    /// non-MSR concept.
+    pub sphere_peak_load_earth_g: Option<f64>,
     /// Pulse on the chosen ground.
     pub ground: Pulse,
     /// Depth of a rigid vehicle in the chosen ground, m; zero on rigid ground.
@@ -87,7 +91,11 @@ impl Landing {
     pub fn new(input: &VehicleInput, vehicle: &Vehicle, velocity: TouchdownVelocity) -> Landing {
         let speed_m_s = velocity.speed_m_s;
         let mass_kg = vehicle.mass.mass_kg;
-        let payload_side_kg = payload_side_kg(input, vehicle).min(mass_kg);
+        let sphere_kg = sphere_kg(vehicle).min(mass_kg);
+        let payload_side_kg = match input.impact.crushing_mass {
+            CrushingMass::Payload => input.payload_mass_kg,
+            CrushingMass::ImpactSphere => sphere_kg,
+        };
         let absorber = absorber(input, vehicle);
         let striker = Striker::new(&vehicle.layout.outline.forebody, mass_kg, speed_m_s);
         let soil = input.impact.ground.soil(&striker);
@@ -111,6 +119,10 @@ impl Landing {
             payload_side_kg,
             absorber,
             rigid_surface,
+            sphere_peak_load_earth_g: match vehicle.concept {
+                Concept::Msr => Some(rigid_surface_load_earth_g(&absorber, sphere_kg, speed_m_s)),
+                Concept::NonMsr => None,
+            },
             ground,
             rigid_body_depth_m: soil.rigid_body_depth_m(&striker),
             foam_needed_m: absorber.thickness_needed_m(energy_j),
@@ -124,48 +136,35 @@ impl Landing {
     }
 }
 
-/// Payload and what moves with it, kg.
-fn payload_side_kg(input: &VehicleInput, vehicle: &Vehicle) -> f64 {
-    let with_payload: &[ComponentKind] = match (vehicle.concept, input.impact.crushing_mass) {
-        (Concept::Msr, CrushingMass::ImpactSphere) => &[
+/// Payload and what moves with it in the MSR concept, kg; the payload alone in the other.
+fn sphere_kg(vehicle: &Vehicle) -> f64 {
+    let sphere: &[ComponentKind] = match vehicle.concept {
+        Concept::Msr => &[
             ComponentKind::Payload,
             ComponentKind::ImpactFoam,
             ComponentKind::ImpactShell,
         ],
-        _ => &[ComponentKind::Payload],
+        Concept::NonMsr => &[ComponentKind::Payload],
     };
-    with_payload
+    sphere
         .iter()
         .filter_map(|kind| vehicle.component(*kind))
         .map(|component| component.mass_with_margin_kg)
         .sum()
 }
 
+/// Largest load of a mass that crushes the foam on a rigid surface, Earth g.
+pub fn rigid_surface_load_earth_g(absorber: &Absorber, mass_kg: f64, speed_m_s: f64) -> f64 {
+    let stop_m = absorber.stop_m(0.5 * mass_kg * speed_m_s * speed_m_s);
+    absorber.force_n(stop_m) / (mass_kg * EARTH_G_M_S2)
+}
+
 /// The foam as built.
 fn absorber(input: &VehicleInput, vehicle: &Vehicle) -> Absorber {
-    let asked_pa = vehicle.impact.foam_strength_pa;
-    let graded = foam_density_kg_m3(&input.foam_grades, asked_pa).unwrap_or(0.0);
-    let weakest_pa = input
-        .foam_grades
-        .first()
-        .map_or(0.0, |grade| grade.compressive_strength_pa);
-    let (density_kg_m3, plateau_pa) = match input.densities.impact_foam_kg_m3 {
-        None => (graded, asked_pa.max(weakest_pa)),
-        Some(given) => match foam_strength_at_pa(&input.foam_grades, given) {
-            Some(strength_pa) => (given, strength_pa),
-            None => (graded, asked_pa.max(weakest_pa)),
-        },
-    };
-    let payload_radius_m = vehicle.dimensions.payload_diameter_m / 2.0;
     Absorber {
-        shape: match vehicle.concept {
-            Concept::Msr => Shape::Sphere { payload_radius_m },
-            Concept::NonMsr => Shape::Column {
-                area_m2: PI * payload_radius_m * payload_radius_m,
-            },
-        },
+        shape: Shape::of(input),
         thickness_m: vehicle.dimensions.foam_thickness_m,
-        law: input.impact.foam.law(density_kg_m3, plateau_pa),
+        law: Supply::new(input).law(vehicle.impact.foam_strength_pa),
     }
 }
 

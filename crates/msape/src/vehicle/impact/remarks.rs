@@ -16,18 +16,26 @@
 
 use crate::finding::{Finding, Severity};
 use crate::vehicle::Vehicle;
+use crate::vehicle::impact::Impact;
 use crate::vehicle::impact::crush::PulseEnd;
 use crate::vehicle::impact::ground::Ground;
 use crate::vehicle::impact::landing::Landing;
 use crate::vehicle::impact::striker::Striker;
+use crate::vehicle::impact::supply::foam_strength_at_pa;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::kinds::FoamStrength;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 /// Loads up to this part over the limit are rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
+/// Crush beyond the plateau up to this part is that of a landing a little faster than the pass before had it.
+const PLATEAU_TOLERANCE: f64 = 1e-3;
 /// Share of the kinetic energy that may be sideways.
 const SIDEWAYS_SHARE: f64 = 0.01;
 /// Depth in diameters from which Young's equation holds.
 const YOUNG_DIAMETERS: f64 = 3.0;
+/// The input that sets the limit.
+const LIMIT: &str = "design.crush_load_limit_earth_g";
 const REPORT: &str = "NASA/TM-2014-218507, section 3.1.5";
 
 /// Findings of a landing.
@@ -55,6 +63,73 @@ pub fn findings(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Vec<Fi
     list
 }
 
+/// Where the strength of the foam comes from, and a strength that no grade has.
+pub fn strength(input: &VehicleInput, impact: &Impact) -> Vec<Finding> {
+    let asked_pa = impact.foam_strength_pa;
+    let note = |severity, valid, message, field: &str| Finding {
+        severity,
+        model: "impact foam".to_string(),
+        key: "foam_strength_pa".to_string(),
+        value: Some(asked_pa),
+        valid,
+        message,
+        source: format!("{REPORT}; data sheets of Rohacell"),
+        field: Some(field.to_string()),
+    };
+    let (mpa, printed_mpa) = (asked_pa / 1e6, impact.equation_6_strength_pa / 1e6);
+    let by = match impact.foam_strength_by {
+        FoamStrength::CrushLaw => format!(
+            "The strength of the impact foam, {mpa:.2} MPa, is that with which it stops the payload on a rigid surface within its plateau; equation 6 as printed asks for {printed_mpa:.2} MPa."
+        ),
+        FoamStrength::Equation6 => format!(
+            "The strength of the impact foam, {mpa:.2} MPa, is that of equation 6 as printed, over the payload's cross-section and not over the foam's footprint."
+        ),
+    };
+    let mut list = vec![note(
+        Severity::Note,
+        (None, None),
+        by,
+        "design.foam_strength",
+    )];
+    let grades = &input.foam_grades;
+    let (weakest, strongest) = match input.densities.impact_foam_kg_m3 {
+        // one foam, as strong as it is
+        Some(density) => {
+            let given_pa = foam_strength_at_pa(grades, density);
+            (given_pa, given_pa)
+        }
+        None => (
+            grades.first().map(|grade| grade.compressive_strength_pa),
+            grades.last().map(|grade| grade.compressive_strength_pa),
+        ),
+    };
+    if let Some(offered_pa) = strongest.filter(|offered_pa| asked_pa > *offered_pa) {
+        let message = format!(
+            "The landing asks for {mpa:.1} MPa of crush strength, the foam offers {:.1} MPa: webs or honeycomb have to carry the rest.",
+            offered_pa / 1e6
+        );
+        list.push(note(
+            Severity::Extrapolated,
+            (None, Some(offered_pa)),
+            message,
+            LIMIT,
+        ));
+    }
+    if let Some(offered_pa) = weakest.filter(|offered_pa| asked_pa < *offered_pa) {
+        let message = format!(
+            "The landing asks for {mpa:.2} MPa of crush strength, the weakest foam on offer has {:.2} MPa: the payload stops sooner, under a larger load.",
+            offered_pa / 1e6
+        );
+        list.push(note(
+            Severity::Extrapolated,
+            (Some(offered_pa), None),
+            message,
+            LIMIT,
+        ));
+    }
+    list
+}
+
 fn over_limit(vehicle: &Vehicle, key: &str, load: f64, place: &str) -> Option<Finding> {
     let limit = vehicle.impact.crush_load_limit_earth_g;
     (load > limit * (1.0 + LOAD_TOLERANCE)).then(|| Finding {
@@ -67,7 +142,13 @@ fn over_limit(vehicle: &Vehicle, key: &str, load: f64, place: &str) -> Option<Fi
             "On {place} the payload feels {load:.0} g, above the crush load limit of {limit:.0} g."
         ),
         source: REPORT.to_string(),
-        field: Some("design.stroke_efficiency".to_string()),
+        field: Some(
+            match vehicle.impact.foam_strength_by {
+                FoamStrength::CrushLaw => "design.stroke_efficiency",
+                FoamStrength::Equation6 => "design.foam_strength",
+            }
+            .to_string(),
+        ),
     })
 }
 
@@ -85,7 +166,7 @@ fn rigid_body(vehicle: &Vehicle, ground: &Ground) -> Option<Finding> {
             "Ground penetration gives {load:.0} g, above the crush load limit of {limit:.0} g."
         ),
         source: ground.law_source().to_string(),
-        field: Some("design.crush_load_limit_earth_g".to_string()),
+        field: Some(LIMIT.to_string()),
     })
 }
 
@@ -143,13 +224,13 @@ fn densified(vehicle: &Vehicle, landing: &Landing) -> Option<Finding> {
     let share = absorber.area_m2(plateau_m) / (PI * radius_m * radius_m);
     let footprint = if share < 1.0 {
         format!(
-            " Equation 6 counts the whole cross-section of the payload, the flattened sphere has up to {:.0} % of it.",
+            " The flattened sphere has up to {:.0} % of the payload's cross-section, all of which equation 6 counts.",
             share * 100.0
         )
     } else {
         String::new()
     };
-    (margin < 0.0).then(|| Finding {
+    (margin < -PLATEAU_TOLERANCE).then(|| Finding {
         severity: Severity::Note,
         model: "crush dynamics".to_string(),
         key: "foam_densification_margin".to_string(),

@@ -25,7 +25,7 @@ use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::EARTH_G_M_S2;
 use crate::vehicle::layout::Layout;
 use crate::vehicle::mass::Component;
-use crate::vehicle::mass::MassProperties;
+use crate::vehicle::mass::{MassProperties, Masses};
 use numerics::math::{FRAC_PI_2, PI, atan2};
 
 /// A cone between two rings under external pressure with its spherical cap, or a cap alone.
@@ -132,6 +132,17 @@ pub fn loads(
     components: &[Component],
     mass: &MassProperties,
 ) -> WallLoads {
+    let parts = components.iter().map(|c| (c.kind, c.mass_with_margin_kg));
+    let masses = Masses {
+        parts: parts.collect(),
+        mass_kg: mass.mass_kg,
+        cg_x_m: mass.cg_x_m,
+    };
+    loads_of(input, layout, &masses)
+}
+
+/// The same from masses alone.
+pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoads {
     let outline = &layout.outline;
     let forebody = &outline.forebody;
     let load = &input.structure_loads;
@@ -147,8 +158,8 @@ pub fn loads(
         forebody.shoulder_tangent(0.0).r_m,
     );
     let of = |kinds: &[ComponentKind]| -> f64 {
-        let those = components.iter().filter(|c| kinds.contains(&c.kind));
-        those.map(|c| c.mass_with_margin_kg).sum()
+        let those = mass.parts.iter().filter(|(kind, _)| kinds.contains(kind));
+        those.map(|(_, kg)| kg).sum()
     };
     use ComponentKind::{AftbodyCarrier, AftbodyTps, Bond, ForebodyCarrier, ForebodyTps};
     let forebody_kg = of(&[ForebodyTps, Bond, ForebodyCarrier]);
@@ -195,10 +206,11 @@ pub fn loads(
         launch_axial_n: 0.0,
     };
     // in entry the forebody carries itself; the rest hangs on the primary structure
-    let carried_kg: f64 = components
+    let carried_kg: f64 = mass
+        .parts
         .iter()
-        .filter(|c| !matches!(c.kind, ForebodyTps | Bond | ForebodyCarrier))
-        .map(|c| c.mass_with_margin_kg)
+        .filter(|(kind, _)| !matches!(kind, ForebodyTps | Bond | ForebodyCarrier))
+        .map(|(_, kg)| kg)
         .sum();
     let radius_m = layout.primary_inner_r_m();
     let arm_m = (mass.cg_x_m - outline.attached_structure_x_m).abs();

@@ -4,10 +4,10 @@ use super::*;
 use crate::vehicle::segment::Segment;
 
 /// Deterministic numbers in 0..1: a multiplicative congruence.
-struct Sequence(u64);
+pub(super) struct Sequence(pub u64);
 
 impl Sequence {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -15,12 +15,12 @@ impl Sequence {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next()
     }
 }
 
-fn sampled(sequence: &mut Sequence) -> VehicleInput {
+pub(super) fn sampled(sequence: &mut Sequence) -> VehicleInput {
     let mut input = if sequence.next() < 0.5 {
         msr()
     } else {

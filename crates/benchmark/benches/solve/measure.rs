@@ -1,0 +1,96 @@
+//! Times of several things, taken in turn so that a busy moment of the machine meets them all.
+//!
+//! The clock is that of this thread where the system has one: on a loaded machine wall time was ten times larger.
+
+use std::time::Duration;
+
+/// Rounds through all measurements.
+const ROUNDS: usize = 101;
+/// Time that one sample takes at least.
+const SAMPLE: Duration = Duration::from_millis(2);
+
+/// Something that is measured.
+pub struct Measurement<'a> {
+    name: &'static str,
+    run: Box<dyn FnMut() + 'a>,
+    /// Repetitions in a sample.
+    repetitions: u32,
+    /// Seconds for one repetition, one entry a round.
+    samples_s: Vec<f64>,
+}
+
+impl<'a> Measurement<'a> {
+    /// Something with a name.
+    pub fn new(name: &'static str, run: impl FnMut() + 'a) -> Self {
+        Self {
+            name,
+            run: Box::new(run),
+            repetitions: 1,
+            samples_s: Vec::with_capacity(ROUNDS),
+        }
+    }
+
+    fn sample(&mut self) -> Duration {
+        let start = now();
+        (0..self.repetitions).for_each(|_| (self.run)());
+        now().saturating_sub(start)
+    }
+
+    /// Seconds at a quantile.
+    fn quantile(&self, part: f64) -> f64 {
+        let last = self.samples_s.len() - 1;
+        self.samples_s[(part * last as f64).round() as usize]
+    }
+}
+
+/// Time that this thread has computed.
+#[cfg(unix)]
+fn now() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Duration::new(
+        time.tv_sec.unsigned_abs(),
+        u32::try_from(time.tv_nsec).unwrap_or_default(),
+    )
+}
+
+/// Time since the first call.
+#[cfg(not(unix))]
+fn now() -> Duration {
+    static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
+    START.get_or_init(std::time::Instant::now).elapsed()
+}
+
+/// Measures all and prints quartiles and the ratio to the first, of the lower quartiles: other programs only add time.
+pub fn report(measurements: &mut [Measurement]) {
+    for measurement in measurements.iter_mut() {
+        while measurement.sample() < SAMPLE {
+            measurement.repetitions *= 2;
+        }
+    }
+    for _ in 0..ROUNDS {
+        for measurement in measurements.iter_mut() {
+            let sample = measurement.sample().as_secs_f64();
+            let each = sample / f64::from(measurement.repetitions);
+            measurement.samples_s.push(each);
+        }
+    }
+    for measurement in measurements.iter_mut() {
+        measurement.samples_s.sort_by(f64::total_cmp);
+    }
+    let reference = measurements[0].quantile(0.25);
+    println!(
+        "{:52} {:>10} {:>21} {:>9}",
+        "", "median", "quartiles", "ratio"
+    );
+    for measurement in measurements.iter() {
+        let micro = |part| 1e6 * measurement.quantile(part);
+        println!(
+            "{:52} {:>7.1} us {:>9.1} .. {:>5.1} us {:>9.2}",
+            measurement.name,
+            micro(0.5),
+            micro(0.25),
+            micro(0.75),
+            measurement.quantile(0.25) / reference
+        );
+    }
+}

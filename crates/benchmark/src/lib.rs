@@ -1,0 +1,197 @@
+//! Jobs by which speed is measured: `cargo bench` and the benchmark page time the same ones, as ratios to the first, so
+//! that figures of different machines can be compared. The clock is the caller's.
+
+pub mod kernel;
+
+use msape::case::{Case, InputError};
+use msape::design::structural::Structural;
+use msape::design::{Design, coupling};
+use msape::flight::mission::Body;
+use msape::flight::{self, Flight, Request};
+use msape::library::{DataError, Library, data_file};
+use msape::problem::{DesignProblem, FlightProblem};
+use msape::vehicle;
+use std::hint::black_box;
+
+/// What the jobs work on.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    /// The built-in library.
+    pub library: Library,
+    /// A flight of constant drag without radiation.
+    pub constant: FlightProblem,
+    /// The MSR vehicle with a heat shield of PICA, as text.
+    pub msr_case: Case,
+    /// The same, checked.
+    pub msr: DesignProblem,
+    /// The same as flight sees it before the first pass.
+    pub msr_body: Body,
+    /// Where everything stands in it before the first pass.
+    pub msr_layout: vehicle::layout::Layout,
+    /// It designed, and its flight.
+    pub msr_design: (Design, Flight),
+    /// A vehicle of another concept.
+    pub galahad: DesignProblem,
+    /// A spinning entry in six degrees of freedom with the database of its outline.
+    pub spinning: FlightProblem,
+    /// The same as a case.
+    pub spinning_case: Case,
+}
+
+/// Declares what is measured: a name and what does it once. Names and jobs are two lists, so that a page can show the names
+/// without having the solver in it.
+macro_rules! jobs {
+    ($($name:literal => $run:expr,)*) => {
+        /// Names of what is measured; the first is the reference.
+        pub static NAMES: &[&str] = &[$($name),*];
+
+        /// What does each of them once, in the order of [`NAMES`].
+        pub static JOBS: &[fn(&Bench)] = &[$($run),*];
+    };
+}
+
+jobs! {
+    "bare kernel: order 5, exponential air, no results" => |bench| {
+        black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
+    },
+    "1000 densities of US76, 0 to 125 km" => |bench| {
+        let atmosphere = &bench.constant.mission.atmosphere;
+        let sum: f64 = (0..1000)
+            .map(|i| atmosphere.density_kg_m3(f64::from(i) * 125.0))
+            .sum();
+        black_box(sum);
+    },
+    "trajectory, constant drag, no radiation (m2)" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        black_box(flight::fly(mission, body, Request::Nothing));
+    },
+    "the same with its history at the steps" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        black_box(flight::fly(mission, body, Request::Steps));
+    },
+    "trajectory, drag table, radiation (MSR)" => |bench| {
+        let mission = &bench.msr.input.mission;
+        black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
+    },
+    "vehicle: closing, mass, structure (MSR)" => |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
+    "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
+    "half-section: profiles, volumes, moments (MSR)" => |bench| {
+        let layout = &bench.msr_layout;
+        let parts = vehicle::mass::profiles(vehicle::Concept::Msr, layout);
+        let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
+        let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
+        black_box(volume);
+    },
+    "structure: rules and shell model (MSR)" => |bench| {
+        let (design, flight) = &bench.msr_design;
+        drop(black_box(Structural::new(&bench.msr.input, design, flight)));
+    },
+    "converged design (MSR)" => |bench| drop(black_box(bench.msr.solve("", Request::Nothing))),
+    "converged design (Galahad)" => |bench| drop(black_box(bench.galahad.solve("", Request::Nothing))),
+    "six degrees of freedom (spinning Stardust)" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.spinning;
+        black_box(flight::fly(mission, body, Request::Nothing));
+    },
+    "the same, checked, with its database" => |bench| {
+        drop(black_box(FlightProblem::check(
+            &bench.spinning_case,
+            &bench.library,
+        )))
+    },
+    "checking a case (MSR)" => |bench| {
+        drop(black_box(DesignProblem::check(
+            &bench.msr_case,
+            &bench.library,
+        )))
+    },
+    "built-in library" => |_| drop(black_box(Library::builtin())),
+}
+
+impl Bench {
+    /// What the jobs work on.
+    ///
+    /// # Errors
+    /// A shipped file that cannot be used, which a test excludes.
+    pub fn new() -> Result<Bench, DataError> {
+        let library = Library::builtin()?;
+        let constant = shipped("cases/msape-ref-m2.toml", |case| {
+            FlightProblem::check(&case, &library)
+        })?;
+        let msr_file = "cases/msr-eev-pica.toml";
+        let (msr_case, msr) = shipped(msr_file, |case| {
+            let msr = DesignProblem::check(&case, &library)?;
+            Ok((case, msr))
+        })?;
+        let galahad = shipped("cases/galahad.toml", |case| {
+            DesignProblem::check(&case, &library)
+        })?;
+        let (spinning_case, spinning) = shipped("cases/stardust-spinning.toml", |case| {
+            let spinning = FlightProblem::check(&case, &library)?;
+            Ok((case, spinning))
+        })?;
+        let built =
+            vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
+        let msr_body = msr.input.body(&built);
+        let answer = coupling::solve(&msr.input, Request::Nothing);
+        let msr_design = answer
+            .design
+            .zip(answer.flight)
+            .ok_or_else(|| fault(msr_file, "has no design".to_string()))?;
+        Ok(Bench {
+            library,
+            constant,
+            msr_case,
+            msr,
+            msr_body,
+            msr_layout: built.layout,
+            msr_design,
+            galahad,
+            spinning,
+            spinning_case,
+        })
+    }
+}
+
+fn fault(file: &str, message: String) -> DataError {
+    DataError {
+        file: file.to_string(),
+        message,
+    }
+}
+
+fn shipped<T>(
+    file: &str,
+    check: impl FnOnce(Case) -> Result<T, Vec<InputError>>,
+) -> Result<T, DataError> {
+    let text = data_file(file).ok_or_else(|| fault(file, "does not ship".to_string()))?;
+    Case::from_text(text).and_then(check).map_err(|faults| {
+        let messages: Vec<String> = faults.iter().map(InputError::to_string).collect();
+        fault(file, messages.join("; "))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use msape::Outcome;
+
+    #[test]
+    fn what_is_measured_is_a_flight_to_the_ground_and_designs_that_converge() {
+        let bench = Bench::new().unwrap();
+        JOBS.iter().for_each(|job| job(&bench));
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        assert_eq!(
+            flight::fly(mission, body, Request::Nothing).1,
+            Outcome::Landed
+        );
+        for design in [&bench.msr, &bench.galahad] {
+            assert_eq!(
+                design.solve("", Request::Nothing).outcome,
+                Outcome::Converged
+            );
+        }
+        // 12 km/s at -8 deg: minutes, not seconds, and some hundred evaluations.
+        let (time_s, evaluations) = kernel::bare_flight(mission.solver.tolerance);
+        assert!(time_s > 60.0 && evaluations > 100);
+    }
+}

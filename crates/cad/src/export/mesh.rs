@@ -1,0 +1,173 @@
+//! Triangles of a profile turned about the axis: vertices with normals, watertight, outside out.
+//!
+//! ```text
+//! position = (x, r cos φ, r sin φ)
+//! step = 4 asin √(e / 2R)        the angle at which the chord of a circle of radius R is e away from it
+//! ```
+//!
+//! with x along the axis from the virtual apex, aft positive, r from the axis and e the chord error in m, φ about the axis from
+//! y towards z in rad. Neighbours share the very same positions, so that welding needs no tolerance; an edge between two
+//! segments has a normal from either side.
+
+mod cut;
+mod revolve;
+mod stations;
+
+pub use stations::{Station, stations};
+
+use crate::export::chain::{Chain, Ends, chains};
+use msape::vehicle::ComponentKind;
+use msape::vehicle::Vehicle;
+use msape::vehicle::profile::Profile;
+use numerics::math::PI;
+
+/// Triangles in the frame of the vehicle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Positions (x, y, z), m.
+    pub positions_m: Vec<[f32; 3]>,
+    /// Unit normals, outwards.
+    pub normals: Vec<[f32; 3]>,
+    /// Where each vertex is in the half-section: (x, r), m.
+    pub section_m: Vec<[f32; 2]>,
+    /// Three vertices each, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// What the faces of a cut look like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// Flat faces close the body.
+    Closed,
+    /// The body is seen from inside.
+    Open,
+}
+
+/// How finely, and how far round, a profile is turned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshOptions {
+    /// Largest distance between a circle and its chord, m.
+    pub chord_error_m: f64,
+    /// Longest piece of a line, m; infinite leaves lines whole.
+    pub longest_piece_m: f64,
+    /// Where the turn begins, from y towards z, rad.
+    pub start_rad: f64,
+    /// How far it goes, rad; 2π or more is the whole body.
+    pub sweep_rad: f64,
+    /// Faces of the cut, where there is one.
+    pub cut: Cut,
+}
+
+impl MeshOptions {
+    /// The whole body at a chord error in m.
+    pub fn whole(chord_error_m: f64) -> Self {
+        Self {
+            chord_error_m,
+            longest_piece_m: f64::INFINITY,
+            start_rad: 0.0,
+            sweep_rad: 2.0 * PI,
+            cut: Cut::Closed,
+        }
+    }
+}
+
+/// The triangles of one component.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComponentMesh {
+    /// Which.
+    pub kind: ComponentKind,
+    /// Its triangles.
+    pub mesh: Mesh,
+}
+
+/// The triangles of each component that has a body, in the order of the vehicle.
+pub fn components(vehicle: &Vehicle, options: &MeshOptions) -> Vec<ComponentMesh> {
+    let with_body = vehicle.components.iter().filter(|c| !c.profiles.is_empty());
+    with_body
+        .map(|c| ComponentMesh {
+            kind: c.kind,
+            mesh: mesh(&c.profiles, options),
+        })
+        .collect()
+}
+
+/// The triangles of profiles turned about the axis. An open profile makes a surface, whose outside is on the left of its run.
+pub fn mesh(profiles: &[Profile], options: &MeshOptions) -> Mesh {
+    let mut mesh = Mesh::default();
+    for profile in profiles {
+        let chains = chains(profile);
+        let turn = revolve::Turn::new(&chains, options);
+        let runs: Vec<_> = chains
+            .iter()
+            .map(|chain| revolve::run(chain, options))
+            .collect();
+        for run in &runs {
+            revolve::surface(&mut mesh, run, &turn);
+        }
+        let closed = chains.iter().all(|chain: &Chain| chain.ends != Ends::Open);
+        if closed && !turn.is_whole() && options.cut == Cut::Closed {
+            cut::faces(&mut mesh, &runs, &turn);
+        }
+    }
+    mesh
+}
+
+impl Mesh {
+    /// Adds another mesh.
+    pub fn append(&mut self, other: &Mesh) {
+        let offset = self.positions_m.len() as u32;
+        self.positions_m.extend_from_slice(&other.positions_m);
+        self.normals.extend_from_slice(&other.normals);
+        self.section_m.extend_from_slice(&other.section_m);
+        self.triangles
+            .extend(other.triangles.iter().map(|t| t.map(|i| i + offset)));
+    }
+
+    /// Volume enclosed, m³.
+    pub fn volume_m3(&self) -> f64 {
+        let sum: f64 = self.corners_m().map(|[a, b, c]| dot(a, cross(b, c))).sum();
+        sum / 6.0
+    }
+
+    /// Area of all triangles, m².
+    pub fn area_m2(&self) -> f64 {
+        let twice: f64 = self
+            .corners_m()
+            .map(|[a, b, c]| {
+                let n = cross(minus(b, a), minus(c, a));
+                dot(n, n).sqrt()
+            })
+            .sum();
+        twice / 2.0
+    }
+
+    /// Corners of each triangle, m.
+    pub fn corners_m(&self) -> impl Iterator<Item = [[f64; 3]; 3]> + '_ {
+        let at = |i: u32| {
+            self.positions_m
+                .get(i as usize)
+                .copied()
+                .unwrap_or_default()
+                .map(f64::from)
+        };
+        self.triangles.iter().map(move |t| t.map(at))
+    }
+}
+
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [ax - bx, ay - by, az - bz]
+}
+
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    ax * bx + ay * by + az * bz
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,164 @@
+//! Outlines from files: CSV of points, DXF of lines and arcs. Both give the rows that `outline.points` holds.
+//!
+//! ```text
+//! 1 in = 0.0254 m        1 ft = 0.3048 m
+//! ```
+//!
+//! Rows are x and r in m and the bulge of the piece to the next point.
+//!
+//! # Valid
+//! Text; the kind of file is told by the ending of its name.
+//!
+//! # References
+//! - \[nist-sp-811\] appendix B for the factors.
+
+pub mod chain;
+pub mod csv;
+pub mod dxf;
+pub mod half_section;
+
+use thiserror::Error;
+
+/// Faults are listed up to this number.
+pub const MOST_FAULTS: usize = 100;
+/// Characters of a text from a file that a message shows.
+const MOST_SHOWN: usize = 40;
+
+/// A unit of length that files are drawn in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Metre.
+    Metre,
+    /// Centimetre.
+    Centimetre,
+    /// Millimetre.
+    Millimetre,
+    /// Inch.
+    Inch,
+    /// Foot.
+    Foot,
+}
+
+impl LengthUnit {
+    /// Metres in one.
+    pub fn metres(self) -> f64 {
+        match self {
+            Self::Metre => 1.0,
+            Self::Centimetre => 0.01,
+            Self::Millimetre => 0.001,
+            Self::Inch => 0.0254,
+            Self::Foot => 0.3048,
+        }
+    }
+
+    /// The unit of a symbol.
+    pub fn of(symbol: &str) -> Option<Self> {
+        match symbol.to_lowercase().as_str() {
+            "m" | "meter" | "metre" | "meters" | "metres" => Some(Self::Metre),
+            "cm" => Some(Self::Centimetre),
+            "mm" => Some(Self::Millimetre),
+            "in" | "inch" | "inches" | "\"" => Some(Self::Inch),
+            "ft" | "feet" | "foot" => Some(Self::Foot),
+            _ => None,
+        }
+    }
+}
+
+/// One thing wrong with a file; lines are counted from 1.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ImportFault {
+    /// The file holds no point.
+    #[error("the file holds no {0}")]
+    Empty(&'static str),
+    /// Neither the file nor the case says the unit.
+    #[error(
+        "the file does not say its unit; name it in the header, such as \"x (mm), r (mm)\", or with outline.file_unit"
+    )]
+    NoUnitInHeader,
+    /// Neither the drawing nor the case says the unit.
+    #[error("the drawing has no $INSUNITS; name its unit with outline.file_unit")]
+    NoUnitInDrawing,
+    /// A unit that is not known.
+    #[error("{place}: got the unit \"{unit}\", must be one of m, cm, mm, in, ft")]
+    UnknownUnit {
+        /// Where.
+        place: String,
+        /// The unit, shortened.
+        unit: String,
+    },
+    /// A field that is not a number.
+    #[error("line {line}: column {column}: got \"{text}\", must be a number")]
+    NotANumber {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The field, shortened.
+        text: String,
+    },
+    /// Too few or too many numbers.
+    #[error("line {line}: got {found} fields, must be {wanted}")]
+    Fields {
+        /// Line of the file.
+        line: u64,
+        /// Fields in it.
+        found: usize,
+        /// Fields of a row.
+        wanted: usize,
+    },
+    /// A heading that is not known, or comes twice, or is missing.
+    #[error("header: {0}")]
+    Header(String),
+    /// A line that cannot be read.
+    #[error("line {line}: {reason}")]
+    Unreadable {
+        /// Line of the file.
+        line: u64,
+        /// Why.
+        reason: String,
+    },
+    /// A kind of entity that is no line and no arc.
+    #[error("line {line}: {kind} is not read; draw the outline with lines, arcs and polylines")]
+    Entity {
+        /// Line of the file.
+        line: u64,
+        /// Its name in the drawing.
+        kind: String,
+    },
+    /// Pieces that do not make one chain.
+    #[error("{0}")]
+    Chain(String),
+    /// A kind of file that is not read.
+    #[error("\"{0}\" is neither a CSV nor a DXF file; the name must end in .csv, .txt or .dxf")]
+    UnknownKind(String),
+}
+
+/// A text from a file, short enough for a message.
+fn shown(text: &str) -> String {
+    text.chars().take(MOST_SHOWN).collect()
+}
+
+/// Rows of x, r in metres and bulge from the text of the file `name`, or everything that is wrong with it.
+///
+/// ```
+/// use cad::outline::read;
+///
+/// let rows = read("cone.csv", "x (mm); r (mm)\n0; 0\n500,0; 500\n500; 0\n", None).unwrap();
+/// assert_eq!(rows[1], [0.5, 0.5, 0.0]);
+/// ```
+///
+/// # Errors
+/// Every fault of the file, up to [`MOST_FAULTS`].
+pub fn read(
+    name: &str,
+    text: &str,
+    unit: Option<LengthUnit>,
+) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
+    let ending = name.rsplit('.').next().unwrap_or("").to_lowercase();
+    match ending.as_str() {
+        "dxf" => dxf::read(text, unit),
+        "csv" if half_section::is_half_section(text) => half_section::read(text),
+        "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit),
+        _ => Err(vec![ImportFault::UnknownKind(shown(name))]),
+    }
+}

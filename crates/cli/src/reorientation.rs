@@ -1,0 +1,112 @@
+//! `reorientation`: entries of one vehicle from a set of attitudes and rates.
+
+use crate::args::Reorientation;
+use crate::failure::Failure;
+use crate::terminal::{self, Paint};
+use crate::{Done, output, read, show};
+use msape::answer::turning;
+use msape::flight::six_dof::turning::{ENTRIES, Turning, turning as fly};
+use msape::problem::{FlightProblem, add_turning, leaves_vehicle_to_design};
+use msape::progress::Progress;
+use msape::{Case, InputError, Library, Request, table};
+use serde_json::json;
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+
+/// What came of it: how the design ended where there is one, why, and the entries.
+struct Flown {
+    outcome: Option<&'static str>,
+    reason: Option<String>,
+    turning: Option<Turning>,
+}
+
+/// Flies the entries and writes them.
+pub fn reorientation(arguments: &Reorientation) -> Done {
+    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let library = Library::builtin()?;
+    let flown = flown(&case, &library);
+    watched();
+    let flown = match flown {
+        Ok(flown) if faults.is_empty() => flown,
+        Ok(_) => return Err(Failure::Input(faults)),
+        Err(found) => {
+            faults.extend(found.iter().map(ToString::to_string));
+            return Err(Failure::Input(faults));
+        }
+    };
+    output::write(text(arguments, &case, &flown), arguments.output.as_deref())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn flown(case: &Case, library: &Library) -> Result<Flown, Vec<InputError>> {
+    if leaves_vehicle_to_design(case) {
+        let mut answer = msape::design(case, library, Request::Nothing)?;
+        add_turning(case, library, &mut answer, &mut watcher())?;
+        return Ok(Flown {
+            outcome: Some(answer.outcome.name()),
+            reason: answer.reason,
+            turning: answer.design.and_then(|design| design.turning),
+        });
+    }
+    let FlightProblem { mission, body, .. } = FlightProblem::check(case, library)?;
+    match fly(&mission, &body, &mut watcher()) {
+        None => Err(vec![InputError {
+            key: "vehicle.dof".to_string(),
+            message: "must be 6: a point mass has no attitude".to_string(),
+        }]),
+        turning => Ok(Flown {
+            outcome: None,
+            reason: None,
+            turning,
+        }),
+    }
+}
+
+/// Says on a terminal how far we are.
+pub fn watcher() -> impl Progress {
+    let mut said = 0;
+    move |done: f64| {
+        let entry = (done * ENTRIES as f64) as usize + 1;
+        if entry > said && entry <= ENTRIES {
+            said = entry;
+            terminal::progress(&format!("entry {entry} of {ENTRIES}"));
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Clears what was said.
+pub fn watched() {
+    terminal::progress("");
+}
+
+fn text(arguments: &Reorientation, case: &Case, flown: &Flown) -> String {
+    let none = Turning::default();
+    let entries = flown.turning.as_ref().unwrap_or(&none);
+    if arguments.json {
+        let object = json!({
+            "name": case.name,
+            "outcome": flown.outcome,
+            "reason": flown.reason,
+            "reorientation": flown.turning.as_ref().map(turning::json),
+        });
+        return format!("{object:#}\n");
+    }
+    if arguments.csv {
+        return table::turning(entries).to_csv();
+    }
+    let paint = match arguments.output {
+        Some(_) => Paint::Plain,
+        None => Paint::of_standard_output(),
+    };
+    let outcome = flown.outcome.map_or_else(String::new, |o| format!(": {o}"));
+    let reason = flown
+        .reason
+        .as_ref()
+        .map_or_else(String::new, |r| format!("\n{r}"));
+    let table = match &flown.turning {
+        Some(turning) => show::entries(turning, paint),
+        None => String::new(),
+    };
+    format!("{}{outcome}{reason}\n{table}", paint.heading(&case.name))
+}

@@ -1,0 +1,312 @@
+//! The version of the program that a case was written for, and what later versions changed.
+//!
+//! A case leaves inputs open, and a link says only how a case differs from a shipped one: both rest on defaults and
+//! presets of the program that wrote them. `data/versions` lists what a version did otherwise, `cases/0.1` holds the
+//! shipped cases as they were. A record of the program itself is [brought up](Case::brought_up_from): it keeps the old
+//! defaults as choices of its own. A file is read as it stands, with a [note](Case::version_note) on each default that
+//! changed under it.
+
+use super::Case;
+use crate::finding::{Finding, Severity};
+use crate::library::data_file;
+use crate::quantity::input::{self, Preset};
+use crate::units::canonical;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// A version of the program, as far as its defaults go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Version {
+    /// Number before the first point.
+    pub major: u32,
+    /// Number after it.
+    pub minor: u32,
+}
+
+impl Version {
+    /// The first version, which did not write a version into its cases.
+    pub const FIRST: Version = Version { major: 0, minor: 1 };
+    /// This version.
+    pub const CURRENT: Version = Version { major: 0, minor: 2 };
+
+    /// A version as written, such as `0.2`; a third number is of no concern.
+    pub fn parse(text: &str) -> Option<Version> {
+        let mut parts = text.split('.').map(|part| part.parse::<u32>().ok());
+        Some(Version {
+            major: parts.next()??,
+            minor: parts.next()??,
+        })
+    }
+}
+
+impl Default for Version {
+    fn default() -> Version {
+        Version::CURRENT
+    }
+}
+
+impl fmt::Display for Version {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.major, self.minor)
+    }
+}
+
+/// Versions that have a list of what they did otherwise, each with its file and the folder of its shipped cases.
+const EARLIER: [(Version, &str, &str); 1] = [(Version::FIRST, "versions/0.1.toml", "cases/0.1")];
+
+/// What a version did otherwise.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Changes {
+    #[serde(rename = "source")]
+    _source: String,
+    #[serde(rename = "place")]
+    _place: String,
+    #[serde(rename = "same")]
+    _same: Vec<String>,
+    default: Vec<OldDefault>,
+    mended: Vec<Mended>,
+}
+
+/// A default of an earlier version.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OldDefault {
+    key: String,
+    was: String,
+    now: Option<String>,
+}
+
+/// A fault of an earlier version, in cases that have a section.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Mended {
+    section: String,
+    what: String,
+}
+
+/// A case that keeps what its version gave, and remarks on that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BroughtUp {
+    /// The case, of this version.
+    pub case: Case,
+    /// Old defaults that were written into it, and faults that were mended since.
+    pub remarks: Vec<String>,
+}
+
+/// A shipped case as a version had it, such as `galahad`.
+pub fn shipped(version: Version, id: &str) -> Option<Case> {
+    let now = format!("cases/{id}.toml");
+    let text = EARLIER
+        .iter()
+        .filter(|(of, ..)| *of >= version)
+        .find_map(|(_, _, folder)| data_file(&format!("{folder}/{id}.toml")))
+        .or_else(|| data_file(&now))?;
+    Case::from_toml(text).ok()
+}
+
+/// What all versions from this one on did otherwise, the oldest first: a default that changed twice is taken from it.
+fn since(version: Version) -> Vec<(Version, Changes)> {
+    EARLIER
+        .iter()
+        .filter(|(of, ..)| *of >= version)
+        .filter_map(|(of, file, _)| Some((*of, toml::from_str(data_file(file)?).ok()?)))
+        .collect()
+}
+
+impl OldDefault {
+    fn line(&self, version: Version) -> String {
+        format!(
+            "{} was {} by default in version {version}, now {}",
+            self.key,
+            self.was,
+            self.now.clone().unwrap_or_else(|| preset(&self.key))
+        )
+    }
+}
+
+/// The default of an input as text with its unit.
+fn preset(key: &str) -> String {
+    let Some(input) = input::find(key) else {
+        return "unknown".to_owned();
+    };
+    match input.preset {
+        Preset::Absent => "left open".to_owned(),
+        Preset::Name(name) => name.to_owned(),
+        Preset::Flag(flag) => flag.to_string(),
+        Preset::Number(number) => match input.kind {
+            input::Kind::Number { dimension, .. } => {
+                format!("{number} {}", canonical(dimension).symbol)
+                    .trim_end()
+                    .to_owned()
+            }
+            _ => number.to_string(),
+        },
+    }
+}
+
+/// Sections that concern a case only when it has them.
+const OPTIONAL_SECTIONS: [&str; 3] = ["design", "vehicle", "outline"];
+
+impl Case {
+    fn has_section(&self, section: &str) -> bool {
+        self.values
+            .keys()
+            .any(|key| key.split('.').next() == Some(section))
+    }
+
+    /// Whether an old default acts on this case: left open, in a section that counts.
+    fn leaves_open(&self, old: &OldDefault) -> bool {
+        let section = old.key.split('.').next().unwrap_or_default();
+        input::find(&old.key).is_some()
+            && !self.values.contains_key(&old.key)
+            && (!OPTIONAL_SECTIONS.contains(&section) || self.has_section(section))
+    }
+
+    /// The case as its program meant it: what it leaves open keeps the defaults of `version`.
+    #[must_use]
+    pub fn brought_up_from(self, version: Version) -> BroughtUp {
+        brought_up(self, &since(version))
+    }
+
+    /// A note on each default that changed since the case was written and that it leaves open.
+    pub fn version_note(&self) -> Option<Finding> {
+        note(self, &since(self.version))
+    }
+}
+
+fn brought_up(mut case: Case, changes: &[(Version, Changes)]) -> BroughtUp {
+    let mut remarks = Vec::new();
+    for (version, changes) in changes {
+        for old in &changes.default {
+            if case.leaves_open(old) {
+                remarks.push(format!("{}: {} is kept.", old.line(*version), old.was));
+                case.set(&old.key, &old.was);
+            }
+        }
+        let mended = changes.mended.iter();
+        let concerned = mended.filter(|mended| case.has_section(&mended.section));
+        remarks.extend(concerned.map(|mended| format!("Since version {version}: {}", mended.what)));
+    }
+    case.version = Version::CURRENT;
+    BroughtUp { case, remarks }
+}
+
+fn note(case: &Case, changes: &[(Version, Changes)]) -> Option<Finding> {
+    let mut lines: Vec<String> = Vec::new();
+    for (version, changes) in changes {
+        let open = changes.default.iter().filter(|old| case.leaves_open(old));
+        lines.extend(open.map(|old| old.line(*version)));
+    }
+    (!lines.is_empty()).then(|| Finding {
+        severity: Severity::Note,
+        model: "version".to_owned(),
+        key: "version".to_owned(),
+        value: None,
+        valid: (None, None),
+        message: format!(
+            "The case is of version {} and leaves open what has another default now: {}. Give the old value to keep it, or version = \"{}\" to take the new one.",
+            case.version,
+            lines.join("; "),
+            Version::CURRENT
+        ),
+        source: "convention of this program".to_owned(),
+        field: None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::data_folder;
+
+    fn changes() -> Vec<(Version, Changes)> {
+        let text = r#"
+source = "assumed"
+place = "a test"
+same = []
+mended = [{ section = "design", what = "The stroke was too long." }]
+[[default]]
+key = "heating.convective_margin"
+was = "1.5"
+[[default]]
+key = "design.ground"
+was = "rigid"
+now = "a softer one"
+"#;
+        vec![(Version::FIRST, toml::from_str(text).unwrap())]
+    }
+
+    fn case(text: &str) -> Case {
+        Case::from_toml(&format!("schema = 'msape/1'\n{text}")).unwrap()
+    }
+
+    #[test]
+    fn this_version_is_the_one_of_the_workspace() {
+        assert_eq!(
+            Version::parse(env!("CARGO_PKG_VERSION")),
+            Some(Version::CURRENT)
+        );
+        assert_eq!(Version::parse("0.2").unwrap().to_string(), "0.2");
+        assert_eq!(Version::parse("two"), None);
+        assert!(EARLIER.iter().all(|(of, ..)| *of < Version::CURRENT));
+    }
+
+    #[test]
+    fn an_old_file_is_told_what_changed_under_it_and_a_new_one_is_not() {
+        let old = case("[design]\nmsr_mode = true\n");
+        let told = note(&old, &changes()).unwrap().message;
+        assert!(
+            told.contains("heating.convective_margin was 1.5 by default in version 0.1, now 1"),
+            "{told}"
+        );
+        assert!(
+            told.contains("design.ground was rigid by default in version 0.1, now a softer one"),
+            "{told}"
+        );
+        // a flight has no ground to choose, and who gives the value is not concerned
+        let flight = case("[vehicle]\nmass_kg = 1\n[heating]\nconvective_margin = 2\n");
+        assert_eq!(note(&flight, &changes()), None);
+        let new = case("version = '0.2'\n[design]\nmsr_mode = true\n");
+        assert_eq!(new.version_note(), None);
+        assert_eq!(Case::run_page().version_note(), None);
+    }
+
+    #[test]
+    fn an_old_record_keeps_the_old_defaults_as_its_own() {
+        let BroughtUp { case, remarks } =
+            brought_up(case("[design]\nmsr_mode = true\n"), &changes());
+        assert_eq!(
+            case.text("heating.convective_margin").as_deref(),
+            Some("1.5")
+        );
+        assert_eq!(case.text("design.ground").as_deref(), Some("rigid"));
+        assert_eq!(case.version, Version::CURRENT);
+        assert_eq!(remarks.len(), 3, "{remarks:?}");
+        assert_eq!(note(&case, &[]), None);
+    }
+
+    #[test]
+    fn every_default_that_is_listed_was_changed() {
+        for (version, file, folder) in EARLIER {
+            let changes: Changes = toml::from_str(data_file(file).unwrap()).unwrap();
+            for old in &changes.default {
+                let input = input::find(&old.key).unwrap_or_else(|| panic!("{}", old.key));
+                let [mut then, mut now] = [Case::default(), Case::default()];
+                then.set(&old.key, &old.was);
+                now.reset(input);
+                assert_ne!(then.values, now.values, "{} in {version}", old.key);
+                assert!(
+                    old.now.is_some() || input.preset != Preset::Absent,
+                    "{}",
+                    old.key
+                );
+            }
+            assert!(data_folder(folder).count() > 0);
+            for (path, text) in data_folder(folder) {
+                let case = Case::from_toml(text).unwrap_or_else(|e| panic!("{path}: {e:?}"));
+                assert_eq!(case.version, version, "{path}");
+            }
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! What a heat shield goes through, and the point of its part at which it is judged.
+//!
+//! ```text
+//! q̇ = max(1, f) q̇₀      Q = max(1, f) Q₀      p = p₀            forebody, hottest-point
+//! q̇ₐ = 0.05 q̇₀          Qₐ = 0.05 Q₀          pₐ = 0.5 p₀       aftbody
+//! ```
+//!
+//! with q̇ in W/m², Q in J/m², p in Pa, 0 the stagnation point and f the shoulder's heat flux over that of the stagnation
+//! point.
+//!
+//! The forebody's heat shield runs round the shoulder, so its hottest point is the stagnation point or the shoulder. The
+//! heat load there is taken with the factor of the flux, as if the ratio held along the whole entry, and the factor is on
+//! radiation too, for whose share at the shoulder no source was found: both are on the safe side. The pressure is that of
+//! the stagnation point, the largest of the part. The aftbody's fractions hold for the whole of it.
+//!
+//! # Valid
+//! As the shoulder factor. The relations of Table 7 were fitted with the environments of the stagnation point.
+//!
+//! # References
+//! - \[samareh-2014\] sections 3.4.3 and 3.5.2, Table 6.
+
+use super::Side;
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
+use crate::heating::afterbody::Afterbody;
+use numerics::math::RADIANS_PER_DEGREE;
+use serde::{Deserialize, Serialize};
+
+/// Where the heat shield of a part is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JudgedAt {
+    /// At the hottest point of the part, shoulder included.
+    HottestPoint,
+    /// At the stagnation point, whatever the shoulder.
+    StagnationPoint,
+}
+
+impl JudgedAt {
+    /// All, the default first.
+    pub const ALL: [JudgedAt; 2] = [Self::HottestPoint, Self::StagnationPoint];
+
+    /// Name as in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::HottestPoint => "hottest-point",
+            Self::StagnationPoint => "stagnation-point",
+        }
+    }
+
+    /// The choice of a name.
+    pub fn named(name: &str) -> Option<JudgedAt> {
+        Self::ALL.into_iter().find(|choice| choice.name() == name)
+    }
+
+    /// What the forebody's heat shield is judged by, from the stagnation point and the shoulder's factor.
+    pub fn environment(self, stagnation: &Environment, shoulder_factor: f64) -> Environment {
+        match self {
+            Self::HottestPoint if shoulder_factor > 1.0 => Environment {
+                point: Point::Shoulder,
+                peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2 * shoulder_factor,
+                heat_load_j_m2: stagnation.heat_load_j_m2 * shoulder_factor,
+                ..*stagnation
+            },
+            Self::HottestPoint | Self::StagnationPoint => *stagnation,
+        }
+    }
+}
+
+/// A point of the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Point {
+    /// The stagnation point.
+    Stagnation,
+    /// The hottest point of the shoulder.
+    Shoulder,
+    /// Any point of the aftbody.
+    Aftbody,
+}
+
+impl Point {
+    /// The part to which it belongs.
+    pub fn side(self) -> Side {
+        match self {
+            Self::Stagnation | Self::Shoulder => Side::Forebody,
+            Self::Aftbody => Side::Aftbody,
+        }
+    }
+
+    /// Where it is, for a sentence.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Stagnation => "at the stagnation point",
+            Self::Shoulder => "on the shoulder",
+            Self::Aftbody => "on the aftbody",
+        }
+    }
+
+    /// Key of its heat flux with margins.
+    pub fn heat_flux_key(self) -> &'static str {
+        match self {
+            Self::Stagnation => "peak_total_margined_heat_flux_w_m2",
+            Self::Shoulder => "shoulder_peak_heat_flux_w_m2",
+            Self::Aftbody => "aftbody_peak_heat_flux_w_m2",
+        }
+    }
+
+    /// Key of its heat load with margins.
+    pub fn heat_load_key(self) -> &'static str {
+        match self {
+            Self::Stagnation => "total_margined_heat_load_j_m2",
+            Self::Shoulder => "shoulder_heat_load_j_m2",
+            Self::Aftbody => "aftbody_heat_load_j_m2",
+        }
+    }
+
+    /// Key of the pressure that is held against the limits.
+    pub fn pressure_key(self) -> &'static str {
+        match self.side() {
+            Side::Forebody => "peak_stagnation_pressure_pa",
+            Side::Aftbody => "aftbody_peak_pressure_pa",
+        }
+    }
+}
+
+/// What a heat shield goes through, at its own place: an aftbody's values are already those of the aftbody.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Environment {
+    /// Where it is.
+    pub point: Point,
+    /// Peak total heat flux, cold wall, with margins, W/m².
+    pub peak_heat_flux_w_m2: f64,
+    /// Total heat load, cold wall, with margins, J/m².
+    pub heat_load_j_m2: f64,
+    /// Peak pressure, Pa.
+    pub peak_pressure_pa: f64,
+    /// Entry speed, m/s.
+    pub entry_speed_m_s: f64,
+    /// Entry flight-path angle against the horizon, negative down, rad.
+    pub entry_flight_path_angle_rad: f64,
+    /// Time for which the heat flux is above the material's limit, s; unknown is `None`.
+    pub time_above_limit_s: Option<f64>,
+}
+
+impl Environment {
+    /// The part to which it belongs.
+    pub fn side(&self) -> Side {
+        self.point.side()
+    }
+
+    /// Entry angle below the horizon, deg.
+    pub fn entry_depth_deg(&self) -> f64 {
+        -self.entry_flight_path_angle_rad / RADIANS_PER_DEGREE
+    }
+
+    /// What the aftbody goes through when the stagnation point goes through this.
+    pub fn aftbody(&self, fractions: &Afterbody) -> Self {
+        Self {
+            point: Point::Aftbody,
+            peak_heat_flux_w_m2: self.peak_heat_flux_w_m2 * fractions.heat_flux_fraction,
+            heat_load_j_m2: self.heat_load_j_m2 * fractions.heat_load_fraction,
+            peak_pressure_pa: self.peak_pressure_pa * fractions.pressure_fraction,
+            time_above_limit_s: None,
+            ..*self
+        }
+    }
+
+    /// Which choice judged the forebody's heat shield, and where.
+    pub fn judged(&self, by: JudgedAt, shoulder_factor: f64) -> Finding {
+        let factor = short(shoulder_factor);
+        let place = self.point.place();
+        let message = match (by, self.point) {
+            (JudgedAt::HottestPoint, Point::Shoulder) => format!(
+                "The forebody's heat shield is judged {place}, its hottest point: {factor} times the heat flux of the \
+                 stagnation point, and as much of its heat load."
+            ),
+            (JudgedAt::HottestPoint, _) => format!(
+                "The forebody's heat shield is judged {place}, its hottest point: the shoulder has {factor} times its heat \
+                 flux."
+            ),
+            (JudgedAt::StagnationPoint, _) => format!(
+                "The forebody's heat shield is judged {place}, as chosen; the shoulder has {factor} times its heat flux and \
+                 is left out."
+            ),
+        };
+        Finding {
+            severity: Severity::Note,
+            model: "heat shield".into(),
+            key: self.point.heat_flux_key().into(),
+            value: Some(self.peak_heat_flux_w_m2),
+            valid: (None, None),
+            message,
+            source: "NASA/TM-2014-218507, sections 3.4.3 and 3.5".into(),
+            field: Some("heating.judged_at".into()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::input::{self, Choices, Kind, Preset};
+
+    const STAGNATION: Environment = Environment {
+        point: Point::Stagnation,
+        peak_heat_flux_w_m2: 2e7,
+        heat_load_j_m2: 2e8,
+        peak_pressure_pa: 1e5,
+        entry_speed_m_s: 12e3,
+        entry_flight_path_angle_rad: -RADIANS_PER_DEGREE,
+        time_above_limit_s: Some(1.0),
+    };
+
+    #[test]
+    fn aftbody_has_a_twentieth_of_the_heating_and_half_the_pressure() {
+        let text = include_str!("../../data/heating/afterbody.toml");
+        let aft = STAGNATION.aftbody(&Afterbody::parse(text).unwrap());
+        assert_eq!(
+            [
+                aft.peak_heat_flux_w_m2,
+                aft.heat_load_j_m2,
+                aft.peak_pressure_pa
+            ],
+            [1e6, 1e7, 5e4]
+        );
+        assert_eq!(
+            (aft.side(), aft.time_above_limit_s, aft.entry_depth_deg()),
+            (Side::Aftbody, None, 1.0)
+        );
+    }
+
+    #[test]
+    fn shoulder_is_judged_where_it_is_hotter_and_only_by_the_hottest_point() {
+        // 1.25 × 2000 W/cm² and 20 kJ/cm²: 2500 and 25; the pressure stays
+        let hot = JudgedAt::HottestPoint.environment(&STAGNATION, 1.25);
+        assert_eq!(
+            (hot.point, hot.peak_heat_flux_w_m2, hot.heat_load_j_m2),
+            (Point::Shoulder, 2.5e7, 2.5e8)
+        );
+        assert_eq!(hot.peak_pressure_pa, 1e5);
+        let said = hot.judged(JudgedAt::HottestPoint, 1.25).message;
+        assert!(
+            said.contains("on the shoulder") && said.contains("1.25"),
+            "{said}"
+        );
+        for (by, factor) in [
+            (JudgedAt::HottestPoint, 0.9),
+            (JudgedAt::StagnationPoint, 1.25),
+        ] {
+            let judged = by.environment(&STAGNATION, factor);
+            assert_eq!(judged, STAGNATION);
+            let said = judged.judged(by, factor).message;
+            assert!(said.contains("at the stagnation point"), "{said}");
+        }
+    }
+
+    #[test]
+    fn every_choice_of_the_input_is_known_and_the_default_the_hottest_point() {
+        let input = input::find("heating.judged_at").unwrap();
+        let Kind::Choice(Choices::Fixed(choices)) = input.kind else {
+            panic!("fixed choices")
+        };
+        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+        assert_eq!(names, JudgedAt::ALL.map(JudgedAt::name));
+        assert_eq!(input.preset, Preset::Name("hottest-point"));
+        assert_eq!(
+            JudgedAt::named("stagnation-point"),
+            Some(JudgedAt::StagnationPoint)
+        );
+        assert_eq!(JudgedAt::named("nose"), None);
+    }
+}

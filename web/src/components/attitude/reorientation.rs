@@ -1,0 +1,251 @@
+//! Whether the design turns nose first: its trims, and entries from a set of attitudes and rates, flown one after the other.
+
+use crate::components::export::save;
+use crate::display::number;
+use crate::files::{self, file_name};
+use crate::state::{Solved, State};
+use leptos::prelude::*;
+use msape::answer::turning::{COLUMNS, Cell, sentence};
+use msape::flight::six_dof::turning::{ENTRIES, Turning};
+use msape::table;
+use std::sync::Arc;
+use wasm_bindgen_futures::spawn_local;
+
+/// Entries of a design.
+#[derive(Clone)]
+struct Flown {
+    solved: Arc<Solved>,
+    turning: Turning,
+}
+
+/// What the card knows.
+#[derive(Clone, Copy)]
+struct View {
+    flown: RwSignal<Option<Flown>>,
+    running: RwSignal<bool>,
+    /// Count of runs; an older one stops at its next entry.
+    run: StoredValue<u32>,
+    fault: RwSignal<Option<String>>,
+}
+
+impl View {
+    /// Flies the set for the design that is shown, an entry a question, until it is done or stopped.
+    fn start(self, state: State) {
+        let Some(solved) = state.latest.get_untracked() else {
+            return;
+        };
+        if solved.answer.design.is_none() {
+            return;
+        }
+        self.run.update_value(|run| *run += 1);
+        let this = self.run.get_value();
+        self.running.set(true);
+        self.fault.set(None);
+        let turning = Turning::default();
+        self.flown.set(Some(Flown {
+            solved: solved.clone(),
+            turning,
+        }));
+        spawn_local(async move {
+            for entry in 0..ENTRIES as u32 {
+                let told = state.turn((*solved.case).clone(), entry).await;
+                // The card may be gone, or the run stopped or started anew.
+                if self.run.try_get_value() != Some(this) {
+                    return;
+                }
+                match told {
+                    Ok(Ok(turn)) => self.flown.update(|flown| {
+                        if let Some(flown) = flown {
+                            flown.turning.entries.push(turn);
+                        }
+                    }),
+                    Ok(Err(faults)) => {
+                        let said = faults.first().map(|f| format!("{} {}", f.key, f.message));
+                        self.fault.set(said);
+                        break;
+                    }
+                    Err(message) => {
+                        self.fault.set(Some(message));
+                        break;
+                    }
+                }
+            }
+            self.running.set(false);
+        });
+    }
+
+    /// Stops after the entry under way, which is dropped.
+    fn stop(self) {
+        self.run.update_value(|run| *run += 1);
+        self.running.set(false);
+    }
+}
+
+/// The part of the card.
+#[component]
+pub fn Reorientation() -> impl IntoView {
+    let state = State::expect();
+    let view = View {
+        flown: RwSignal::new(None),
+        running: RwSignal::new(false),
+        run: StoredValue::new(0),
+        fault: RwSignal::new(None),
+    };
+    // Another design is another question.
+    Effect::new(move |_| {
+        let newest = state.latest.with(|latest| latest.as_ref().map(|s| s.id));
+        let flown = view
+            .flown
+            .with_untracked(|flown| flown.as_ref().map(|flown| flown.solved.id));
+        if view.running.get_untracked() && newest != flown {
+            view.stop();
+        }
+    });
+    let count = move || {
+        let flown = view.flown.get();
+        flown.map_or(0, |flown| flown.turning.entries.len())
+    };
+    let stale = move || {
+        let newest = state.latest.with(|latest| latest.as_ref().map(|s| s.id));
+        let flown = view
+            .flown
+            .with(|flown| flown.as_ref().map(|flown| flown.solved.id));
+        newest != flown
+    };
+    let said = move || match (view.fault.get(), view.running.get(), count()) {
+        (Some(fault), ..) => fault,
+        (None, true, flown) => format!("Entry {} of {ENTRIES} is flown.", flown + 1),
+        (None, false, 0) => String::new(),
+        (None, false, _) => {
+            let of_old = if stale() {
+                " Flown with an earlier design."
+            } else {
+                ""
+            };
+            let sentence = view
+                .flown
+                .with(|flown| flown.as_ref().map(|flown| sentence(&flown.turning)));
+            format!("{}{of_old}", sentence.unwrap_or_default())
+        }
+    };
+    let press = move |_| match view.running.get_untracked() {
+        true => view.stop(),
+        false => view.start(state),
+    };
+    let has_design = Memo::new(move |_| {
+        let latest = state.latest.get();
+        latest.is_some_and(|latest| latest.answer.design.is_some())
+    });
+    view! {
+        <section class="reorientation" aria-labelledby="reorientation-title">
+            <h3 id="reorientation-title">"Does it turn nose first?"</h3>
+            <Trims />
+            <p class="quiet">"Nine entries as a rigid body: from 175, 145 and 120 deg against the velocity, each with −2, 0 and 2 deg/s of pitch. A set of corners, not a probability."</p>
+            <div class="stage-foot">
+                <button type="button" class="small" disabled=move || !has_design.get() on:click=press>
+                    {move || if view.running.get() { "Stop" } else { "Fly the nine entries" }}
+                </button>
+                <Show when=move || view.running.get()>
+                    <progress max=ENTRIES.to_string() prop:value=move || count().to_string() aria-label="Entries flown"></progress>
+                </Show>
+                <p role="status">{said}</p>
+            </div>
+            <Show when=move || { count() > 0 }>
+                <div class:stale-figure=stale><Entries view /></div>
+            </Show>
+        </section>
+    }
+}
+
+/// Static margin and trims in both regimes.
+#[component]
+fn Trims() -> impl IntoView {
+    let state = State::expect();
+    let rows = move || {
+        let latest = state.latest.get();
+        let stability = latest
+            .as_ref()
+            .and_then(|latest| latest.answer.design.as_ref()?.stability.as_ref());
+        let rows = stability.map(|stability| {
+            [("Free-molecular", &stability.free_molecular), ("Hypersonic", &stability.hypersonic)].map(|(name, regime)| {
+                let margin = regime.static_margin.map_or("–".to_string(), |m| number(m, 4));
+                let trims = regime.trims.iter().map(|trim| {
+                    let good = trim.is_stable() == (trim.alpha_deg == 0.0);
+                    let class = if good { "mark mark-good" } else { "mark mark-extrapolated" };
+                    view! { <span class="trim-point">{format!("{} deg ", number(trim.alpha_deg, 4))}<span class=class>{trim.word()}</span></span> " " }
+                });
+                view! {
+                    <tr>
+                        <th scope="row">{name}</th>
+                        <td class="value">{margin}</td>
+                        <td class="words">{trims.collect_view()}</td>
+                    </tr>
+                }
+            }).collect_view()
+        });
+        rows
+    };
+    view! {
+        <div class="wide-table" tabindex="0" role="region" aria-label="Static stability of the design">
+            <table class="facts">
+                <caption>"Static stability of the design about its own centre of gravity"</caption>
+                <thead>
+                    <tr>
+                        <th scope="col">"Flow"</th>
+                        <th scope="col">"Static margin (D)"</th>
+                        <th scope="col">"Trim angles"</th>
+                    </tr>
+                </thead>
+                <tbody>{rows}</tbody>
+            </table>
+        </div>
+    }
+}
+
+/// The table of entries and its file.
+#[component]
+fn Entries(view: View) -> impl IntoView {
+    let state = State::expect();
+    let turning = move || {
+        view.flown
+            .get()
+            .map(|flown| flown.turning)
+            .unwrap_or_default()
+    };
+    let rows = move || {
+        let rows = turning().entries.into_iter().map(|entry| {
+            let cells = COLUMNS.map(|column| {
+                let text = match (column.cell)(&entry) {
+                    Cell::Number(x) => x.map_or("–".to_string(), |x| number(x, 4)),
+                    Cell::Word(word) => word.to_string(),
+                };
+                view! { <td class="value">{text}</td> }
+            });
+            view! { <tr>{cells.collect_view()}</tr> }
+        });
+        rows.collect_view()
+    };
+    let heads = COLUMNS.map(|column| view! { <th scope="col">{column.label}</th> });
+    let hand_over = move |_| {
+        let name = state.case.with_untracked(|case| case.name.clone());
+        let name = file_name(&format!("{name}-reorientation"), "csv");
+        let text = untrack(turning);
+        save(
+            state,
+            files::download(&name, "text/csv", &table::turning(&text).to_csv()),
+        );
+    };
+    view! {
+        <div class="wide-table" tabindex="0" role="region" aria-label="Entries from nine attitudes and rates">
+            <table class="facts entries">
+                <caption>"Entries from nine attitudes and rates"</caption>
+                <thead><tr>{heads.collect_view()}</tr></thead>
+                <tbody>{rows}</tbody>
+            </table>
+        </div>
+        <div class="stage-foot">
+            <p class="quiet">"Backward: the aft end meets the largest heat rate. Unsteady: nose first then, beyond 90 deg later. Flown to Mach 5 of the point mass."</p>
+            <button type="button" class="small" on:click=hand_over>"Entries as CSV"</button>
+        </div>
+    }
+}
