@@ -4,6 +4,7 @@
 //! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
+//! - [`lanes`]: flights in lanes have the bits of each alone; derivatives are those of central differences.
 //! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
@@ -15,6 +16,7 @@ mod flights;
 mod garbage;
 mod geometry;
 mod landings;
+mod lanes;
 mod text;
 mod versions;
 

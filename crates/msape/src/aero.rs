@@ -59,6 +59,8 @@ pub enum Drag {
 pub struct DragTable {
     mach: Vec<f64>,
     coefficient: Vec<f64>,
+    /// Coefficient, slope and Mach number of the row below the first knot, between two and above the last.
+    lines: Vec<[f64; 3]>,
 }
 
 impl DragTable {
@@ -74,8 +76,8 @@ impl DragTable {
                 },
             )
         };
-        let (mach, coefficient) = self.rows().map(replaced).unzip();
-        DragTable { mach, coefficient }
+        let rows: Vec<(f64, f64)> = self.rows().map(replaced).collect();
+        DragTable::from_ascending(&rows)
     }
 
     /// A table from rows of Mach number and drag coefficient.
@@ -109,8 +111,7 @@ impl DragTable {
             }
         }
         if faults.is_empty() {
-            let (mach, coefficient) = rows.iter().copied().unzip();
-            Ok(DragTable { mach, coefficient })
+            Ok(DragTable::from_ascending(rows))
         } else {
             Err(faults)
         }
@@ -119,28 +120,35 @@ impl DragTable {
     /// A table from rows that ascend in Mach number.
     pub(crate) fn from_ascending(rows: &[(f64, f64)]) -> DragTable {
         let (mach, coefficient) = rows.iter().copied().unzip();
-        DragTable { mach, coefficient }
+        let level = |row: Option<&(f64, f64)>| row.map(|(_, c)| [*c, 0.0, 0.0]);
+        let between = rows.windows(2).filter_map(|pair| {
+            let [(m0, c0), (m1, c1)] = *pair else {
+                return None;
+            };
+            Some([c0, (c1 - c0) / (m1 - m0), m0])
+        });
+        let lines = level(rows.first())
+            .into_iter()
+            .chain(between)
+            .chain(level(rows.last()));
+        DragTable {
+            mach,
+            coefficient,
+            lines: lines.collect(),
+        }
     }
 
     /// Drag coefficient at a Mach number.
     #[inline]
     pub fn at<S: Scalar>(&self, mach: S) -> S {
-        let [base, slope, start] = mach.lookup(|mach| self.row(mach));
+        let [base, slope, start] = mach.lookup(|mach| self.line(mach));
         base + (mach - start) * slope
     }
 
-    fn row(&self, mach: f64) -> [f64; 3] {
-        let last = self.mach.len() - 1;
-        let upper = self.mach.partition_point(|&m| m <= mach);
-        if upper == 0 {
-            return [self.coefficient[0], 0.0, 0.0];
-        }
-        if upper > last {
-            return [self.coefficient[last], 0.0, 0.0];
-        }
-        let (m0, m1) = (self.mach[upper - 1], self.mach[upper]);
-        let (c0, c1) = (self.coefficient[upper - 1], self.coefficient[upper]);
-        [c0, (c1 - c0) / (m1 - m0), m0]
+    #[inline]
+    fn line(&self, mach: f64) -> [f64; 3] {
+        let below = self.mach.partition_point(|&m| m <= mach);
+        self.lines.get(below).copied().unwrap_or_default()
     }
 
     /// Rows of Mach number and drag coefficient.

@@ -13,18 +13,21 @@ use crate::outcome::Outcome;
 use crate::planet::horizon::Velocity;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};
+use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
 pub use six_dof::events::AttitudeEvents;
 pub use trajectory::{Request, Trajectory};
 
 pub mod allen_eggers;
+pub mod batch;
 pub mod equations;
 pub mod freedom;
 pub mod integration;
 pub mod lift;
 pub mod mission;
 pub mod motion;
+pub mod numbers;
 pub mod peaks;
 pub mod sample;
 pub mod six_dof;
@@ -35,72 +38,72 @@ pub mod trim;
 
 /// A largest value and where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Peak {
+pub struct Peak<S = f64> {
     /// The largest value, in the SI unit of the quantity.
-    pub value: f64,
+    pub value: S,
     /// Time after the start, s.
-    pub time_s: f64,
+    pub time_s: S,
     /// Geodetic altitude, m.
-    pub altitude_m: f64,
+    pub altitude_m: S,
     /// Speed relative to the planet, m/s.
-    pub speed_m_s: f64,
+    pub speed_m_s: S,
     /// Density of the air, kg/m³.
-    pub density_kg_m3: f64,
+    pub density_kg_m3: S,
 }
 
 /// A flight: its peaks, loads and end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Flight {
+pub struct Flight<S = f64> {
     /// Model that flew it.
     pub model: Model,
     /// Entry state relative to the planet.
-    pub entry_relative: Velocity<f64>,
+    pub entry_relative: Velocity<S>,
     /// Inertial entry state.
-    pub entry_inertial: Velocity<f64>,
+    pub entry_inertial: Velocity<S>,
     /// Aerodynamic force over mass over 9.80665 m/s².
-    pub peak_deceleration_earth_g: Peak,
+    pub peak_deceleration_earth_g: Peak<S>,
     /// Dynamic pressure, Pa.
-    pub peak_dynamic_pressure_pa: Peak,
+    pub peak_dynamic_pressure_pa: Peak<S>,
     /// Stagnation pressure about the largest dynamic pressure, Pa.
-    pub peak_stagnation_pressure_pa: Peak,
+    pub peak_stagnation_pressure_pa: Peak<S>,
     /// Convective heat flux at the stagnation point without margin, W/m².
-    pub peak_convective_heat_flux_w_m2: Peak,
+    pub peak_convective_heat_flux_w_m2: Peak<S>,
     /// Radiative heat flux at the stagnation point without margin, W/m²; absent where there is none.
-    pub peak_radiative_heat_flux_w_m2: Option<Peak>,
+    pub peak_radiative_heat_flux_w_m2: Option<Peak<S>>,
     /// Sum of both without margin, W/m².
-    pub peak_total_heat_flux_w_m2: Peak,
+    pub peak_total_heat_flux_w_m2: Peak<S>,
     /// Sum of both with their margins, W/m².
-    pub peak_total_margined_heat_flux_w_m2: Peak,
+    pub peak_total_margined_heat_flux_w_m2: Peak<S>,
     /// Convective heat load without margin, J/m².
-    pub convective_heat_load_j_m2: f64,
+    pub convective_heat_load_j_m2: S,
     /// Radiative heat load without margin, J/m².
-    pub radiative_heat_load_j_m2: f64,
+    pub radiative_heat_load_j_m2: S,
     /// Margin on convective heating.
     pub convective_margin: f64,
     /// Margin on radiative heating.
     pub radiative_margin: f64,
     /// Largest radiative-equilibrium temperature of the stagnation point under the heating with margins, K.
-    pub peak_wall_temperature_k: f64,
+    pub peak_wall_temperature_k: S,
     /// Ballistic coefficient at peak deceleration, kg/m².
-    pub ballistic_coefficient_kg_m2: f64,
+    pub ballistic_coefficient_kg_m2: S,
     /// Time from the start to the end, s.
-    pub time_of_flight_s: f64,
+    pub time_of_flight_s: S,
     /// Altitude at the end, m.
-    pub final_altitude_m: f64,
+    pub final_altitude_m: S,
     /// Speed relative to the planet at the end, m/s.
-    pub final_speed_m_s: f64,
+    pub final_speed_m_s: S,
     /// Angle of that velocity against the geodetic horizon, negative down, rad.
-    pub final_flight_path_angle_rad: f64,
+    pub final_flight_path_angle_rad: S,
     /// Geodetic latitude at the end, rad.
-    pub final_latitude_rad: f64,
+    pub final_latitude_rad: S,
     /// Longitude at the end, rad.
-    pub final_longitude_rad: f64,
+    pub final_longitude_rad: S,
     /// Density of the air at the end, kg/m³.
-    pub final_density_kg_m3: f64,
+    pub final_density_kg_m3: S,
     /// Great circle from start to end on a sphere of 6371 km, m.
-    pub downrange_m: f64,
+    pub downrange_m: S,
     /// Downward crossings of Mach 5, 2, 1.4 and 0.8 after peak deceleration, s.
-    pub mach_times_s: [Option<f64>; 4],
+    pub mach_times_s: [Option<S>; 4],
     /// Time history, where one was asked for.
     pub trajectory: Option<Trajectory>,
     /// Attitude along the flight, in six degrees of freedom.
@@ -109,9 +112,9 @@ pub struct Flight {
     pub evaluations: u64,
 }
 
-impl Flight {
+impl<S: Scalar> Flight<S> {
     /// Sum of both heat loads, each with its margin, J/m².
-    pub fn total_margined_heat_load_j_m2(&self) -> f64 {
+    pub fn total_margined_heat_load_j_m2(&self) -> S {
         self.convective_heat_load_j_m2 * self.convective_margin
             + self.radiative_heat_load_j_m2 * self.radiative_margin
     }

@@ -28,7 +28,7 @@ use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use serde::{Deserialize, Serialize};
 
-pub use stagnation::{HeatFlux, StagnationHeating};
+pub use stagnation::{HeatFlux, Radiation, StagnationHeating};
 
 /// W/m² in one W/cm², and J/m² in one J/cm².
 pub const PER_CM2: f64 = 1e4;
@@ -41,7 +41,7 @@ pub struct Flow<S> {
     /// Speed relative to the air, m/s.
     pub speed_m_s: S,
     /// Nose radius, m.
-    pub nose_radius_m: f64,
+    pub nose_radius_m: S,
 }
 
 /// The flow at the instant of peak heating, where a correlation is held against its ranges.

@@ -1,8 +1,9 @@
 //! Initial value problems y' = f(t, y), forward in t: explicit Runge-Kutta with step control and dense output.
 //!
 //! An [`Integrator`] takes one step at a time and knows nothing of what it integrates; the caller looks at each
-//! [`Step`], finds events on it ([`event`]), takes it again so that it ends there ([`Integrator::retake`]), and says
-//! when the right-hand side has changed ([`Integrator::renew`]). Fixed-size arrays, no allocation.
+//! [`Step`], finds events on it ([`event`]), takes it again so that it ends there ([`Integrator::retake`]) or goes on from
+//! within it ([`Integrator::put`]), and says when the right-hand side has changed ([`Integrator::renew`]). Over
+//! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps ([`Integrator::attempt`]).
 //!
 //! ```
 //! use numerics::ode::{Integrator, Method, Tolerance};
@@ -30,7 +31,7 @@ mod rk4;
 mod step;
 
 pub use control::Tolerance;
-pub use integrator::{Integrator, Statistics};
+pub use integrator::{Attempt, Integrator, Statistics};
 pub use step::Step;
 
 /// The formula that takes the steps.

@@ -1,14 +1,37 @@
-//! One small trait over which physics is written once: plain numbers now, SIMD lanes and dual numbers later.
+//! One small trait over which physics is written once: plain numbers, [`Dual`] numbers with their derivatives, and
+//! [`Lanes`] of several numbers at a time.
 //!
-//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] (the row is chosen by the value, the
-//! polynomial is then evaluated in `Self`, so that derivatives and lanes flow through).
+//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] or [`Scalar::gather`] (the row is chosen by
+//! the value, the polynomial is then evaluated in `Self`, so that derivatives and lanes flow through).
+//!
+//! ```
+//! use numerics::scalar::{Dual, Lanes, Scalar};
+//!
+//! fn cube<S: Scalar>(x: S) -> S {
+//!     x * x * x
+//! }
+//! assert_eq!(cube(2.0), 8.0);
+//! assert_eq!(cube(Lanes([2.0, 3.0])), Lanes([8.0, 27.0]));
+//! // dx³/dx = 3 x²
+//! assert_eq!(cube(Dual::variable(2.0, 0)), Dual { value: 8.0, slope: [12.0] });
+//! ```
+
+mod dual;
+mod lanes;
 
 use crate::math;
+use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+pub use dual::Dual;
+pub use lanes::{Lanes, LanesMask};
+
+/// Added to a number between 0 and 2³¹, leaves the nearest whole number in the low bits.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
 
 /// A real number as physics sees it.
 pub trait Scalar:
     Copy
+    + Debug
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -20,10 +43,27 @@ pub trait Scalar:
     + Div<f64, Output = Self>
 {
     /// The outcome of a comparison: one truth value a lane.
-    type Mask: Copy;
+    type Mask: Mask;
+    /// The number without its derivatives.
+    type Value: Scalar<Mask = Self::Mask, Value = Self::Value, Lane = f64>;
+    /// The number of one lane.
+    type Lane: Single;
+
+    /// Number of lanes.
+    const LANES: usize;
 
     /// The constant `value`.
     fn constant(value: f64) -> Self;
+    /// The number without its derivatives.
+    fn value(self) -> Self::Value;
+    /// A number whose derivatives are zero.
+    fn from_value(value: Self::Value) -> Self;
+    /// The number of one lane, the last where there are fewer.
+    fn lane(self, lane: usize) -> Self::Lane;
+    /// Replaces the number of one lane.
+    fn set_lane(&mut self, lane: usize, number: Self::Lane);
+    /// A function of the value in each lane.
+    fn map_value(self, f: impl Fn(f64) -> f64) -> Self::Value;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Exponential function.
@@ -44,11 +84,19 @@ pub trait Scalar:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The row of a table that belongs to the value of `self`.
     fn lookup<const K: usize>(self, row: impl Fn(f64) -> [f64; K]) -> [Self; K];
+    /// The row of a table that belongs to the values of `self` and `other`.
+    fn lookup_pair<const K: usize>(
+        self,
+        other: Self,
+        row: impl Fn(f64, f64) -> [f64; K],
+    ) -> [Self; K];
+    /// The row whose number is nearest to the value of `self`, 0 or above; zeros beyond the last.
+    fn gather<const K: usize>(self, rows: &[[f64; K]]) -> [Self; K];
 
-    /// Whether `mask` holds in every lane: a shortcut past work whose outcome is not selected. `false` is always safe.
+    /// The absolute value.
     #[inline]
-    fn all(_mask: Self::Mask) -> bool {
-        false
+    fn abs(self) -> Self {
+        Self::select(self.less(Self::constant(0.0)), -self, self)
     }
 
     /// The smaller of two numbers.
@@ -62,14 +110,118 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self {
         Self::select(self.less(other), other, self)
     }
+
+    /// Where the value is neither infinite nor not a number.
+    #[inline]
+    fn finite(self) -> Self::Mask {
+        self.abs().less(Self::constant(f64::INFINITY))
+    }
+}
+
+/// A number of one lane, whose value may steer the program.
+pub trait Single:
+    Scalar<Mask = bool, Value = f64, Lane = Self> + PartialEq + Send + Sync + 'static
+{
+    /// The root at `at` of a function that has there the value `residual`, zero but for its derivatives, and the rate of
+    /// change `rate`; both are asked for only where there are derivatives.
+    ///
+    /// ```text
+    /// g(t, p) = 0  →  dt/dp = −(∂g/∂p) / (∂g/∂t)
+    /// ```
+    fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self;
+}
+
+/// The outcome of a comparison: one truth value a lane.
+pub trait Mask: Copy + Debug {
+    /// The same truth value in every lane.
+    fn constant(holds: bool) -> Self;
+    /// Where both hold.
+    fn and(self, other: Self) -> Self;
+    /// Where one of them holds, or both.
+    fn or(self, other: Self) -> Self;
+    /// Where it does not hold.
+    fn not(self) -> Self;
+    /// Whether it holds in some lane.
+    fn any(self) -> bool;
+    /// Whether it holds in every lane.
+    fn all(self) -> bool;
+    /// Whether it holds in a lane.
+    fn lane(self, lane: usize) -> bool;
+    /// Replaces the truth value of one lane.
+    fn set_lane(&mut self, lane: usize, holds: bool);
+}
+
+impl Mask for bool {
+    #[inline]
+    fn constant(holds: bool) -> Self {
+        holds
+    }
+    #[inline]
+    fn and(self, other: Self) -> Self {
+        self && other
+    }
+    #[inline]
+    fn or(self, other: Self) -> Self {
+        self || other
+    }
+    #[inline]
+    fn not(self) -> Self {
+        !self
+    }
+    #[inline]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline]
+    fn all(self) -> bool {
+        self
+    }
+    #[inline]
+    fn lane(self, _lane: usize) -> bool {
+        self
+    }
+    #[inline]
+    fn set_lane(&mut self, _lane: usize, holds: bool) {
+        *self = holds;
+    }
+}
+
+/// Number of the row nearest to `x`, 0 or above.
+#[inline]
+fn row_number(x: f64) -> usize {
+    ((x + WHOLE).to_bits() & 0x7fff_ffff) as usize
 }
 
 impl Scalar for f64 {
     type Mask = bool;
+    type Value = f64;
+    type Lane = f64;
+
+    const LANES: usize = 1;
 
     #[inline]
     fn constant(value: f64) -> Self {
         value
+    }
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn from_value(value: f64) -> Self {
+        value
+    }
+    #[inline]
+    fn lane(self, _lane: usize) -> f64 {
+        self
+    }
+    #[inline]
+    fn set_lane(&mut self, _lane: usize, number: f64) {
+        *self = number;
+    }
+    #[inline(always)]
+    fn map_value(self, f: impl Fn(f64) -> f64) -> f64 {
+        f(self)
     }
     #[inline]
     fn sqrt(self) -> Self {
@@ -108,12 +260,31 @@ impl Scalar for f64 {
         if mask { yes } else { no }
     }
     #[inline]
-    fn all(mask: bool) -> bool {
-        mask
-    }
-    #[inline]
     fn lookup<const K: usize>(self, row: impl Fn(f64) -> [f64; K]) -> [Self; K] {
         row(self)
+    }
+    #[inline]
+    fn lookup_pair<const K: usize>(
+        self,
+        other: Self,
+        row: impl Fn(f64, f64) -> [f64; K],
+    ) -> [Self; K] {
+        row(self, other)
+    }
+    #[inline]
+    fn gather<const K: usize>(self, rows: &[[f64; K]]) -> [Self; K] {
+        rows.get(row_number(self)).copied().unwrap_or([0.0; K])
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+}
+
+impl Single for f64 {
+    #[inline]
+    fn root(at: f64, _residual: impl FnOnce() -> f64, _rate: impl FnOnce() -> f64) -> f64 {
+        at
     }
 }
 
@@ -129,5 +300,37 @@ mod tests {
     fn select_takes_the_smaller() {
         assert_eq!(clamp_above_two(3.0), 2.0);
         assert_eq!(clamp_above_two(1.0), 1.0);
+        assert_eq!(clamp_above_two(Lanes([3.0, 1.0])), Lanes([2.0, 1.0]));
+    }
+
+    #[test]
+    fn row_is_the_nearest_and_zero_beyond_the_last() {
+        let rows = [[10.0], [20.0], [30.0]];
+        let found = [0.0, 0.4, 0.6, 1.9, 2.4].map(|x: f64| x.gather(&rows)[0]);
+        assert_eq!(found, [10.0, 10.0, 20.0, 30.0, 30.0]);
+        assert_eq!(7.0.gather(&rows), [0.0]);
+        // What is not a number takes the first row and stays no number in what is made of both.
+        assert_eq!(f64::NAN.gather(&rows), [10.0]);
+    }
+
+    #[test]
+    fn masks_of_one_lane_are_truth_values() {
+        let (yes, no) = (
+            <bool as Mask>::constant(true),
+            <bool as Mask>::constant(false),
+        );
+        assert_eq!(
+            (yes.and(no), yes.or(no), Mask::not(yes)),
+            (false, true, false)
+        );
+        assert!(yes.any() && yes.all() && yes.lane(0) && !no.any());
+    }
+
+    #[test]
+    fn finite_is_neither_infinite_nor_nothing() {
+        assert_eq!(
+            [1.0, f64::NEG_INFINITY, f64::NAN].map(Scalar::finite),
+            [true, false, false]
+        );
     }
 }

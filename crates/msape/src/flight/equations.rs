@@ -17,8 +17,10 @@
 //! - \[samareh-2014\] section 3.2.
 
 use super::mission::{Body, Mission};
+use super::numbers::Numbers;
 use crate::aero::Drag;
-use crate::heating::{Flow, HeatFlux};
+use crate::heating::{Flow, HeatFlux, Radiation};
+use crate::planet::atmosphere::{Air, Piece};
 use crate::planet::geodetic::Ellipsoid;
 use crate::planet::horizon::Horizon;
 use crate::planet::wind::Wind;
@@ -48,58 +50,94 @@ pub struct Surroundings<S> {
     pub drag_coefficient: S,
 }
 
-/// The equations for one vehicle, within one smooth piece of the atmosphere.
+/// The equations for one vehicle, or one a lane, within one smooth piece of the atmosphere each.
 #[derive(Clone, Copy)]
-pub struct Equations<'a> {
+pub struct Equations<'a, S: Scalar = f64> {
     /// Planet, atmosphere, wind, heating.
     pub mission: &'a Mission,
-    /// The vehicle.
+    /// The vehicle, for what is the same in every lane: kind of drag and lift.
     pub body: &'a Body,
     /// Piece of the atmosphere that is continued smoothly.
-    pub layer: usize,
+    pub piece: Piece<S::Value>,
     /// Figure of the planet.
     pub ellipsoid: Ellipsoid,
     /// How radiative heating is computed.
-    pub radiation: Radiation,
-}
-
-/// How radiative heating is computed; the relations end at once below a speed, which the integrator meets with the end
-/// of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Radiation {
-    /// By the relation.
-    Exact,
-    /// With at least this speed, m/s: continued smoothly beyond the end of the relation, for the stages of a step.
-    Continued(f64),
-    /// Not at all: the vehicle is slower than the relation reaches down.
-    Over,
+    pub radiation: Radiation<S>,
+    numbers: Numbers<S>,
+    /// A/(2 m), m²/kg.
+    half_area_over_mass: S,
 }
 
 impl<'a> Equations<'a> {
-    /// The equations within one piece of the atmosphere.
+    /// The equations within one piece of the atmosphere, with the numbers of the mission and the vehicle.
     pub fn new(mission: &'a Mission, body: &'a Body, layer: usize) -> Self {
+        Self::with_numbers(mission, body, layer, Numbers::of(mission, body))
+    }
+}
+
+impl<'a, S: Scalar> Equations<'a, S> {
+    /// The equations within one piece of the atmosphere, with numbers of their own.
+    pub fn with_numbers(
+        mission: &'a Mission,
+        body: &'a Body,
+        layer: usize,
+        numbers: Numbers<S>,
+    ) -> Self {
         Equations {
             mission,
             body,
-            layer,
+            piece: Piece::everywhere(&mission.atmosphere.piece(layer)),
             ellipsoid: mission.planet.ellipsoid(),
-            radiation: Radiation::Exact,
+            radiation: Radiation::exact(),
+            half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
+            numbers,
         }
+    }
+
+    /// The equations of one lane in every lane.
+    pub fn everywhere(of: &Equations<'a, S::Lane>) -> Self {
+        let numbers = Numbers::everywhere(&of.numbers);
+        let mut all = Self::with_numbers(of.mission, of.body, 0, numbers);
+        (0..S::LANES).for_each(|lane| all.set_lane(lane, of));
+        all
+    }
+
+    /// Replaces the equations of one lane.
+    pub fn set_lane(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
+        self.numbers.set_lane(lane, &of.numbers);
+        self.half_area_over_mass
+            .set_lane(lane, of.half_area_over_mass);
+        self.set_lane_state(lane, of);
+    }
+
+    /// Replaces the piece of the atmosphere and the radiation of one lane.
+    pub fn set_lane_state(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
+        self.piece.set_lane(lane, &of.piece.lane(0));
+        self.radiation.set_lane(lane, &of.radiation);
+    }
+
+    /// The numbers of the flight.
+    #[inline]
+    pub fn numbers(&self) -> &Numbers<S> {
+        &self.numbers
     }
 
     /// What surrounds the vehicle.
     #[inline]
-    pub fn surroundings<S: Scalar>(&self, y: &[S; STATES]) -> Surroundings<S> {
+    pub fn surroundings(&self, y: &[S; STATES]) -> Surroundings<S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let local = self.ellipsoid.local([x_m, y_m, z_m]);
         let density_kg_m3 = self
             .mission
             .atmosphere
-            .density_in(self.layer, local.altitude_m);
+            .density_in(&self.piece, local.altitude_m)
+            * self.numbers.density_factor;
         let air_velocity_m_s = match &self.mission.wind {
             Wind::Calm => [vx, vy, vz],
             wind => {
-                let [east_m_s, north_m_s] = wind.east_north_m_s(local.altitude_m);
+                let [east_m_s, north_m_s] = wind
+                    .east_north_m_s(local.altitude_m)
+                    .map(|wind| wind * self.numbers.wind_factor);
                 let calm = S::constant(0.0);
                 let [wx, wy, wz] = Horizon::new(local.up).vector([north_m_s, east_m_s, calm]);
                 [vx - wx, vy - wy, vz - wz]
@@ -108,14 +146,8 @@ impl<'a> Equations<'a> {
         let [ux, uy, uz] = air_velocity_m_s;
         let air_speed_m_s = (ux * ux + uy * uy + uz * uz).sqrt();
         let drag_coefficient = match &self.body.drag {
-            Drag::Constant(coefficient) => S::constant(*coefficient),
-            Drag::Table(table) => {
-                let sound = self
-                    .mission
-                    .atmosphere
-                    .speed_of_sound_in(self.layer, local.altitude_m);
-                table.at(air_speed_m_s / sound)
-            }
+            Drag::Constant(_) => self.numbers.drag_coefficient,
+            Drag::Table(table) => table.at(air_speed_m_s / self.sound_m_s(local.altitude_m)),
         };
         Surroundings {
             altitude_m: local.altitude_m,
@@ -123,44 +155,77 @@ impl<'a> Equations<'a> {
             density_kg_m3,
             air_velocity_m_s,
             air_speed_m_s,
-            drag_coefficient,
+            drag_coefficient: drag_coefficient * self.numbers.drag_factor,
+        }
+    }
+
+    /// Speed of sound at an altitude, m, in m/s.
+    #[inline]
+    pub fn sound_m_s(&self, altitude_m: S) -> S {
+        self.mission
+            .atmosphere
+            .speed_of_sound_in(&self.piece, altitude_m)
+    }
+
+    /// The air at an altitude, m, its density, pressure and mean free path those of the flight.
+    #[inline]
+    pub fn air(&self, altitude_m: S) -> Air<S> {
+        let factor = self.numbers.density_factor;
+        let air = self.mission.atmosphere.air_in(&self.piece, altitude_m);
+        Air {
+            density_kg_m3: air.density_kg_m3 * factor,
+            pressure_pa: air.pressure_pa * factor,
+            mean_free_path_m: air.mean_free_path_m / factor,
+            ..air
         }
     }
 
     /// Drag over mass and speed, 1/s: ρ C_D A |u| / (2 m).
     #[inline]
-    pub fn drag_rate<S: Scalar>(&self, around: &Surroundings<S>) -> S {
-        let area_over_mass = 0.5 * self.body.reference_area_m2 / self.body.mass_kg;
-        around.density_kg_m3 * around.air_speed_m_s * around.drag_coefficient * area_over_mass
+    pub fn drag_rate(&self, around: &Surroundings<S>) -> S {
+        around.density_kg_m3
+            * around.air_speed_m_s
+            * around.drag_coefficient
+            * self.half_area_over_mass
+    }
+
+    /// Half the reference area over mass, m²/kg.
+    #[inline]
+    pub fn half_area_over_mass_m2_kg(&self) -> S {
+        self.half_area_over_mass
     }
 
     /// Mean free path over the length of the body.
-    pub fn knudsen(&self, around: &Surroundings<f64>) -> f64 {
-        let air = self
-            .mission
-            .atmosphere
-            .air_in(self.layer, around.altitude_m);
-        air.mean_free_path_m / self.body.reference_length_m
+    pub fn knudsen(&self, around: &Surroundings<S>) -> S {
+        self.air(around.altitude_m).mean_free_path_m / self.numbers.reference_length_m
     }
 
-    /// Heat fluxes at the stagnation point without margins.
+    /// Heat fluxes at the stagnation point without margins, by the relations as they are.
     #[inline]
-    pub fn heat_flux<S: Scalar>(&self, around: &Surroundings<S>) -> HeatFlux<S> {
+    pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
+        self.heat_flux_under(around, &Radiation::exact())
+    }
+
+    #[inline]
+    fn heat_flux_under(&self, around: &Surroundings<S>, radiation: &Radiation<S>) -> HeatFlux<S> {
         let flow = Flow {
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,
-            nose_radius_m: self.body.nose_radius_m,
+            nose_radius_m: self.numbers.nose_radius_m,
         };
-        match self.radiation {
-            Radiation::Exact => self.mission.heating.heat_flux(&flow),
-            Radiation::Continued(least_m_s) => self.mission.heating.continued(&flow, least_m_s),
-            Radiation::Over => self.mission.heating.without_radiation(&flow),
+        let HeatFlux {
+            convective_w_m2,
+            radiative_w_m2,
+        } = self.mission.heating.heat_flux_under(&flow, radiation);
+        HeatFlux {
+            convective_w_m2: convective_w_m2 * self.numbers.convective_factor,
+            radiative_w_m2: radiative_w_m2 * self.numbers.radiative_factor,
         }
     }
 
     /// The derivative of the state of a point mass with drag alone.
     #[inline]
-    pub fn derivative<S: Scalar>(&self, y: &[S; STATES]) -> [S; STATES] {
+    pub fn derivative(&self, y: &[S; STATES]) -> [S; STATES] {
         let around = self.surroundings(y);
         let rate = self.drag_rate(&around);
         let [ux, uy, uz] = around.air_velocity_m_s;
@@ -169,7 +234,7 @@ impl<'a> Equations<'a> {
 
     /// The derivative of the state under an aerodynamic force over mass, planet-fixed axes, m/s².
     #[inline]
-    pub fn moved_by<S: Scalar>(
+    pub fn moved_by(
         &self,
         y: &[S; STATES],
         around: &Surroundings<S>,
@@ -178,7 +243,7 @@ impl<'a> Equations<'a> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let [gx, gy, gz] = self.mission.planet.gravity([x_m, y_m, z_m]);
         let omega = self.mission.planet.rotation_rate_rad_s;
-        let heat_flux = self.heat_flux(around);
+        let heat_flux = self.heat_flux_under(around, &self.radiation);
         [
             vx,
             vy,

@@ -13,23 +13,23 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
+mod course;
 mod gate;
+mod node;
 
-use super::equations::{Radiation, STATES};
+use super::equations::STATES;
 use super::motion::Motion;
-use crate::aero::DragTable;
+use super::sample::Loads;
 use crate::outcome::Outcome;
-use crate::planet::Gravity;
 use crate::progress::{Progress, Unwatched};
-use gate::{Gate, Place, place, speed_m_s};
-use numerics::ode::{Integrator, OdeError, Step, Tolerance};
+use core::ops::ControlFlow;
+use course::{Course, Marks, Next};
+use node::Node;
+use numerics::ode::{Integrator, Step, Tolerance};
+use numerics::scalar::{Mask, Scalar, Single};
 
-/// Longest flight, s: 30 days.
-const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 /// Trials of steps after which a flight is given up.
 const MOST_STEPS: u64 = 200_000;
-/// Nothing falls deeper, m.
-const DEEPEST_M: f64 = -5_000.0;
 /// Height over which the air changes and to which the error of a step is compared, m.
 const POSITION_SCALE_M: f64 = 1_000.0;
 /// Speed below which the error of a step does not shrink any more, m/s.
@@ -37,27 +37,28 @@ const SPEED_SCALE_M_S: f64 = 10.0;
 /// Heat load below which the error of a step does not shrink any more, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
-/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
-const KINKS_FROM_MACH: f64 = 3.0;
-
-/// A step of a flight, and the piece of the atmosphere in which it was taken.
+/// A step of a flight, and what holds along it.
 #[derive(Clone, Debug)]
-pub struct Leg<const N: usize> {
+pub struct Leg<const N: usize, S = f64> {
     /// The step with its dense output.
-    pub step: Step<N>,
+    pub step: Step<N, S>,
     /// Piece of the atmosphere.
     pub layer: usize,
+    /// Loads at the end of the step.
+    pub loads: Loads<S>,
 }
 
 /// A flight as integrated.
 #[derive(Clone, Debug)]
-pub struct Record<const N: usize> {
+pub struct Record<const N: usize, S = f64> {
     /// State at the start.
-    pub start: [f64; N],
+    pub start: [S; N],
     /// Piece of the atmosphere at the start.
     pub start_layer: usize,
+    /// Loads at the start.
+    pub start_loads: Loads<S>,
     /// The steps, in order; none when the flight ends where it starts.
-    pub legs: Vec<Leg<N>>,
+    pub legs: Vec<Leg<N, S>>,
     /// How it ended.
     pub outcome: Outcome,
     /// Why, where the outcome needs a reason.
@@ -66,48 +67,167 @@ pub struct Record<const N: usize> {
     pub evaluations: u64,
 }
 
-/// Integrates a motion from a state.
-pub fn integrate<'a, M: Motion<'a, N>, const N: usize>(motion: M, start: [f64; N]) -> Record<N> {
-    integrate_watched(motion, start, &mut Unwatched)
+/// Which steps of a flight are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// All.
+    All,
+    /// Those in which some load is more than a small part of its largest so far, and the last: enough for peaks.
+    Busy,
 }
 
-/// The same; who watches hears before each step which part of the fall is done, and may stop it there.
-pub fn integrate_watched<'a, M: Motion<'a, N>, const N: usize>(
+/// Integrates a motion from a state.
+pub fn integrate<'a, M, const N: usize, S>(motion: M, start: [S; N], keep: Keep) -> Record<N, S>
+where
+    M: Motion<'a, N, S, Lane = M>,
+    S: Single,
+{
+    one(motion, start, keep, &mut Unwatched)
+}
+
+/// The same with all its steps; who watches hears before each step which part of the fall is done, and may stop it there.
+pub fn integrate_watched<'a, M, const N: usize>(
     motion: M,
     start: [f64; N],
     progress: &mut dyn Progress,
-) -> Record<N> {
-    let mut flight = Integration::new(motion, start);
-    let (outcome, reason) = flight.run(progress);
-    Record {
-        start,
-        start_layer: flight.start_layer,
-        legs: flight.legs,
-        outcome,
-        reason,
-        evaluations: flight.integrator.statistics().evaluations,
-    }
+) -> Record<N>
+where
+    M: Motion<'a, N, Lane = M>,
+{
+    one(motion, start, Keep::All, progress)
 }
 
-struct Integration<M, const N: usize> {
+fn one<'a, M, const N: usize, S>(
     motion: M,
-    integrator: Integrator<N>,
-    start_layer: usize,
-    legs: Vec<Leg<N>>,
-    /// Altitude that ends a fall, m.
-    ground_m: f64,
-    /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
-    exit_m: Option<f64>,
-    /// Whether the flight has turned from falling to rising.
-    turned_up: bool,
-    /// Speeds at which a heating relation has a kink, m/s, ascending.
-    kinks_m_s: Vec<f64>,
-    /// Speed below which radiative heating is nothing, m/s.
-    onset_m_s: Option<f64>,
-    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
-    kinks_mach: Vec<f64>,
-    /// Where the integration stands.
-    here: Place,
+    start: [S; N],
+    keep: Keep,
+    progress: &mut dyn Progress,
+) -> Record<N, S>
+where
+    M: Motion<'a, N, S, Lane = M>,
+    S: Single,
+{
+    let mut only = None;
+    let queue = core::iter::once((motion, start));
+    let mut done = |_, _: &M, record| {
+        only = Some(record);
+        ControlFlow::Continue(())
+    };
+    // A flight that is stopped has its record, too.
+    let _ = integrate_all::<M, N, S>(keep, queue, progress, &mut done);
+    only.unwrap_or_else(|| Course::new(&Marks::of(&motion, keep), motion, start).into_record())
+}
+
+/// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes the
+/// same steps as it would alone.
+///
+/// `done` is told the number of a flight in the queue, its motion and its record, in the order in which they end; it may
+/// stop the rest. Who watches hears before each step the part of the fall that the flights under way have done on average,
+/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
+pub fn integrate_all<'a, M, const N: usize, S>(
+    keep: Keep,
+    queue: impl IntoIterator<Item = (M::Lane, [S::Lane; N])>,
+    progress: &mut dyn Progress,
+    done: &mut impl FnMut(usize, &M::Lane, Record<N, S::Lane>) -> ControlFlow<()>,
+) -> ControlFlow<()>
+where
+    M: Motion<'a, N, S>,
+    S: Scalar,
+{
+    let mut queue = queue.into_iter().enumerate();
+    let mut waiting = queue.next();
+    let Some((_, (first, start))) = &waiting else {
+        return ControlFlow::Continue(());
+    };
+    let marks = Marks::of(first, keep);
+    let mut all = M::everywhere(first);
+    let mut y = [S::constant(0.0); N];
+    for (all, one) in y.iter_mut().zip(start) {
+        (0..S::LANES).for_each(|lane| all.set_lane(lane, *one));
+    }
+    let method = first.point().mission.solver.method;
+    let mut integrator = Integrator::new(method, all.tolerance(), S::constant(0.0), y)
+        .with_maximum_steps(MOST_STEPS);
+    let mut courses: Vec<Option<(usize, Course<M::Lane, N, S::Lane>)>> = Vec::new();
+    courses.resize_with(S::LANES, || None);
+    let mut limit_s = S::constant(0.0);
+    let mut active = S::Mask::constant(false);
+    loop {
+        for (lane, place) in courses.iter_mut().enumerate() {
+            while place.is_none()
+                && let Some((index, (motion, start))) = waiting.take().or_else(|| queue.next())
+            {
+                let mut course = Course::new(&marks, motion, start);
+                if course.is_over() {
+                    let motion = course.motion;
+                    done(index, &motion, course.into_record())?;
+                } else {
+                    integrator.restart(lane, S::Lane::constant(0.0), &start);
+                    all.set_lane(lane, &course.motion);
+                    limit_s.set_lane(lane, course.limit_s);
+                    active.set_lane(lane, true);
+                    *place = Some((index, course));
+                }
+            }
+        }
+        if !active.any() {
+            return ControlFlow::Continue(());
+        }
+        let (mut parts, mut under_way) = (0.0, 0.0);
+        for (_, course) in courses.iter().flatten() {
+            parts += course.part_done();
+            under_way += 1.0;
+        }
+        if progress.advance(parts / under_way).is_break() {
+            for (lane, place) in courses.iter_mut().enumerate() {
+                if let Some((index, mut course)) = place.take() {
+                    course.stop();
+                    course.record.evaluations = integrator.statistics_of(lane).evaluations;
+                    let motion = course.motion;
+                    done(index, &motion, course.into_record())?;
+                }
+            }
+            return ControlFlow::Break(());
+        }
+        let attempt = {
+            let mut f = |t: S, y: &[S; N]| all.derivative(t, y);
+            integrator.attempt(&mut f, limit_s, active)
+        };
+        let step = integrator.last_step();
+        let node = (attempt.accepted.any()).then(|| Node::of(&all, step.t1, &step.y1));
+        for (lane, place) in courses.iter_mut().enumerate() {
+            let Some((index, course)) = place else {
+                continue;
+            };
+            let next = match &node {
+                Some(node) if attempt.accepted.lane(lane) => {
+                    course.advance(integrator.last_step(), node, lane)
+                }
+                _ if attempt.failed.lane(lane) => {
+                    course.give_up(&integrator.fault(lane, course.limit_s.value()));
+                    Next::Over
+                }
+                _ => continue,
+            };
+            limit_s.set_lane(lane, course.limit_s);
+            match next {
+                Next::On => continue,
+                Next::Changed => integrator.renew_lane(lane),
+                Next::From(t, y) => integrator.put(lane, t, &y),
+                Next::Over => {
+                    active.set_lane(lane, false);
+                    course.record.evaluations = integrator.statistics_of(lane).evaluations;
+                    let index = *index;
+                    if let Some((_, course)) = place.take() {
+                        let motion = course.motion;
+                        done(index, &motion, course.into_record())?;
+                    }
+                    continue;
+                }
+            }
+            all.point_mut().set_lane_state(lane, course.motion.point());
+        }
+    }
 }
 
 /// Error allowed in a step of a point mass, of which `tolerance` is the relative part.
@@ -123,139 +243,4 @@ pub fn point_tolerance(tolerance: f64) -> Tolerance<STATES> {
             position, position, position, speed, speed, speed, load, load,
         ],
     }
-}
-
-impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
-    fn new(mut motion: M, start: [f64; N]) -> Self {
-        let mission = motion.point().mission;
-        let altitude_m = mission
-            .planet
-            .local([start[0], start[1], start[2]])
-            .altitude_m;
-        let layer = mission.atmosphere.layer(altitude_m);
-        let exit_m = match mission.planet.gravity {
-            Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
-            Gravity::Uniform { .. } => None,
-        };
-        motion.point_mut().layer = layer;
-        let mut kinks_m_s = mission.heating.radiative.kinks_m_s();
-        kinks_m_s.extend(mission.heating.convective.kink_m_s());
-        kinks_m_s.sort_by(f64::total_cmp);
-        let onset_m_s = mission.heating.radiative.onset_m_s();
-        if let Some(onset_m_s) = onset_m_s {
-            motion.point_mut().radiation = match speed_m_s(&start) > onset_m_s {
-                true => Radiation::Continued(onset_m_s),
-                false => Radiation::Over,
-            };
-        }
-        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
-        let kinks_mach = rows
-            .map(|(mach, _)| mach)
-            .filter(|mach| *mach >= KINKS_FROM_MACH)
-            .collect();
-        Integration {
-            here: place(&motion, &start),
-            kinks_m_s,
-            onset_m_s,
-            kinks_mach,
-            motion,
-            integrator: Integrator::new(mission.solver.method, motion.tolerance(), 0.0, start)
-                .with_maximum_steps(MOST_STEPS),
-            start_layer: layer,
-            legs: Vec::with_capacity(256),
-            ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
-            exit_m,
-            turned_up: false,
-        }
-    }
-
-    fn run(&mut self, progress: &mut dyn Progress) -> (Outcome, Option<String>) {
-        let mission = self.motion.point().mission;
-        let start_m = self.here.altitude_m;
-        let fall_m = (start_m - self.ground_m).max(1.0);
-        let t_end = mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S);
-        if self.here.altitude_m <= self.ground_m && self.here.climb_m_s < 0.0 {
-            return self.grounded();
-        }
-        loop {
-            if self.integrator.t() >= t_end {
-                let reason = (mission.stop.time_s.is_none())
-                    .then(|| "still in flight after 30 days".to_string());
-                return (Outcome::Stopped, reason);
-            }
-            let done = ((start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0);
-            if progress.advance(done).is_break() {
-                return (Outcome::Stopped, Some("stopped on request".to_string()));
-            }
-            let motion = self.motion;
-            let layer = motion.point().layer;
-            let mut f = |t: f64, y: &[f64; N]| motion.derivative(t, y);
-            let step = match self.integrator.step(&mut f, t_end) {
-                Ok(step) => step,
-                Err(error) => return given_up(&error),
-            };
-            let there = place(&motion, &step.y1);
-            let Some((t, gate)) = self.first_gate(&step, there) else {
-                self.here = there;
-                self.legs.push(Leg { step, layer });
-                continue;
-            };
-            if t > step.t0 {
-                match self.integrator.retake(&mut f, t) {
-                    Ok(step) => {
-                        self.here = place(&motion, &step.y1);
-                        self.legs.push(Leg { step, layer });
-                    }
-                    Err(error) => return given_up(&error),
-                }
-            }
-            match gate {
-                Gate::Ground => return self.grounded(),
-                Gate::Exit => return self.left(),
-                Gate::Floor => self.motion.point_mut().layer = layer.saturating_sub(1),
-                Gate::Ceiling => self.motion.point_mut().layer = layer + 1,
-                Gate::Onset => self.motion.point_mut().radiation = Radiation::Over,
-                Gate::Kink => continue,
-            }
-            if t <= step.t0 {
-                // The step began on the boundary: it is taken anew from there, in the other piece.
-                self.begin_again(step.t0, &step.y0);
-            }
-            self.integrator.renew();
-        }
-    }
-
-    /// Puts the integration back to the beginning of a step.
-    fn begin_again(&mut self, t: f64, y: &[f64; N]) {
-        self.integrator = self.integrator.clone().at(t, *y);
-    }
-
-    fn grounded(&self) -> (Outcome, Option<String>) {
-        match self.motion.point().mission.stop.altitude_m {
-            Some(altitude_m) if altitude_m > 0.0 => (Outcome::Stopped, None),
-            Some(_) => (Outcome::Landed, None),
-            None => (
-                Outcome::Landed,
-                Some(format!("fell to {DEEPEST_M} m, below any ground")),
-            ),
-        }
-    }
-
-    fn left(&self) -> (Outcome, Option<String>) {
-        let exit_km = self.exit_m.unwrap_or_default() / 1e3;
-        if self.energy_j_kg(self.integrator.y()) < 0.0 {
-            let reason = format!("rose through {exit_km:.0} km again, on a bound orbit");
-            (Outcome::Captured, Some(reason))
-        } else {
-            let reason = format!("rose through {exit_km:.0} km again, faster than escape speed");
-            (Outcome::SkippedOut, Some(reason))
-        }
-    }
-}
-
-fn given_up(error: &OdeError) -> (Outcome, Option<String>) {
-    (
-        Outcome::Stopped,
-        Some(format!("the integration was given up: {error}")),
-    )
 }

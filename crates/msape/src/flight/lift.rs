@@ -17,7 +17,7 @@
 use super::equations::{Equations, Surroundings};
 use super::trim::Trim;
 use numerics::interp::Table1;
-use numerics::math;
+use numerics::scalar::Scalar;
 
 /// Sine of the angle to the vertical within which lift fades.
 const UPRIGHT: f64 = 1e-9;
@@ -57,22 +57,28 @@ pub enum Bank {
 
 /// Coefficients along and across the velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DragAndLift {
+pub struct DragAndLift<S> {
     /// Drag coefficient.
-    pub drag: f64,
+    pub drag: S,
     /// Lift coefficient.
-    pub lift: f64,
+    pub lift: S,
 }
 
 impl Lift {
     /// The coefficients at one state.
     #[inline]
-    pub fn coefficients(&self, equations: &Equations, around: &Surroundings<f64>) -> DragAndLift {
+    pub fn coefficients<S: Scalar>(
+        &self,
+        equations: &Equations<S>,
+        around: &Surroundings<S>,
+    ) -> DragAndLift<S> {
         let drag = around.drag_coefficient;
         let lift = match &self.source {
-            Source::OfDrag(ratio) => ratio * drag,
-            Source::Coefficient(coefficient) => *coefficient,
-            Source::Table(table) => table.at(mach(equations, around)),
+            Source::OfDrag(ratio) => drag * *ratio,
+            Source::Coefficient(coefficient) => S::constant(*coefficient),
+            Source::Table(table) => {
+                table.at(around.air_speed_m_s / equations.sound_m_s(around.altitude_m))
+            }
             Source::Trim(trim) => return trim.at(equations, around),
         };
         DragAndLift { drag, lift }
@@ -80,9 +86,9 @@ impl Lift {
 
     /// Angle of bank, rad.
     #[inline]
-    pub fn bank_rad(&self, t: f64, air_speed_m_s: f64) -> f64 {
+    pub fn bank_rad<S: Scalar>(&self, t: S, air_speed_m_s: S) -> S {
         match &self.bank {
-            Bank::Constant(angle) => *angle,
+            Bank::Constant(angle) => S::constant(*angle),
             Bank::OfTime(table) => table.at(t),
             Bank::OfSpeed(table) => table.at(air_speed_m_s),
         }
@@ -90,17 +96,15 @@ impl Lift {
 
     /// Drag and lift over mass, planet-fixed axes, m/s².
     #[inline]
-    pub fn force_over_mass_m_s2(
+    pub fn force_over_mass_m_s2<S: Scalar>(
         &self,
-        equations: &Equations,
-        around: &Surroundings<f64>,
-        t: f64,
-    ) -> [f64; 3] {
+        equations: &Equations<S>,
+        around: &Surroundings<S>,
+        t: S,
+    ) -> [S; 3] {
         let DragAndLift { drag, lift } = self.coefficients(equations, around);
         let v = around.air_speed_m_s;
-        let rate = around.density_kg_m3
-            * v
-            * (0.5 * equations.body.reference_area_m2 / equations.body.mass_kg);
+        let rate = around.density_kg_m3 * v * equations.half_area_over_mass_m2_kg();
         let [ux, uy, uz] = around.air_velocity_m_s;
         let [nx, ny, nz] = direction(&around.air_velocity_m_s, &around.up, self.bank_rad(t, v));
         let (along, across) = (-rate * drag, rate * v * lift);
@@ -113,27 +117,22 @@ impl Lift {
 }
 
 /// Direction of lift, a unit vector across the velocity; nothing where there is none.
-fn direction(velocity_m_s: &[f64; 3], up: &[f64; 3], bank_rad: f64) -> [f64; 3] {
-    let speed = length(velocity_m_s).max(f64::MIN_POSITIVE);
+fn direction<S: Scalar>(velocity_m_s: &[S; 3], up: &[S; 3], bank_rad: S) -> [S; 3] {
+    let speed = length(velocity_m_s).max(S::constant(f64::MIN_POSITIVE));
     let u = velocity_m_s.map(|v| v / speed);
     let right = cross(&u, up);
-    let scale = 1.0 / length(&right).max(UPRIGHT);
+    let scale = S::constant(1.0) / length(&right).max(S::constant(UPRIGHT));
     let right = right.map(|r| r * scale);
     let above = cross(&right, &u);
-    let (sin, cos) = math::sin_cos(bank_rad);
+    let (sin, cos) = (bank_rad.sin(), bank_rad.cos());
     core::array::from_fn(|i| cos * above[i] + sin * right[i])
 }
 
-fn mach(equations: &Equations, around: &Surroundings<f64>) -> f64 {
-    let atmosphere = &equations.mission.atmosphere;
-    around.air_speed_m_s / atmosphere.speed_of_sound_in(equations.layer, around.altitude_m)
+fn length<S: Scalar>([x, y, z]: &[S; 3]) -> S {
+    (*x * *x + *y * *y + *z * *z).sqrt()
 }
 
-fn length([x, y, z]: &[f64; 3]) -> f64 {
-    (x * x + y * y + z * z).sqrt()
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+fn cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> [S; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -149,23 +148,23 @@ mod tests {
     #[test]
     fn eastward_over_the_equator_lift_is_up_and_banked_right_it_is_south() {
         // x up, y east, z north
-        let level = direction(&[0.0, 5.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
+        let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
         assert_eq!(level, [1.0, 0.0, 0.0]);
-        let banked = direction(&[0.0, 5.0, 0.0], &[1.0, 0.0, 0.0], FRAC_PI_2);
+        let banked = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], FRAC_PI_2);
         assert!((banked[2] + 1.0).abs() < 1e-15 && banked[0].abs() < 1e-15);
     }
 
     #[test]
     fn at_3_4_5_lift_is_across_the_velocity() {
         // climbing 4 of 5, going 3 of 5 eastward: lift leans back, (up, east) = (0.6, -0.8)
-        let [up, east, north] = direction(&[4.0, 3.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
+        let [up, east, north] = direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
         assert!((up - 0.6).abs() < 1e-15 && (east + 0.8).abs() < 1e-15 && north == 0.0);
     }
 
     #[test]
     fn straight_down_lift_has_no_direction() {
         assert_eq!(
-            direction(&[-5.0, 0.0, 0.0], &[1.0, 0.0, 0.0], 1.0),
+            direction(&[-5.0_f64, 0.0, 0.0], &[1.0, 0.0, 0.0], 1.0),
             [0.0; 3]
         );
     }

@@ -31,15 +31,15 @@ pub struct Body {
 
 /// Entry state in planet-fixed axes, and the same in words.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
+pub struct Start<S = f64> {
     /// Position, planet-fixed axes with z along the pole, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Velocity relative to the rotating planet, same axes, m/s.
-    pub velocity_m_s: [f64; 3],
+    pub velocity_m_s: [S; 3],
     /// Velocity relative to the planet in the local horizon.
-    pub relative: Velocity<f64>,
+    pub relative: Velocity<S>,
     /// Inertial velocity in the local horizon.
-    pub inertial: Velocity<f64>,
+    pub inertial: Velocity<S>,
 }
 
 /// Where a flight ends.

@@ -13,33 +13,51 @@
 //! # References
 //! - Own convention.
 
-use super::equations::{Equations, STATES};
+use super::equations::{Equations, STATES, Surroundings};
 use super::freedom::Freedom;
 use super::integration::point_tolerance;
 use super::lift::Lift;
-use super::sample::{EARTH_G_M_S2, Loads};
+use super::sample::Loads;
 use crate::aero::{Drag, DragTable};
+use crate::planet::atmosphere::Piece;
 use numerics::ode::Tolerance;
+use numerics::scalar::Scalar;
 
-/// A motion with a state of `N` numbers, the first [`STATES`] of which are those of a point mass.
-pub trait Motion<'a, const N: usize>: Copy {
+/// A motion with a state of `N` numbers, the first [`STATES`] of which are those of a point mass; of one body, or of one a
+/// lane.
+pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
+    /// The motion of one lane.
+    type Lane: Motion<'a, N, S::Lane, Lane = Self::Lane>;
+
+    /// The motion of one lane in every lane.
+    fn everywhere(of: &Self::Lane) -> Self;
+
+    /// Replaces the motion of one lane.
+    fn set_lane(&mut self, lane: usize, of: &Self::Lane);
+
     /// The part that does not depend on attitude.
-    fn point(&self) -> &Equations<'a>;
+    fn point(&self) -> &Equations<'a, S>;
 
     /// The same, to be changed.
-    fn point_mut(&mut self) -> &mut Equations<'a>;
+    fn point_mut(&mut self) -> &mut Equations<'a, S>;
 
     /// Error allowed in a step.
     fn tolerance(&self) -> Tolerance<N>;
 
     /// The derivative of the state at a time, s.
-    fn derivative(&self, t: f64, y: &[f64; N]) -> [f64; N];
+    fn derivative(&self, t: S, y: &[S; N]) -> [S; N];
 
-    /// What changes fast, at a time, s.
-    fn loads(&self, t: f64, y: &[f64; N]) -> Loads;
+    /// What changes fast, at a time, s, and what surrounds the body there.
+    fn loads_around(&self, t: S, y: &[S; N]) -> (Loads<S>, Surroundings<S>);
 
     /// Coefficient of the force against the velocity relative to the air.
-    fn drag_coefficient(&self, t: f64, y: &[f64; N]) -> f64;
+    fn drag_coefficient(&self, t: S, y: &[S; N]) -> S;
+
+    /// What changes fast, at a time, s.
+    #[inline]
+    fn loads(&self, t: S, y: &[S; N]) -> Loads<S> {
+        self.loads_around(t, y).0
+    }
 
     /// Axial force or drag against Mach number, whose rows are kinks.
     #[inline]
@@ -51,12 +69,13 @@ pub trait Motion<'a, const N: usize>: Copy {
     }
 
     /// Attitude and rates, where the motion has them.
-    fn attitude(&self, y: &[f64; N]) -> Option<AttitudeSample>;
+    fn attitude(&self, y: &[S; N]) -> Option<AttitudeSample>;
 
     /// The same motion in another piece of the atmosphere.
     #[inline]
     fn in_layer(mut self, layer: usize) -> Self {
-        self.point_mut().layer = layer;
+        let piece = self.point().mission.atmosphere.piece(layer);
+        self.point_mut().piece = Piece::everywhere(&piece);
         self
     }
 }
@@ -74,18 +93,18 @@ pub struct AttitudeSample {
 
 /// The part of a state that a point mass has.
 #[inline]
-pub fn head<const N: usize>(y: &[f64; N]) -> [f64; STATES] {
+pub fn head<const N: usize, S: Scalar>(y: &[S; N]) -> [S; STATES] {
     core::array::from_fn(|i| y[i])
 }
 
-/// A point mass, with lift where its body has some.
+/// A point mass, with lift where its body has some; or one a lane.
 #[derive(Clone, Copy)]
-pub struct PointMass<'a> {
+pub struct PointMass<'a, S: Scalar = f64> {
     /// Its equations.
-    pub point: Equations<'a>,
+    pub point: Equations<'a, S>,
 }
 
-impl PointMass<'_> {
+impl<S: Scalar> PointMass<'_, S> {
     #[inline]
     fn lift(&self) -> Option<&Lift> {
         match &self.point.body.freedom {
@@ -95,14 +114,26 @@ impl PointMass<'_> {
     }
 }
 
-impl<'a> Motion<'a, STATES> for PointMass<'a> {
+impl<'a, S: Scalar> Motion<'a, STATES, S> for PointMass<'a, S> {
+    type Lane = PointMass<'a, S::Lane>;
+
+    fn everywhere(of: &Self::Lane) -> Self {
+        Self {
+            point: Equations::everywhere(&of.point),
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, of: &Self::Lane) {
+        self.point.set_lane(lane, &of.point);
+    }
+
     #[inline]
-    fn point(&self) -> &Equations<'a> {
+    fn point(&self) -> &Equations<'a, S> {
         &self.point
     }
 
     #[inline]
-    fn point_mut(&mut self) -> &mut Equations<'a> {
+    fn point_mut(&mut self) -> &mut Equations<'a, S> {
         &mut self.point
     }
 
@@ -111,7 +142,7 @@ impl<'a> Motion<'a, STATES> for PointMass<'a> {
     }
 
     #[inline]
-    fn derivative(&self, t: f64, y: &[f64; STATES]) -> [f64; STATES] {
+    fn derivative(&self, t: S, y: &[S; STATES]) -> [S; STATES] {
         match self.lift() {
             None => self.point.derivative(y),
             Some(lift) => {
@@ -123,7 +154,7 @@ impl<'a> Motion<'a, STATES> for PointMass<'a> {
     }
 
     #[inline]
-    fn loads(&self, t: f64, y: &[f64; STATES]) -> Loads {
+    fn loads_around(&self, t: S, y: &[S; STATES]) -> (Loads<S>, Surroundings<S>) {
         let around = self.point.surroundings(y);
         let deceleration_m_s2 = match self.lift() {
             None => self.point.drag_rate(&around) * around.air_speed_m_s,
@@ -132,18 +163,12 @@ impl<'a> Motion<'a, STATES> for PointMass<'a> {
                 (x * x + y * y + z * z).sqrt()
             }
         };
-        Loads {
-            deceleration_earth_g: deceleration_m_s2 / EARTH_G_M_S2,
-            dynamic_pressure_pa: 0.5
-                * around.density_kg_m3
-                * around.air_speed_m_s
-                * around.air_speed_m_s,
-            heat_flux: self.point.heat_flux(&around),
-        }
+        let loads = Loads::new(&self.point, &around, deceleration_m_s2);
+        (loads, around)
     }
 
     #[inline]
-    fn drag_coefficient(&self, _t: f64, y: &[f64; STATES]) -> f64 {
+    fn drag_coefficient(&self, _t: S, y: &[S; STATES]) -> S {
         let around = self.point.surroundings(y);
         match self.lift() {
             None => around.drag_coefficient,
@@ -152,7 +177,7 @@ impl<'a> Motion<'a, STATES> for PointMass<'a> {
     }
 
     #[inline]
-    fn attitude(&self, _y: &[f64; STATES]) -> Option<AttitudeSample> {
+    fn attitude(&self, _y: &[S; STATES]) -> Option<AttitudeSample> {
         None
     }
 }

@@ -1,11 +1,12 @@
 //! Largest values along an integrated flight.
 //!
 //! ```text
-//! q(s) ≈ a + c₁ s + c₂ s²,  c₁ = −3 a + 4 m − b,  c₂ = 2 (a − 2 m + b)
+//! t_top = ½ (t₀ + t₁ + (t₂ − t₀) d₀/(d₀ − d₂)),   d₀ = (q₁ − q₀)/(t₁ − t₀),   d₂ = (q₂ − q₁)/(t₂ − t₁)
 //! ```
 //!
-//! with a, m, b a quantity at the beginning, middle and end of a step and s its part: the step with the largest estimate
-//! is searched by Brent's method on the dense output, and so are others whose top is nearly as high.
+//! with q₁ a quantity between two steps and q₀ and q₂ its neighbors, t in s: a step in which it rises at first and falls at last is
+//! searched from there for the zero of the slope on the dense output, or by Brent's method. Where there is none, the place
+//! between two steps is the peak: a kink.
 //!
 //! # Valid
 //! Quantities with at most one maximum within a step.
@@ -17,140 +18,155 @@ use super::Peak;
 use super::integration::{Leg, Record};
 use super::motion::{Motion, head};
 use super::sample::{self, Loads};
-use numerics::root;
+use numerics::ode::event;
+use numerics::scalar::Single;
 
-/// A peak is placed within this part of a step.
-const TOLERANCE: f64 = 1e-4;
-/// Steps whose loads reach this part of the largest are looked at in their middle, too.
-const BUSY: f64 = 0.5;
-/// Steps whose estimate reaches this part of the peak are searched, too; the parabola is good to 0.1 % in most.
-const NEARLY: f64 = 0.99;
+/// Steps with an end whose value reaches this part of the largest are looked at: a peak may rise above its ends.
+const NEARLY: f64 = 0.9;
+/// A peak this close to an end of its step, as a part of the step, may go on in the next.
+const AT_END: f64 = 1e-3;
+/// Distance from an end of a step at which its slope there is taken, as a part of the step.
+const LITTLE: f64 = 1e-3;
 
 /// The loads along a record, ready to be searched.
-pub struct Peaks<'r, M, const N: usize> {
+pub struct Peaks<'r, M, const N: usize, S: Single = f64> {
     motion: M,
-    record: &'r Record<N>,
-    /// Loads between the steps: one more than steps.
-    nodes: Vec<Loads>,
-    /// Loads in the middle of the busy steps.
-    middles: Vec<Option<Loads>>,
+    record: &'r Record<N, S>,
 }
 
-type Along<'f, M, const N: usize> = dyn Fn(&M, f64, &[f64; N]) -> f64 + 'f;
+type Along<'f, M, const N: usize, S> = dyn Fn(&M, S, &[S; N]) -> S + 'f;
 
-impl<'a, 'r, M: Motion<'a, N>, const N: usize> Peaks<'r, M, N> {
-    /// Computes the loads.
-    pub fn new(motion: M, record: &'r Record<N>) -> Self {
-        let loads = |layer, t: f64, y: &[f64; N]| motion.in_layer(layer).loads(t, y);
-        let mut nodes = Vec::with_capacity(record.legs.len() + 1);
-        nodes.push(loads(record.start_layer, 0.0, &record.start));
-        let ends = |leg: &Leg<N>| loads(leg.layer, leg.step.t1, &leg.step.y1);
-        nodes.extend(record.legs.iter().map(ends));
-        let largest = |of: fn(&Loads) -> f64| nodes.iter().map(of).fold(0.0, f64::max);
-        let measures: [fn(&Loads) -> f64; 3] = [
-            |l| l.deceleration_earth_g,
-            |l| l.heat_flux.convective_w_m2,
-            |l| l.heat_flux.radiative_w_m2,
-        ];
-        let limits = measures.map(|of| BUSY * largest(of));
-        let middles = record.legs.iter().zip(nodes.windows(2)).map(|(leg, ends)| {
-            let busy =
-                |(of, limit): (&fn(&Loads) -> f64, &f64)| ends.iter().any(|l| of(l) > *limit);
-            let middle = 0.5 * (leg.step.t0 + leg.step.t1);
-            measures
-                .iter()
-                .zip(&limits)
-                .any(busy)
-                .then(|| loads(leg.layer, middle, &leg.step.at(middle)))
-        });
-        let middles = middles.collect();
-        Peaks {
-            motion,
-            record,
-            nodes,
-            middles,
-        }
+impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> {
+    /// The loads of a record of a motion.
+    pub fn new(motion: M, record: &'r Record<N, S>) -> Self {
+        Peaks { motion, record }
     }
 
     /// The peak of a quantity made of the loads.
-    pub fn of(&self, value: impl Fn(&Loads) -> f64) -> Peak {
-        let estimates: Vec<Top> = self
-            .nodes
-            .windows(2)
-            .zip(&self.middles)
-            .map(|(ends, middle)| {
-                let [a, b] = [&ends[0], &ends[1]].map(&value);
-                let m = middle.as_ref().map(&value);
-                m.map_or(Top::AtEnd(a.max(b)), |m| parabola_top([a, m, b]))
-            })
-            .collect();
-        let along = |motion: &M, t: f64, y: &[f64; N]| value(&motion.loads(t, y));
-        let mut best = 0;
-        for (leg, estimate) in estimates.iter().enumerate() {
-            if estimate.value() > estimates[best].value() {
-                best = leg;
+    pub fn of(&self, value: impl Fn(&Loads<S>) -> S) -> Peak<S> {
+        let legs = &self.record.legs;
+        let mut nodes = Vec::with_capacity(legs.len() + 1);
+        nodes.push(value(&self.record.start_loads).value());
+        nodes.extend(legs.iter().map(|leg| value(&leg.loads).value()));
+        let along = |motion: &M, t: S, y: &[S; N]| value(&motion.loads(t, y));
+        let largest = nodes.iter().copied().fold(0.0, f64::max);
+        let mut peak: Option<Peak<S>> = None;
+        let mut take = |other: Peak<S>| {
+            let higher = |peak: &Peak<S>| other.value.value() > peak.value.value();
+            if peak.as_ref().is_none_or(higher) {
+                peak = Some(other);
+            }
+        };
+        if nodes[0] >= largest {
+            take(self.start(&along));
+        }
+        for (leg, ends) in nodes.windows(2).enumerate() {
+            let high = ends[0].max(ends[1]);
+            if high < NEARLY * largest {
+                continue;
+            }
+            let within = self.rises(leg, End::First, &along) > 0.0
+                && self.rises(leg, End::Last, &along) < 0.0;
+            if within {
+                take(self.searched(leg, self.part(leg, &nodes), &along));
+            } else if ends[1] >= largest
+                && let Some(Leg { step, layer, .. }) = legs.get(leg)
+            {
+                // A kink, or the end of the flight: the place between the steps is the peak.
+                take(self.peak(step.t1, &step.y1, *layer, &along));
             }
         }
-        let mut peak = self.searched(best, &along);
-        let first = (best, peak.time_s);
-        for (leg, estimate) in estimates.iter().enumerate() {
-            let nearly = leg != best && estimate.value() > NEARLY * peak.value;
-            if nearly && (matches!(estimate, Top::Within(_)) || self.beside(leg, first)) {
-                let other = self.searched(leg, &along);
-                if other.value > peak.value {
-                    peak = other;
-                }
+        peak.unwrap_or_else(|| self.start(&along))
+    }
+
+    /// Change of a quantity along a little of a step from an end of it, forward in time.
+    fn rises(&self, leg: usize, end: End, along: &Along<M, N, S>) -> f64 {
+        let Some(Leg { step, layer, .. }) = self.record.legs.get(leg) else {
+            return 0.0;
+        };
+        let motion = self.motion.in_layer(*layer);
+        let little = (step.t1 - step.t0) * LITTLE;
+        let [from, to] = match end {
+            End::First => [step.t0, step.t0 + little],
+            End::Last => [step.t1 - little, step.t1],
+        };
+        let [from, to] = [from, to].map(|t| along(&motion, t, &step.at(t)).value());
+        to - from
+    }
+
+    /// The part of a step at which the parabola through the higher of its ends and the neighbors of that has its top.
+    fn part(&self, leg: usize, nodes: &[f64]) -> f64 {
+        let legs = &self.record.legs;
+        let later = nodes.get(leg) < nodes.get(leg + 1);
+        let Some(before) = (leg + usize::from(later)).checked_sub(1) else {
+            return 0.5;
+        };
+        let (Some(first), Some(last)) = (legs.get(before), legs.get(before + 1)) else {
+            return 0.5;
+        };
+        let [t0, t1, t2] = [first.step.t0, first.step.t1, last.step.t1].map(S::value);
+        let Some([v0, v1, v2]) = nodes.get(before..before + 3).and_then(|v| v.first_chunk()) else {
+            return 0.5;
+        };
+        let (d0, d2) = ((v1 - v0) / (t1 - t0), (v2 - v1) / (t2 - t1));
+        // The slope of the parabola is d₀ in the middle of the first step and d₂ in the middle of the second.
+        let top = 0.5 * ((t0 + t1) + (t2 - t0) * d0 / (d0 - d2));
+        let Some(Leg { step, .. }) = legs.get(leg) else {
+            return 0.5;
+        };
+        let [start, end] = [step.t0, step.t1].map(S::value);
+        let part = (top - start) / (end - start);
+        if part > 0.0 && part < 1.0 { part } else { 0.5 }
+    }
+
+    /// The peak of the pressure at the stagnation point in entry, which lies beside that of the dynamic pressure; near the
+    /// ground the air itself may press harder.
+    pub fn of_stagnation_pressure(&self, dynamic_pressure: &Peak<S>) -> Peak<S> {
+        let legs = &self.record.legs;
+        let time_s = dynamic_pressure.time_s.value();
+        let near = legs.partition_point(|leg| leg.step.t1.value() < time_s);
+        let near = near.min(legs.len().saturating_sub(1));
+        let pressure =
+            |motion: &M, _: S, y: &[S; N]| sample::stagnation_pressure(motion.point(), &head(y));
+        let Some(Leg { step, .. }) = legs.get(near) else {
+            return self.start(&pressure);
+        };
+        let [t0, t1] = [step.t0, step.t1].map(S::value);
+        let mut peak = self.searched(near, (time_s - t0) / (t1 - t0), &pressure);
+        let part = (peak.time_s.value() - t0) / (t1 - t0);
+        let beside = match part {
+            part if part < AT_END => near.checked_sub(1),
+            part if part > 1.0 - AT_END => Some(near + 1).filter(|leg| *leg < legs.len()),
+            _ => None,
+        };
+        if let Some(beside) = beside {
+            let other = self.searched(beside, 0.5, &pressure);
+            if other.value.value() > peak.value.value() {
+                peak = other;
             }
         }
         peak
     }
 
-    /// Whether a step follows, or is followed by, the step with the first peak found, and may hold a higher one: across a
-    /// boundary of the atmosphere, or when that peak is at an end of its step.
-    fn beside(&self, leg: usize, (first, t): (usize, f64)) -> bool {
-        let legs = &self.record.legs;
-        let (Some(other), Some(Leg { step, layer })) = (legs.get(leg), legs.get(first)) else {
-            return false;
-        };
-        let to_end = (t - step.t0).min(step.t1 - t);
-        let at_end = to_end <= 10.0 * TOLERANCE * (step.t1 - step.t0);
-        leg.abs_diff(first) == 1 && (other.layer != *layer || at_end)
-    }
-
-    /// The peak of the pressure at the stagnation point in entry, which lies beside that of the dynamic pressure; near the
-    /// ground the air itself may press harder.
-    pub fn of_stagnation_pressure(&self, dynamic_pressure: &Peak) -> Peak {
-        let legs = &self.record.legs;
-        let near = legs.partition_point(|leg| leg.step.t1 < dynamic_pressure.time_s);
-        let sides = [near.saturating_sub(1), near, near + 1];
-        let pressure = |motion: &M, _: f64, y: &[f64; N]| {
-            sample::stagnation_pressure(motion.point(), &head(y))
-        };
-        let last = legs.len().saturating_sub(1);
-        let peaks = sides.map(|i| self.searched(i.min(last), &pressure));
-        peaks.into_iter().fold(
-            peaks[0],
-            |best, peak| if peak.value > best.value { peak } else { best },
-        )
-    }
-
     /// The largest value within one step, its ends included; that of the start where there is no step.
-    fn searched(&self, leg: usize, along: &Along<M, N>) -> Peak {
-        let Some(Leg { step, layer }) = self.record.legs.get(leg) else {
-            return self.peak(0.0, &self.record.start, self.record.start_layer, along);
+    fn searched(&self, leg: usize, part: f64, along: &Along<M, N, S>) -> Peak<S> {
+        let Some(Leg { step, layer, .. }) = self.record.legs.get(leg) else {
+            return self.start(along);
         };
         let motion = self.motion.in_layer(*layer);
-        let tolerance = TOLERANCE * (step.t1 - step.t0);
-        let (t, _) = root::maximum(
-            |t| along(&motion, t, &step.at(t)),
-            step.t0,
-            step.t1,
-            tolerance,
-        );
+        let t = event::top(step, |t| along(&motion, t, &step.at(t)), part);
         self.peak(t, &step.at(t), *layer, along)
     }
 
-    fn peak(&self, t: f64, y: &[f64; N], layer: usize, along: &Along<M, N>) -> Peak {
+    /// The value at the start.
+    fn start(&self, along: &Along<M, N, S>) -> Peak<S> {
+        let Record {
+            start, start_layer, ..
+        } = self.record;
+        self.peak(S::constant(0.0), start, *start_layer, along)
+    }
+
+    fn peak(&self, t: S, y: &[S; N], layer: usize, along: &Along<M, N, S>) -> Peak<S> {
         let motion = self.motion.in_layer(layer);
         let around = motion.point().surroundings(&head(y));
         Peak {
@@ -163,47 +179,9 @@ impl<'a, 'r, M: Motion<'a, N>, const N: usize> Peaks<'r, M, N> {
     }
 }
 
-/// Largest value in a step by the parabola, and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Top {
-    /// Between the ends.
-    Within(f64),
-    /// At an end.
-    AtEnd(f64),
-}
-
-impl Top {
-    fn value(self) -> f64 {
-        match self {
-            Top::Within(value) | Top::AtEnd(value) => value,
-        }
-    }
-}
-
-/// Top of the parabola through three equally spaced values, or the larger end where it has none in between.
-fn parabola_top([a, m, b]: [f64; 3]) -> Top {
-    let (c_1, c_2) = (4.0 * m - 3.0 * a - b, 2.0 * (a - 2.0 * m + b));
-    let s = -c_1 / (2.0 * c_2);
-    if c_2 < 0.0 && s > 0.0 && s < 1.0 {
-        Top::Within(a.max(m).max(b).max(a + s * (c_1 + s * c_2)))
-    } else {
-        Top::AtEnd(a.max(b))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parabola_through_0_3_4_over_4_peaks_at_1() {
-        // 4 s (2 − s)/4 at s = 0, 1/2, 1 is 0, 3/4, 1: the top is the end; 1 − (2 s − 1)² peaks at 1 in the middle.
-        assert_eq!(parabola_top([0.0, 0.75, 1.0]), Top::AtEnd(1.0));
-        assert_eq!(parabola_top([0.0, 1.0, 0.0]), Top::Within(1.0));
-        // 1 − (s − 0.75)²: 0.4375, 0.9375, 0.9375, top 1.
-        let Top::Within(top) = parabola_top([0.4375, 0.9375, 0.9375]) else {
-            panic!("between the ends");
-        };
-        assert!((top - 1.0).abs() < 1e-15);
-    }
+/// An end of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    First,
+    Last,
 }

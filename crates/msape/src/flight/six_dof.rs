@@ -42,7 +42,7 @@ use rigid::Rigid;
 
 /// State at the start.
 pub fn start(mission: &Mission, rigid: &Rigid) -> [f64; RIGID_STATES] {
-    let point = three_dof::start(mission);
+    let point = three_dof::start(&mission.start);
     core::array::from_fn(|i| match i {
         0..ATTITUDE => point[i],
         ATTITUDE..RATES => rigid.attitude.0[i - ATTITUDE],

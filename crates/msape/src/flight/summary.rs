@@ -1,6 +1,5 @@
 //! Peaks, loads and end of an integrated flight, and its time history.
 
-use super::Flight;
 use super::equations::{CONVECTIVE, RADIATIVE};
 use super::integration::{Leg, Record};
 use super::mission::Model;
@@ -8,20 +7,26 @@ use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::sample;
 use super::trajectory::{Request, Trajectory};
+use super::{Flight, Peak};
 use crate::planet::geodetic::great_circle_m;
-use numerics::root;
+use numerics::ode::event::root_between;
+use numerics::scalar::Single;
 
 /// Mach numbers whose downward crossing is reported.
 pub const MACH_MARKS: [f64; 4] = [5.0, 2.0, 1.4, 0.8];
 
+/// A crossing of a Mach number is met within this time, s.
+const MACH_TIME_TOLERANCE_S: f64 = 1e-9;
+
 /// Summarizes a record of a motion.
-pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
+pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     motion: M,
-    record: &Record<N>,
+    record: &Record<N, S>,
     request: Request,
-) -> Flight {
+) -> Flight<S> {
     let flight = Reading { motion, record };
-    let (mission, body) = (motion.point().mission, motion.point().body);
+    let point = motion.point();
+    let (mission, numbers) = (point.mission, point.numbers());
     let peaks = Peaks::new(motion, record);
     let deceleration = peaks.of(|l| l.deceleration_earth_g);
     let dynamic_pressure = peaks.of(|l| l.dynamic_pressure_pa);
@@ -33,13 +38,13 @@ pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
     let at_peak = flight.around(deceleration.time_s);
     Flight {
         model: Model::ThreeDof,
-        entry_relative: mission.start.relative,
-        entry_inertial: mission.start.inertial,
+        entry_relative: numbers.start.relative,
+        entry_inertial: numbers.start.inertial,
         peak_deceleration_earth_g: deceleration,
         peak_stagnation_pressure_pa: peaks.of_stagnation_pressure(&dynamic_pressure),
         peak_dynamic_pressure_pa: dynamic_pressure,
         peak_convective_heat_flux_w_m2: peaks.of(|l| l.heat_flux.convective_w_m2),
-        peak_radiative_heat_flux_w_m2: (radiative.value > 0.0).then_some(radiative),
+        peak_radiative_heat_flux_w_m2: (radiative.value.value() > 0.0).then_some(radiative),
         peak_total_heat_flux_w_m2: peaks.of(|l| l.heat_flux.total_w_m2()),
         peak_total_margined_heat_flux_w_m2: margined,
         convective_heat_load_j_m2: y_end[CONVECTIVE],
@@ -47,7 +52,7 @@ pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
         convective_margin: mission.heating.options.margin,
         radiative_margin: mission.heating.radiative_margin,
         peak_wall_temperature_k: flight.wall_temperature_k(margined.time_s),
-        ballistic_coefficient_kg_m2: body.mass_kg / (at_peak * body.reference_area_m2),
+        ballistic_coefficient_kg_m2: numbers.mass_kg / (at_peak * numbers.reference_area_m2),
         time_of_flight_s: t_end,
         final_altitude_m: end.altitude_m,
         final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
@@ -58,73 +63,115 @@ pub fn summarize<'a, M: Motion<'a, N>, const N: usize>(
             .surroundings(&head(&y_end))
             .density_kg_m3,
         downrange_m: great_circle_m(&start, &end),
-        mach_times_s: flight.mach_times_s(deceleration.time_s),
+        mach_times_s: flight.mach_times_s(deceleration.time_s.value()),
         trajectory: flight.trajectory(request),
         attitude: None,
         evaluations: record.evaluations,
     }
 }
 
-struct Reading<'r, M, const N: usize> {
-    motion: M,
-    record: &'r Record<N>,
+/// The few results that sizing a vehicle needs, at a part of the cost of a whole [`Flight`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes<S = f64> {
+    /// Aerodynamic force over mass over 9.80665 m/s².
+    pub peak_deceleration_earth_g: Peak<S>,
+    /// Stagnation pressure about the largest dynamic pressure, Pa.
+    pub peak_stagnation_pressure_pa: Peak<S>,
+    /// Sum of both heat fluxes with their margins, W/m².
+    pub peak_total_margined_heat_flux_w_m2: Peak<S>,
+    /// Convective heat load without margin, J/m².
+    pub convective_heat_load_j_m2: S,
+    /// Radiative heat load without margin, J/m².
+    pub radiative_heat_load_j_m2: S,
+    /// Time from the start to the end, s.
+    pub time_of_flight_s: S,
+    /// Speed relative to the planet at the end, m/s.
+    pub final_speed_m_s: S,
 }
 
-impl<'a, M: Motion<'a, N>, const N: usize> Reading<'_, M, N> {
-    fn end(&self) -> (f64, [f64; N], usize) {
+/// The extremes of a record of a motion; the same numbers as [`summarize`] gives.
+pub fn extremes<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
+    motion: M,
+    record: &Record<N, S>,
+) -> Extremes<S> {
+    let heating = &motion.point().mission.heating;
+    let peaks = Peaks::new(motion, record);
+    let dynamic_pressure = peaks.of(|l| l.dynamic_pressure_pa);
+    let (t_end, y_end, _) = Reading { motion, record }.end();
+    Extremes {
+        peak_deceleration_earth_g: peaks.of(|l| l.deceleration_earth_g),
+        peak_stagnation_pressure_pa: peaks.of_stagnation_pressure(&dynamic_pressure),
+        peak_total_margined_heat_flux_w_m2: peaks
+            .of(|l| heating.margined(&l.heat_flux).total_w_m2()),
+        convective_heat_load_j_m2: y_end[CONVECTIVE],
+        radiative_heat_load_j_m2: y_end[RADIATIVE],
+        time_of_flight_s: t_end,
+        final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
+    }
+}
+
+struct Reading<'r, M, const N: usize, S> {
+    motion: M,
+    record: &'r Record<N, S>,
+}
+
+impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
+    fn end(&self) -> (S, [S; N], usize) {
         match self.record.legs.last() {
             Some(leg) => (leg.step.t1, leg.step.y1, leg.layer),
-            None => (0.0, self.record.start, self.record.start_layer),
+            None => (S::constant(0.0), self.record.start, self.record.start_layer),
         }
     }
 
     /// The leg in which an instant lies.
-    fn leg(&self, t: f64) -> Option<&Leg<N>> {
+    fn leg(&self, t: f64) -> Option<&Leg<N, S>> {
         let legs = &self.record.legs;
-        legs.get(
-            legs.partition_point(|leg| leg.step.t1 < t)
-                .min(legs.len().saturating_sub(1)),
-        )
+        let before = legs.partition_point(|leg| leg.step.t1.value() < t);
+        legs.get(before.min(legs.len().saturating_sub(1)))
     }
 
-    fn state(&self, t: f64) -> ([f64; N], usize) {
-        match self.leg(t) {
+    fn state(&self, t: S) -> ([S; N], usize) {
+        match self.leg(t.value()) {
             Some(leg) => (leg.step.at(t), leg.layer),
             None => (self.record.start, self.record.start_layer),
         }
     }
 
     /// Drag coefficient at an instant; never zero, so that it may divide.
-    fn around(&self, t: f64) -> f64 {
+    fn around(&self, t: S) -> S {
         let (y, layer) = self.state(t);
         self.motion
             .in_layer(layer)
             .drag_coefficient(t, &y)
-            .max(f64::MIN_POSITIVE)
+            .max(S::constant(f64::MIN_POSITIVE))
     }
 
-    fn wall_temperature_k(&self, t: f64) -> f64 {
+    fn wall_temperature_k(&self, t: S) -> S {
         let (y, layer) = self.state(t);
         let motion = self.motion.in_layer(layer);
         let mission = motion.point().mission;
-        let margined = mission.heating.margined(&motion.loads(t, &y).heat_flux);
-        let around = motion.point().surroundings(&head(&y));
+        let (loads, around) = motion.loads_around(t, &y);
+        let margined = mission.heating.margined(&loads.heat_flux);
         sample::wall_temperature_k(mission, &margined, around.air_speed_m_s)
     }
 
     /// Downward crossings of [`MACH_MARKS`] after `t_peak`.
-    fn mach_times_s(&self, t_peak: f64) -> [Option<f64>; 4] {
+    fn mach_times_s(&self, t_peak: f64) -> [Option<S>; 4] {
         let mut times = [None; 4];
-        let first = self.record.legs.partition_point(|leg| leg.step.t1 < t_peak);
+        let legs = &self.record.legs;
+        let first = legs.partition_point(|leg| leg.step.t1.value() < t_peak);
         let mut before: Option<f64> = None;
-        for leg in self.record.legs.iter().skip(first) {
+        for leg in legs.iter().skip(first) {
             let motion = self.motion.in_layer(leg.layer);
-            let t0 = leg.step.t0.max(t_peak);
-            let mach = |t: f64| sample::mach(motion.point(), &head(&leg.step.at(t)));
-            let (start, end) = (before.unwrap_or_else(|| mach(t0)), mach(leg.step.t1));
+            let step = &leg.step;
+            let span = [step.t0.value().max(t_peak), step.t1.value()];
+            let mach = |t: S| sample::mach(motion.point(), &head(&step.at(t)));
+            let ends = span.map(|t| step.time(t));
+            let start = before.unwrap_or_else(|| mach(ends[0]).value());
+            let end = mach(ends[1]).value();
             for (time, mark) in times.iter_mut().zip(MACH_MARKS) {
                 if time.is_none() && start > mark && end <= mark {
-                    *time = root::brent(|t| mach(t) - mark, t0, leg.step.t1, 1e-9);
+                    *time = root_between(step, |t| mach(t) - mark, span, MACH_TIME_TOLERANCE_S);
                 }
             }
             if times.iter().all(Option::is_some) {
@@ -139,23 +186,25 @@ impl<'a, M: Motion<'a, N>, const N: usize> Reading<'_, M, N> {
         let mission = self.motion.point().mission;
         let start = sample::position(mission, &head(&self.record.start));
         let mut history = Trajectory::new();
-        let mut add = |t: f64, y: &[f64; N], layer: usize| {
+        let mut add = |t: S, y: &[S; N], layer: usize| {
             sample::record(&mut history, &self.motion.in_layer(layer), t, y, &start);
         };
         match request {
             Request::Nothing => return None,
             Request::Steps => {
-                add(0.0, &self.record.start, self.record.start_layer);
+                let zero = S::constant(0.0);
+                add(zero, &self.record.start, self.record.start_layer);
                 for leg in &self.record.legs {
                     add(leg.step.t1, &leg.step.y1, leg.layer);
                 }
             }
             Request::Uniform(step_s) => {
                 let (t_end, y_end, layer_end) = self.end();
-                let rows = (t_end / step_s).min(MOST_ROWS) as u64;
+                let rows = (t_end.value() / step_s).min(MOST_ROWS) as u64;
                 for i in 0..=rows {
                     let t = i as f64 * step_s;
-                    if t < t_end {
+                    if t < t_end.value() {
+                        let t = S::constant(t);
                         let (y, layer) = self.state(t);
                         add(t, &y, layer);
                     }

@@ -14,15 +14,21 @@
 //! - \[samareh-2014\] section 3.2.
 
 use super::equations::{Equations, STATES};
-use super::integration::{self, Record};
-use super::mission::{Body, Mission};
+use super::integration::{self, Keep, Record};
+use super::mission::{Body, Mission, Start};
 use super::motion::PointMass;
+use super::numbers::Numbers;
+use super::summary::{self, Extremes};
+use super::{Flight, Request};
+use crate::outcome::Outcome;
+use numerics::scalar::{Scalar, Single};
 
 /// State at the start.
-pub fn start(mission: &Mission) -> [f64; STATES] {
-    let [x, y, z] = mission.start.position_m;
-    let [vx, vy, vz] = mission.start.velocity_m_s;
-    [x, y, z, vx, vy, vz, 0.0, 0.0]
+pub fn start<S: Scalar>(start: &Start<S>) -> [S; STATES] {
+    let [x, y, z] = start.position_m;
+    let [vx, vy, vz] = start.velocity_m_s;
+    let none = S::constant(0.0);
+    [x, y, z, vx, vy, vz, none, none]
 }
 
 /// The motion of a point mass.
@@ -34,5 +40,34 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body) -> PointMass<'a> {
 
 /// Integrates a flight.
 pub fn integrate(mission: &Mission, body: &Body) -> Record<STATES> {
-    integration::integrate(motion(mission, body), start(mission))
+    integration::integrate(motion(mission, body), start(&mission.start), Keep::All)
+}
+
+/// Flies with numbers of their own, derivatives included: the flight, how it ended, and why.
+pub fn fly_with<S: Single>(
+    mission: &Mission,
+    body: &Body,
+    numbers: Numbers<S>,
+    request: Request,
+) -> (Flight<S>, Outcome, Option<String>) {
+    let motion = PointMass {
+        point: Equations::with_numbers(mission, body, 0, numbers),
+    };
+    let record = integration::integrate(motion, start(&numbers.start), Keep::All);
+    let flight = summary::summarize(motion, &record, request);
+    (flight, record.outcome, record.reason)
+}
+
+/// The few results that sizing a vehicle needs, at a part of the cost of a whole flight; how it ended, and why.
+pub fn extremes<S: Single>(
+    mission: &Mission,
+    body: &Body,
+    numbers: Numbers<S>,
+) -> (Extremes<S>, Outcome, Option<String>) {
+    let motion = PointMass {
+        point: Equations::with_numbers(mission, body, 0, numbers),
+    };
+    let record = integration::integrate(motion, start(&numbers.start), Keep::Busy);
+    let extremes = summary::extremes(motion, &record);
+    (extremes, record.outcome, record.reason)
 }

@@ -23,6 +23,7 @@ use crate::aero::database::Database;
 use numerics::math;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
+use numerics::scalar::Scalar;
 
 /// Mach numbers of the grid: from, to, intervals.
 const MACH: ([f64; 2], usize) = ([0.05, 60.0], 120);
@@ -67,10 +68,25 @@ impl Trim {
 
     /// Drag, lift and angle of trim, rad, at a Mach and a Knudsen number.
     #[inline]
-    pub fn coefficients(&self, mach: f64, knudsen: f64) -> [f64; 3] {
+    pub fn coefficients<S: Scalar>(&self, mach: S, knudsen: S) -> [S; 3] {
         let (ends, intervals) = MACH;
-        let (i, u) = place(mach, ends, intervals);
-        let (j, v) = place(knudsen, [CONTINUUM, FREE_MOLECULAR], KNUDSEN_INTERVALS);
+        let t = place(mach, ends, intervals);
+        let s = place(knudsen, [CONTINUUM, FREE_MOLECULAR], KNUDSEN_INTERVALS);
+        let [i, j, cell @ ..]: [S; 14] = t.lookup_pair(s, |t, s| self.cell(t, s));
+        let (u, v) = (t - i, s - j);
+        let one = S::constant(1.0);
+        core::array::from_fn(|k| {
+            let [a, b, c, d] = [cell[k], cell[3 + k], cell[6 + k], cell[9 + k]];
+            (one - v) * ((one - u) * a + u * b) + v * ((one - u) * c + u * d)
+        })
+    }
+
+    /// Indices of the cell of two places, and the coefficients at its corners.
+    fn cell(&self, t: f64, s: f64) -> [f64; 14] {
+        let (i, j) = (
+            (t as usize).min(MACH.1 - 1),
+            (s as usize).min(KNUDSEN_INTERVALS - 1),
+        );
         let corner = |i: usize, j: usize| {
             let row = self.grid.get(i);
             row.and_then(|row| row.get(j)).copied().unwrap_or_default()
@@ -81,30 +97,32 @@ impl Trim {
             corner(i, j + 1),
             corner(i + 1, j + 1),
         ];
-        core::array::from_fn(|k| {
-            (1.0 - v) * ((1.0 - u) * a[k] + u * b[k]) + v * ((1.0 - u) * c[k] + u * d[k])
-        })
+        [
+            i as f64, j as f64, a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1],
+            d[2],
+        ]
     }
 
     /// Drag and lift at one state of a flight.
     #[inline]
-    pub fn at(&self, equations: &Equations, around: &Surroundings<f64>) -> DragAndLift {
-        let atmosphere = &equations.mission.atmosphere;
-        let air = atmosphere.air_in(equations.layer, around.altitude_m);
+    pub fn at<S: Scalar>(
+        &self,
+        equations: &Equations<S>,
+        around: &Surroundings<S>,
+    ) -> DragAndLift<S> {
+        let air = equations.air(around.altitude_m);
         let mach = around.air_speed_m_s / air.speed_of_sound_m_s;
         let [drag, lift, _] = self.coefficients(mach, air.mean_free_path_m / self.diameter_m);
         DragAndLift { drag, lift }
     }
 }
 
-/// Interval and part of it, in the logarithm, held beyond the ends.
+/// Number of intervals from the beginning of the grid, in the logarithm, held beyond the ends.
 #[inline]
-fn place(x: f64, ends: [f64; 2], intervals: usize) -> (usize, f64) {
+fn place<S: Scalar>(x: S, ends: [f64; 2], intervals: usize) -> S {
     let [a, b] = ends;
-    let held = x.max(a).min(b);
-    let t = math::ln(held / a) / math::ln(b / a) * intervals as f64;
-    let i = (t as usize).min(intervals - 1);
-    (i, t - i as f64)
+    let held = x.max(S::constant(a)).min(S::constant(b));
+    (held / a).ln() / math::ln(b / a) * intervals as f64
 }
 
 /// Drag, lift and angle at which the moment about the centre of gravity vanishes.

@@ -19,7 +19,7 @@ use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
 use crate::finding::Finding;
 use numerics::math;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
 
 const SOURCE: &str = "Brandis & Johnston 2014, AIAA 2014-2374";
@@ -116,7 +116,7 @@ impl BrandisJohnstonConvective {
         // q̇ = C ρ^p V^n Rₙ^m
         let exponent = rho.ln() * pick(|set| set.density_exponent)
             + v.ln() * pick(|set| set.speed_exponent)
-            + pick(|set| set.nose_radius_exponent) * math::ln(r_n);
+            + pick(|set| set.nose_radius_exponent) * r_n.ln();
         exponent.exp() * pick(|set| set.c) * PER_CM2
     }
 
@@ -143,7 +143,7 @@ impl BrandisJohnstonRadiative {
         } = *flow;
         let below = v.less(S::constant(self.onset_m_s));
         let zero = S::constant(0.0);
-        if S::all(below) {
+        if below.all() {
             return zero;
         }
         let VelocityFunction {
@@ -158,7 +158,7 @@ impl BrandisJohnstonRadiative {
         let ratio = ((S::constant(math::ln(reference_m_s)) - ln_v) * exponent).exp();
         let f = S::constant(amplitude) / (ratio + 1.0) + offset;
         // q̇ = C Rₙ^a ρ^1.261 f(V)
-        let q = (a * math::ln(r_n) + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2);
+        let q = (a * r_n.ln() + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2);
         S::select(below, zero, q)
     }
 

@@ -55,11 +55,12 @@ impl NoseExponent {
 
     /// The exponent, from the logarithms of speed in m/s and density in kg/m³, for a nose radius in m.
     #[inline]
-    pub fn value<S: Scalar>(&self, ln_v: S, ln_rho: S, nose_radius_m: f64) -> S {
+    pub fn value<S: Scalar>(&self, ln_v: S, ln_rho: S, nose_radius_m: S) -> S {
         // a = a₀ V^m ρ^n
         let a =
             (ln_v * self.speed_exponent + ln_rho * self.density_exponent).exp() * self.coefficient;
-        a.min(S::constant(self.cap(nose_radius_m)))
+        let [cap] = nose_radius_m.lookup(|radius_m| [self.cap(radius_m)]);
+        a.min(cap)
     }
 }
 

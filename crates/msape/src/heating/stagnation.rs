@@ -22,7 +22,7 @@ use super::wall::{ColdWall, Wall, WallGas};
 use super::{Flow, PeakConditions};
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 use serde::{Deserialize, Serialize};
 
 /// Default factor and margins, from `heating/margins.toml`.
@@ -97,6 +97,48 @@ pub struct HeatFlux<S> {
     pub radiative_w_m2: S,
 }
 
+/// How radiative heating is computed in a flight; the relations end at once below a speed, which the integrator meets with
+/// the end of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radiation<S: Scalar> {
+    /// Where there is radiation at all.
+    pub on: S::Mask,
+    /// With at least this speed, m/s: continued smoothly beyond the end of the relation, for the stages of a step.
+    pub least_m_s: S::Value,
+}
+
+impl<S: Scalar> Radiation<S> {
+    /// By the relation.
+    #[inline]
+    pub fn exact() -> Self {
+        Self::continued(0.0)
+    }
+
+    /// With at least this speed, m/s.
+    #[inline]
+    pub fn continued(least_m_s: f64) -> Self {
+        Self {
+            on: S::Mask::constant(true),
+            least_m_s: S::Value::constant(least_m_s),
+        }
+    }
+
+    /// Not at all: the vehicle is slower than the relation reaches down.
+    #[inline]
+    pub fn over() -> Self {
+        Self {
+            on: S::Mask::constant(false),
+            ..Self::exact()
+        }
+    }
+
+    /// Replaces the radiation of one lane.
+    pub fn set_lane(&mut self, lane: usize, radiation: &Radiation<S::Lane>) {
+        self.on.set_lane(lane, radiation.on);
+        self.least_m_s.set_lane(lane, radiation.least_m_s);
+    }
+}
+
 impl<S: Scalar> HeatFlux<S> {
     /// Total heat flux, W/m².
     #[inline]
@@ -109,41 +151,29 @@ impl StagnationHeating {
     /// Nominal heat fluxes.
     #[inline]
     pub fn heat_flux<S: Scalar>(&self, flow: &Flow<S>) -> HeatFlux<S> {
-        let cold = ColdWall {
-            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
-            radiative_w_m2: self.radiative.heat_flux_w_m2(flow),
-            speed_m_s: flow.speed_m_s,
-        };
-        HeatFlux {
-            convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
-            radiative_w_m2: cold.radiative_w_m2,
-        }
+        self.heat_flux_under(flow, &Radiation::exact())
     }
 
-    /// Nominal heat fluxes, with radiation as at `least_m_s` where the vehicle is slower, m/s.
+    /// Nominal heat fluxes, with radiation as a flight has it at the moment.
     #[inline]
-    pub fn continued<S: Scalar>(&self, flow: &Flow<S>, least_m_s: f64) -> HeatFlux<S> {
-        let fast = Flow {
-            speed_m_s: flow.speed_m_s.max(S::constant(least_m_s)),
-            ..*flow
+    pub fn heat_flux_under<S: Scalar>(
+        &self,
+        flow: &Flow<S>,
+        radiation: &Radiation<S>,
+    ) -> HeatFlux<S> {
+        let none = S::constant(0.0);
+        let radiative_w_m2 = if radiation.on.any() {
+            let fast = Flow {
+                speed_m_s: flow.speed_m_s.max(S::from_value(radiation.least_m_s)),
+                ..*flow
+            };
+            S::select(radiation.on, self.radiative.heat_flux_w_m2(&fast), none)
+        } else {
+            none
         };
         let cold = ColdWall {
             convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
-            radiative_w_m2: self.radiative.heat_flux_w_m2(&fast),
-            speed_m_s: flow.speed_m_s,
-        };
-        HeatFlux {
-            convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
-            radiative_w_m2: cold.radiative_w_m2,
-        }
-    }
-
-    /// Nominal heat fluxes where radiation is known to be nothing.
-    #[inline]
-    pub fn without_radiation<S: Scalar>(&self, flow: &Flow<S>) -> HeatFlux<S> {
-        let cold = ColdWall {
-            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
-            radiative_w_m2: S::constant(0.0),
+            radiative_w_m2,
             speed_m_s: flow.speed_m_s,
         };
         HeatFlux {

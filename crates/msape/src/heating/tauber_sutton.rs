@@ -17,8 +17,7 @@
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
 use crate::finding::Finding;
-use numerics::math;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
 
 /// The correlation for one planet.
@@ -118,14 +117,14 @@ impl TauberSutton {
             speed_m_s: v,
             nose_radius_m: r_n,
         } = *flow;
-        if S::all(v.less(S::constant(self.onset_m_s))) {
+        if v.less(S::constant(self.onset_m_s)).all() {
             return S::constant(0.0);
         }
         let f = self.velocity_function(v);
         let ln_rho = rho.ln();
         let a = self.exponent.value(v.ln(), ln_rho, r_n);
         // q̇ = C Rₙ^a ρ^b f(V)
-        (a * math::ln(r_n) + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
+        (a * r_n.ln() + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
     }
 
     /// What a reader must know when the peak is outside the ranges.

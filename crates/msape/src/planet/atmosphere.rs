@@ -14,12 +14,14 @@
 //! - \[coesa-1976\]; each model names its own.
 
 pub mod exponential;
+pub mod piece;
 pub mod table;
 pub mod us_1976;
 
 use crate::finding::{Finding, Severity};
 use exponential::Exponential;
 use numerics::scalar::Scalar;
+pub use piece::Piece;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use table::Table;
@@ -150,40 +152,52 @@ impl Atmosphere {
         })
     }
 
+    /// The piece with an index, for [`Atmosphere::density_in`] and the like.
+    pub fn piece(&self, layer: usize) -> Piece<f64> {
+        match self {
+            Self::UsStandard1976(us) => us.piece(layer),
+            Self::Table(_) | Self::Exponential(_) => Piece::bare(layer),
+        }
+    }
+
     /// Density of one piece, kg/m³, continued smoothly beyond its ends.
     #[inline]
-    pub fn density_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
+    pub fn density_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
         match self {
-            Self::UsStandard1976(us) => us.density_in(layer, altitude_m),
-            Self::Table(table) => table.density_in(layer, altitude_m),
+            Self::UsStandard1976(us) => us.density_in(piece, altitude_m),
+            Self::Table(table) => table.density_in(piece, altitude_m),
             Self::Exponential(exponential) => exponential.density_kg_m3(altitude_m),
         }
     }
 
     /// Everything of one piece, continued smoothly beyond its ends.
     #[inline]
-    pub fn air_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> Air<S> {
+    pub fn air_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> Air<S> {
         match self {
-            Self::UsStandard1976(us) => us.air_in(layer, altitude_m),
-            Self::Table(table) => table.air_in(layer, altitude_m),
+            Self::UsStandard1976(us) => us.air_in(piece, altitude_m),
+            Self::Table(table) => table.air_in(piece, altitude_m),
             Self::Exponential(exponential) => exponential.air(altitude_m),
         }
     }
 
     /// Speed of sound of one piece, m/s, continued smoothly beyond its ends.
     #[inline]
-    pub fn speed_of_sound_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
-        self.air_in(layer, altitude_m).speed_of_sound_m_s
+    pub fn speed_of_sound_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
+        match self {
+            Self::UsStandard1976(us) => us.speed_of_sound_in(piece, altitude_m),
+            Self::Table(table) => table.air_in(piece, altitude_m).speed_of_sound_m_s,
+            Self::Exponential(exponential) => exponential.air(altitude_m).speed_of_sound_m_s,
+        }
     }
 
     /// Density, kg/m³, the piece chosen by the altitude, m.
     pub fn density_kg_m3(&self, altitude_m: f64) -> f64 {
-        self.density_in(self.layer(altitude_m), altitude_m)
+        self.density_in(&self.piece(self.layer(altitude_m)), altitude_m)
     }
 
     /// Everything, the piece chosen by the altitude, m.
     pub fn air(&self, altitude_m: f64) -> Air<f64> {
-        self.air_in(self.layer(altitude_m), altitude_m)
+        self.air_in(&self.piece(self.layer(altitude_m)), altitude_m)
     }
 }
 

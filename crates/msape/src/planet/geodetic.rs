@@ -19,7 +19,6 @@
 //! # References
 //! - \[bowring-1985\]; \[nga-wgs84\] for the forward conversion.
 
-use numerics::math;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -178,18 +177,20 @@ pub const DOWNRANGE_SPHERE_RADIUS_M: f64 = 6_371_000.0;
 /// ```text
 /// d = R atan2(|u × v|, u · v)
 /// ```
-pub fn great_circle_m(from: &Geodetic<f64>, to: &Geodetic<f64>) -> f64 {
-    let (sin_1, cos_1) = math::sin_cos(from.latitude_rad);
-    let (sin_2, cos_2) = math::sin_cos(to.latitude_rad);
-    let (sin_d, cos_d) = math::sin_cos(to.longitude_rad - from.longitude_rad);
-    let across = math::hypot(cos_2 * sin_d, cos_1 * sin_2 - sin_1 * cos_2 * cos_d);
-    DOWNRANGE_SPHERE_RADIUS_M * math::atan2(across, sin_1 * sin_2 + cos_1 * cos_2 * cos_d)
+pub fn great_circle_m<S: Scalar>(from: &Geodetic<S>, to: &Geodetic<S>) -> S {
+    let (sin_1, cos_1) = (from.latitude_rad.sin(), from.latitude_rad.cos());
+    let (sin_2, cos_2) = (to.latitude_rad.sin(), to.latitude_rad.cos());
+    let turn_rad = to.longitude_rad - from.longitude_rad;
+    let (sin_d, cos_d) = (turn_rad.sin(), turn_rad.cos());
+    let (east, north) = (cos_2 * sin_d, cos_1 * sin_2 - sin_1 * cos_2 * cos_d);
+    let across = (east * east + north * north).sqrt();
+    across.atan2(sin_1 * sin_2 + cos_1 * cos_2 * cos_d) * DOWNRANGE_SPHERE_RADIUS_M
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use math::{FRAC_PI_2, PI, RADIANS_PER_DEGREE};
+    use numerics::math::{self, FRAC_PI_2, PI, RADIANS_PER_DEGREE};
 
     const WGS84: Ellipsoid = Ellipsoid::new(6_378_137.0, 6_356_752.314_2);
     const SATURN: Ellipsoid = Ellipsoid::new(60_268_000.0, 54_364_000.0);

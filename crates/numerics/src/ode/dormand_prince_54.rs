@@ -6,18 +6,19 @@
 
 use super::Dense;
 use super::control::{Control, Tolerance, mean_square};
-use super::formula::{Origin, Trial, advance, sum};
+use super::formula::{Origin, Trial, advance, sum, values};
 use super::step::{Ends, Step};
+use crate::scalar::Scalar;
 
 const BETA: f64 = 0.04;
 
-pub(super) struct DormandPrince54<const N: usize> {
+pub(super) struct DormandPrince54<const N: usize, S> {
     /// k₃ to k₇ (k₁ is the origin's slope, k₂ has no weight); k₇ is the slope at the end.
-    k: [[f64; N]; 5],
-    y1: [f64; N],
+    k: [[S; N]; 5],
+    y1: [S; N],
 }
 
-impl<const N: usize> Trial<N> for DormandPrince54<N> {
+impl<const N: usize, S: Scalar> Trial<N, S> for DormandPrince54<N, S> {
     const CONTROL: Control = Control {
         order: 5.0,
         proportional: 0.2 - 0.75 * BETA,
@@ -25,11 +26,17 @@ impl<const N: usize> Trial<N> for DormandPrince54<N> {
         shrink: 0.2,
         grow: 10.0,
     };
+    const EVALUATIONS: u32 = 6;
+
+    #[inline]
+    fn finishing(_dense: Dense) -> u32 {
+        0
+    }
 
     #[rustfmt::skip]
     #[inline]
-    fn take(f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N], origin: &Origin<N>, h: f64) -> Self {
-        let Origin { t, y, slope: k1 } = origin;
+    fn take(f: &mut impl FnMut(S, &[S; N]) -> [S; N], origin: &Origin<N, S>, h: S) -> Self {
+        let Origin { t, y, slope: k1 } = *origin;
         let k2 = &f(t + h * (1.0 / 5.0), &advance(y, h, [(1.0 / 5.0, k1)]));
         let k3 = &f(t + h * (3.0 / 10.0), &advance(y, h, [(3.0 / 40.0, k1), (9.0 / 40.0, k2)]));
         let k4 = &f(t + h * (4.0 / 5.0), &advance(y, h, [(44.0 / 45.0, k1), (-56.0 / 15.0, k2), (32.0 / 9.0, k3)]));
@@ -48,42 +55,48 @@ impl<const N: usize> Trial<N> for DormandPrince54<N> {
     }
 
     #[inline]
-    fn y1(&self) -> &[f64; N] {
+    fn y1(&self) -> &[S; N] {
         &self.y1
     }
 
     #[inline]
-    fn error_squared(&self, origin: &Origin<N>, h: f64, tolerance: &Tolerance<N>) -> f64 {
+    fn error_squared(
+        &self,
+        origin: &Origin<N, S>,
+        h: S::Value,
+        tolerance: &Tolerance<N>,
+    ) -> S::Value {
         let [k3, k4, k5, k6, k7] = &self.k;
         let error = sum([
-            (71.0 / 57600.0, &origin.slope),
+            (71.0 / 57600.0, origin.slope),
             (-71.0 / 16695.0, k3),
             (71.0 / 1920.0, k4),
             (-17253.0 / 339200.0, k5),
             (22.0 / 525.0, k6),
             (-1.0 / 40.0, k7),
         ]);
-        h * h * mean_square(&error, &tolerance.scale(&origin.y, &self.y1))
+        h * h * mean_square(&values(&error), &tolerance.scale(origin.y, &self.y1))
     }
 
     #[inline]
     fn finish(
-        self,
-        _f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        origin: &Origin<N>,
-        t1: f64,
+        &self,
+        _f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        origin: &Origin<N, S>,
+        t1: S,
         _dense: Dense,
-    ) -> (Step<N>, [f64; N]) {
+        step: &mut Step<N, S>,
+    ) -> [S; N] {
         let Self {
             k: [k3, k4, k5, k6, k7],
             y1,
-        } = &self;
+        } = self;
         let h = t1 - origin.t;
         let correction = advance(
-            &[0.0; N],
+            &[S::constant(0.0); N],
             h,
             [
-                (-12715105075.0 / 11282082432.0, &origin.slope),
+                (-12715105075.0 / 11282082432.0, origin.slope),
                 (87487479700.0 / 32700410799.0, k3),
                 (-10690763975.0 / 1880347072.0, k4),
                 (701980252875.0 / 199316789632.0, k5),
@@ -93,9 +106,10 @@ impl<const N: usize> Trial<N> for DormandPrince54<N> {
         );
         let ends = Ends {
             t: [origin.t, t1],
-            y: [&origin.y, y1],
-            slope: [&origin.slope, k7],
+            y: [origin.y, y1],
+            slope: [origin.slope, k7],
         };
-        (Step::new(&ends, &[correction]), *k7)
+        step.set(&ends, &correction);
+        *k7
     }
 }

@@ -10,16 +10,17 @@
 
 use super::Dense;
 use super::control::{Control, Tolerance, mean_square};
-use super::formula::{Origin, Trial, advance, sum};
+use super::formula::{Origin, Trial, advance, sum, values};
 use super::step::{Ends, Step};
+use crate::scalar::Scalar;
 
-pub(super) struct DormandPrince853<const N: usize> {
+pub(super) struct DormandPrince853<const N: usize, S> {
     /// k₆ to k₁₂ (k₁ is the origin's slope, k₂ to k₅ have no weight).
-    k: [[f64; N]; 7],
-    y1: [f64; N],
+    k: [[S; N]; 7],
+    y1: [S; N],
 }
 
-impl<const N: usize> Trial<N> for DormandPrince853<N> {
+impl<const N: usize, S: Scalar> Trial<N, S> for DormandPrince853<N, S> {
     const CONTROL: Control = Control {
         order: 8.0,
         proportional: 1.0 / 8.0,
@@ -27,11 +28,20 @@ impl<const N: usize> Trial<N> for DormandPrince853<N> {
         shrink: 1.0 / 3.0,
         grow: 6.0,
     };
+    const EVALUATIONS: u32 = 11;
+
+    #[inline]
+    fn finishing(dense: Dense) -> u32 {
+        match dense {
+            Dense::Full => 4,
+            Dense::Hermite => 1,
+        }
+    }
 
     #[rustfmt::skip]
     #[inline]
-    fn take(f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N], origin: &Origin<N>, h: f64) -> Self {
-        let Origin { t, y, slope: k1 } = origin;
+    fn take(f: &mut impl FnMut(S, &[S; N]) -> [S; N], origin: &Origin<N, S>, h: S) -> Self {
+        let Origin { t, y, slope: k1 } = *origin;
         let k2 = &f(t + h * 0.526001519587677318785587544488e-1, &advance(y, h, [
             (5.26001519587677318785587544488e-2, k1),
         ]));
@@ -83,14 +93,14 @@ impl<const N: usize> Trial<N> for DormandPrince853<N> {
     }
 
     #[inline]
-    fn y1(&self) -> &[f64; N] {
+    fn y1(&self) -> &[S; N] {
         &self.y1
     }
 
     #[rustfmt::skip]
     #[inline]
-    fn error_squared(&self, origin: &Origin<N>, h: f64, tolerance: &Tolerance<N>) -> f64 {
-        let ([k6, k7, k8, k9, k10, k11, k12], k1) = (&self.k, &origin.slope);
+    fn error_squared(&self, origin: &Origin<N, S>, h: S::Value, tolerance: &Tolerance<N>) -> S::Value {
+        let ([k6, k7, k8, k9, k10, k11, k12], k1) = (&self.k, origin.slope);
         let fifth = sum([
             (0.1312004499419488073250102996e-1, k1), (-0.1225156446376204440720569753e1, k6), (-0.4957589496572501915214079952, k7),
             (0.1664377182454986536961530415e1, k8), (-0.3503288487499736816886487290, k9), (0.3341791187130174790297318841, k10),
@@ -104,30 +114,34 @@ impl<const N: usize> Trial<N> for DormandPrince853<N> {
             (-1.52160949662516078556178806805e-1, k10), (2.01365400804030348374776537501e-1, k11),
             (4.47106157277125905176885569043e-2 - 0.220588235294117647058823529412e-1, k12),
         ]);
-        let scale = tolerance.scale(&origin.y, &self.y1);
-        let (fifth, third) = (mean_square(&fifth, &scale), mean_square(&third, &scale));
+        let scale = tolerance.scale(origin.y, &self.y1);
+        let (fifth, third) = (mean_square(&values(&fifth), &scale), mean_square(&values(&third), &scale));
         // error = h |e₅|² / √(|e₅|² + 0.01 |e₃|²)
-        let denominator = fifth + 0.01 * third;
-        if denominator <= 0.0 { 0.0 } else { h * h * fifth * fifth / denominator }
+        let denominator = fifth + third * 0.01;
+        let none = denominator.less(S::Value::constant(f64::MIN_POSITIVE));
+        let error = h * h * fifth * fifth / denominator;
+        S::Value::select(none, S::Value::constant(0.0), error)
     }
 
     #[rustfmt::skip]
     #[inline]
     fn finish(
-        self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        origin: &Origin<N>,
-        t1: f64,
+        &self,
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        origin: &Origin<N, S>,
+        t1: S,
         dense: Dense,
-    ) -> (Step<N>, [f64; N]) {
-        let Self { k: [k6, k7, k8, k9, k10, k11, k12], y1 } = &self;
-        let Origin { t, y, slope: k1 } = origin;
+        step: &mut Step<N, S>,
+    ) -> [S; N] {
+        let Self { k: [k6, k7, k8, k9, k10, k11, k12], y1 } = self;
+        let Origin { t, y, slope: k1 } = *origin;
         let h = t1 - t;
         let slope1 = f(t1, y1);
         let k13 = &slope1;
-        let ends = Ends { t: [*t, t1], y: [y, y1], slope: [k1, k13] };
+        let ends = Ends { t: [t, t1], y: [y, y1], slope: [k1, k13] };
         if dense == Dense::Hermite {
-            return (Step::new(&ends, &[]), slope1);
+            step.set(&ends, &[S::constant(0.0); N]);
+            return slope1;
         }
         let k14 = &f(t + h * 0.1, &advance(y, h, [
             (5.61675022830479523392909219681e-2, k1), (2.53500210216624811088794765333e-1, k7), (-2.46239037470802489917441475441e-1, k8),
@@ -144,32 +158,34 @@ impl<const N: usize> Trial<N> for DormandPrince853<N> {
             (4.06898981839711007970213554331, k8), (3.56727187455281109270669543021e-1, k9), (-1.39902416515901462129418009734e-3, k13),
             (2.9475147891527723389556272149, k14), (-9.15095847217987001081870187138, k15),
         ]));
-        let corrections = [
-            advance(&[0.0; N], h, [
+        let [correction, more @ ..] = [
+            advance(&[S::constant(0.0); N], h, [
                 (-0.84289382761090128651353491142e1, k1), (0.56671495351937776962531783590, k6), (-0.30689499459498916912797304727e1, k7),
                 (0.23846676565120698287728149680e1, k8), (0.21170345824450282767155149946e1, k9), (-0.87139158377797299206789907490, k10),
                 (0.22404374302607882758541771650e1, k11), (0.63157877876946881815570249290, k12), (-0.88990336451333310820698117400e-1, k13),
                 (0.18148505520854727256656404962e2, k14), (-0.91946323924783554000451984436e1, k15), (-0.44360363875948939664310572000e1, k16),
             ]),
-            advance(&[0.0; N], h, [
+            advance(&[S::constant(0.0); N], h, [
                 (0.10427508642579134603413151009e2, k1), (0.24228349177525818288430175319e3, k6), (0.16520045171727028198505394887e3, k7),
                 (-0.37454675472269020279518312152e3, k8), (-0.22113666853125306036270938578e2, k9), (0.77334326684722638389603898808e1, k10),
                 (-0.30674084731089398182061213626e2, k11), (-0.93321305264302278729567221706e1, k12), (0.15697238121770843886131091075e2, k13),
                 (-0.31139403219565177677282850411e2, k14), (-0.93529243588444783865713862664e1, k15), (0.35816841486394083752465898540e2, k16),
             ]),
-            advance(&[0.0; N], h, [
+            advance(&[S::constant(0.0); N], h, [
                 (0.19985053242002433820987653617e2, k1), (-0.38703730874935176555105901742e3, k6), (-0.18917813819516756882830838328e3, k7),
                 (0.52780815920542364900561016686e3, k8), (-0.11573902539959630126141871134e2, k9), (0.68812326946963000169666922661e1, k10),
                 (-0.10006050966910838403183860980e1, k11), (0.77771377980534432092869265740, k12), (-0.27782057523535084065932004339e1, k13),
                 (-0.60196695231264120758267380846e2, k14), (0.84320405506677161018159903784e2, k15), (0.11992291136182789328035130030e2, k16),
             ]),
-            advance(&[0.0; N], h, [
+            advance(&[S::constant(0.0); N], h, [
                 (-0.25693933462703749003312586129e2, k1), (-0.15418974869023643374053993627e3, k6), (-0.23152937917604549567536039109e3, k7),
                 (0.35763911791061412378285349910e3, k8), (0.93405324183624310003907691704e2, k9), (-0.37458323136451633156875139351e2, k10),
                 (0.10409964950896230045147246184e3, k11), (0.29840293426660503123344363579e2, k12), (-0.43533456590011143754432175058e2, k13),
                 (0.96324553959188282948394950600e2, k14), (-0.39177261675615439165231486172e2, k15), (-0.14972683625798562581422125276e3, k16),
             ]),
         ];
-        (Step::new(&ends, &corrections), slope1)
+        step.set(&ends, &correction);
+        step.set_more(more);
+        slope1
     }
 }

@@ -2,14 +2,32 @@
 //!
 //! Only the dense output is used, no evaluation of the right-hand side. A crossing is looked for by the signs at the
 //! ends of the step; where a function may cross twice within a step, [`crossing_sampled`] looks in between as well.
+//!
+//! Values alone decide where an event is; its derivatives follow from those of the function there:
+//!
+//! ```text
+//! g(t, p) = 0  →  dt/dp = −(∂g/∂p) / (∂g/∂t)
+//! ```
 
 use super::Step;
 use crate::root;
+use crate::scalar::Single;
 
 /// Width of the bracket that is left, as a part of the step.
 const CROSSING_TOLERANCE: f64 = 1e-13;
 /// The place of a maximum cannot be told better than about the square root of the rounding.
 const MAXIMUM_TOLERANCE: f64 = 1e-9;
+/// Distance at which the slope along a step is taken, as a part of the step.
+const SLOPE_PART: f64 = 1e-3;
+/// Corrections of the place of a maximum; each squares the error.
+const CORRECTIONS: usize = 4;
+/// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
+/// the step for less.
+const TOP_PART: f64 = 1e-2;
+/// The last correction but one of the place of a maximum, as a part of the step; the error is about its square.
+const TOP_TOLERANCE: f64 = 1e-4;
+/// Another maximum is placed within this part of a step.
+const COARSE_TOLERANCE: f64 = 1e-6;
 
 /// The way in which zero is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,39 +44,55 @@ pub enum Direction {
 ///
 /// A zero at the very beginning belongs to the step before, a zero at the end to this one. After a retake that ends at a
 /// crossing, rounding may leave either sign there: what must happen only once is for the caller to remember.
-pub fn crossing<const N: usize>(
-    step: &Step<N>,
-    g: impl Fn(f64, &[f64; N]) -> f64,
+pub fn crossing<const N: usize, S: Single>(
+    step: &Step<N, S>,
+    g: impl Fn(S, &[S; N]) -> S,
     direction: Direction,
-) -> Option<f64> {
+) -> Option<S> {
     crossing_sampled(step, g, direction, 0)
 }
 
 /// The first crossing as in [`crossing`], looking also at `interior` points spread evenly within the step.
-pub fn crossing_sampled<const N: usize>(
-    step: &Step<N>,
-    g: impl Fn(f64, &[f64; N]) -> f64,
+pub fn crossing_sampled<const N: usize, S: Single>(
+    step: &Step<N, S>,
+    g: impl Fn(S, &[S; N]) -> S,
     direction: Direction,
     interior: u32,
-) -> Option<f64> {
-    let length = step.t1 - step.t0;
-    let (mut t_before, mut g_before) = (step.t0, g(step.t0, &step.y0));
+) -> Option<S> {
+    let along = |t: S| g(t, &step.at(t));
+    let ends = [step.t0.value(), step.t1.value()];
+    let length = ends[1] - ends[0];
+    let (mut t_before, mut g_before) = (ends[0], g(step.t0, &step.y0).value());
     for n in 1..=interior + 1 {
         let last = n == interior + 1;
         let t = if last {
-            step.t1
+            ends[1]
         } else {
-            step.t0 + length * f64::from(n) / f64::from(interior + 1)
+            ends[0] + length * f64::from(n) / f64::from(interior + 1)
         };
-        let g_here = g(t, &step.at(t));
+        let g_here = along(step.time(t)).value();
         if crosses(g_before, g_here, direction) {
-            let along = |t: f64| g(t, &step.at(t));
-            let [x, other] = root::bracket(along, t_before, t, CROSSING_TOLERANCE * length)?;
-            return Some(x.max(other));
+            return root_between(step, along, [t_before, t], CROSSING_TOLERANCE * length);
         }
         (t_before, g_before) = (t, g_here);
     }
     None
+}
+
+/// Where `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the value of `g`
+/// there is zero or has the sign of the later instant.
+pub fn root_between<const N: usize, S: Single>(
+    step: &Step<N, S>,
+    g: impl Fn(S) -> S,
+    [from, to]: [f64; 2],
+    tolerance: f64,
+) -> Option<S> {
+    let values = |t: f64| g(step.time(t)).value();
+    let [x, other] = root::bracket(values, from, to, tolerance)?;
+    let at = x.max(other);
+    let d = SLOPE_PART * (step.t1 - step.t0).value();
+    let rate = || (values(at + d) - values(at - d)) / (2.0 * d);
+    Some(S::root(at, || g(S::constant(at)), rate))
 }
 
 fn crosses(before: f64, here: f64, direction: Direction) -> bool {
@@ -82,10 +116,52 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
     )
 }
 
+/// Where `g` is largest along `step`, looked for from the part `start` of the step: the zero of its slope where that is
+/// within the step, else the largest value, ends included.
+///
+/// ```text
+/// t ← t − g'/g'',   g' = (g₁ − g₋₁)/(2d),   g'' = (g₁ − 2 g₀ + g₋₁)/d²
+/// at last  g' = (8 (g₁ − g₋₁) − (g₂ − g₋₂))/(12d)
+/// ```
+pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
+    let (t0, t1) = (step.t0.value(), step.t1.value());
+    let length = t1 - t0;
+    let d = TOP_PART * length;
+    let values = |t: f64| g(step.time(t)).value();
+    let mut t = t0 + start * length;
+    for _ in 0..CORRECTIONS {
+        let [before, here, after] = [t - d, t, t + d].map(values);
+        let bend = after - 2.0 * here + before;
+        let correction = -0.5 * d * (after - before) / bend;
+        let next = t + correction;
+        if !(bend < 0.0 && t0 <= next && next <= t1) {
+            break;
+        }
+        if correction.abs() > TOP_TOLERANCE * length {
+            t = next;
+            continue;
+        }
+        // The slope to order 4, so that the place does not depend on the length of the step.
+        let slope = |g: &dyn Fn(f64) -> S| {
+            let near = g(t + d) - g(t - d);
+            (near * 8.0 - (g(t + 2.0 * d) - g(t - 2.0 * d))) / (12.0 * d)
+        };
+        let plain =
+            (8.0 * (after - before) - (values(t + 2.0 * d) - values(t - 2.0 * d))) / (12.0 * d);
+        let rate = bend / (d * d);
+        let place = t - plain / rate;
+        // The slope is zero there for every parameter: so the top moves with them.
+        return S::root(place, || slope(&|t| g(S::constant(t))), || rate);
+    }
+    let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
+    step.time(t)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::step::Ends;
     use super::*;
+    use crate::scalar::{Dual, Scalar};
 
     /// y = t² - t on 0…2: y' = 2 t - 1 is -1 and 3.
     fn parabola() -> Step<1> {
@@ -95,7 +171,7 @@ mod tests {
                 y: [&[0.0], &[2.0]],
                 slope: [&[-1.0], &[3.0]],
             },
-            &[],
+            &[0.0],
         )
     }
 
@@ -140,6 +216,34 @@ mod tests {
             let t = crossing(&step, g, Direction::Rising).unwrap();
             assert!(g(t, &step.at(t)) >= 0.0);
         }
+    }
+
+    #[test]
+    fn top_is_where_the_slope_vanishes_or_at_the_end() {
+        let step = parabola();
+        let t = top(&step, |t| -step.at(t)[0], 0.9);
+        assert!((t - 0.5).abs() < 1e-12);
+        // t² − t is largest at the end of 0…2.
+        assert_eq!(top(&step, |t| step.at(t)[0], 0.3), 2.0);
+    }
+
+    #[test]
+    fn crossing_and_top_move_with_a_parameter() {
+        // p t² − t at p = 1: zero at 1/p, derivative −1; lowest at 1/(2p), derivative −1/2.
+        let p = Dual::<1>::variable(1.0, 0);
+        let number = Dual::<1>::constant;
+        let step = Step::new(
+            &Ends {
+                t: [number(0.0), number(2.0)],
+                y: [&[number(0.0)], &[p * 4.0 - 2.0]],
+                slope: [&[number(-1.0)], &[p * 4.0 - 1.0]],
+            },
+            &[number(0.0)],
+        );
+        let zero = crossing_sampled(&step, |_, y| y[0], Direction::Rising, 3).unwrap();
+        assert!((zero.value - 1.0).abs() < 1e-12 && (zero.slope[0] + 1.0).abs() < 1e-9);
+        let lowest = top(&step, |t| -step.at(t)[0], 0.3);
+        assert!((lowest.value - 0.5).abs() < 1e-12 && (lowest.slope[0] + 0.5).abs() < 1e-9);
     }
 
     #[test]

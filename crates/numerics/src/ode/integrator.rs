@@ -1,13 +1,17 @@
-//! The integrator: where it stands, how long the next step shall be, and what it has cost.
+//! The integrator: where it stands, how long the next step shall be, and what it has cost; one flight or many.
 
-use super::control::{Control, LN_LEAST_ERROR_BEFORE, Tolerance, first_step, memory};
+mod account;
+mod alone;
+
+use super::control::{Control, LN_LEAST_ERROR_BEFORE, Tolerance, first_step, memory, rough_ln};
 use super::dormand_prince_54::DormandPrince54;
 use super::dormand_prince_853::DormandPrince853;
-use super::formula::{Origin, Trial};
+use super::formula::{Origin, Trial, finite};
 use super::rk4::Rk4;
 use super::step::Step;
 use super::{Dense, Method, OdeError};
-use crate::math;
+use crate::scalar::{Mask, Scalar};
+pub use account::{Attempt, Statistics};
 
 /// Factor to the next trial after one that was not finite.
 const RETREAT: f64 = 0.1;
@@ -19,47 +23,49 @@ const FIXED_STRETCH: f64 = 1e-9;
 const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 const MAXIMUM_STEPS: u64 = 1_000_000;
 
-/// What an integration has cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Statistics {
-    /// Steps taken, each counted once however often it was retaken.
-    pub accepted: u64,
-    /// Trials refused: too large an error, or not finite.
-    pub rejected: u64,
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
-}
-
-/// An integration of y' = f(t, y) under way.
+/// An integration of y' = f(t, y) under way: one, or in a number of several lanes one a lane, each with its own t and
+/// its own steps.
+///
+/// With derivatives, the length of the steps is that of the values alone.
 #[derive(Clone, Debug)]
-pub struct Integrator<const N: usize> {
+pub struct Integrator<const N: usize, S: Scalar = f64> {
     method: Method,
     tolerance: Tolerance<N>,
     dense: Dense,
     longest: f64,
     maximum_steps: u64,
-    t: f64,
-    y: [f64; N],
-    /// Slope at (t, y), where it is known.
-    slope: Option<[f64; N]>,
-    /// Length of the next step; unknown before the first.
-    h: Option<f64>,
+    t: S,
+    y: [S; N],
+    /// Slope at (t, y).
+    slope: [S; N],
+    /// Where the slope is known.
+    sloped: S::Mask,
+    /// Length of the next step, where it is known.
+    planned: S::Value,
+    is_planned: S::Mask,
+    /// Length of the next trial, where one of the same step was refused.
+    h: S::Value,
+    /// Where no trial of the next step was refused.
+    fresh: S::Mask,
+    /// Where the last trial was not finite.
+    wild: S::Mask,
     /// Logarithm of the error of the last step, for the control.
-    before: f64,
-    /// Where the last step began; its slope is unknown when the right-hand side has changed since.
-    last: Option<(Origin<N>, Renewed)>,
-    statistics: Statistics,
+    before: S::Value,
+    /// Where the last trial was not finite at its beginning.
+    unsound: S::Mask,
+    /// The last step.
+    step: Step<N, S>,
+    /// Slope at its beginning, where it can be taken again.
+    slope0: Option<[S; N]>,
+    accepted: S::Value,
+    rejected: S::Value,
+    evaluations: S::Value,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Renewed {
-    No,
-    Yes,
-}
-
-impl<const N: usize> Integrator<N> {
+impl<const N: usize, S: Scalar> Integrator<N, S> {
     /// An integration that stands at (`t0`, `y0`); the length of the first step is found with that step.
-    pub fn new(method: Method, tolerance: Tolerance<N>, t0: f64, y0: [f64; N]) -> Self {
+    pub fn new(method: Method, tolerance: Tolerance<N>, t0: S, y0: [S; N]) -> Self {
+        let zero = S::Value::constant(0.0);
         Self {
             method,
             tolerance,
@@ -68,21 +74,21 @@ impl<const N: usize> Integrator<N> {
             maximum_steps: MAXIMUM_STEPS,
             t: t0,
             y: y0,
-            slope: None,
-            h: None,
-            before: LN_LEAST_ERROR_BEFORE,
-            last: None,
-            statistics: Statistics::default(),
+            slope: [S::constant(0.0); N],
+            sloped: S::Mask::constant(false),
+            planned: zero,
+            is_planned: S::Mask::constant(false),
+            h: zero,
+            fresh: S::Mask::constant(true),
+            wild: S::Mask::constant(false),
+            before: S::Value::constant(LN_LEAST_ERROR_BEFORE),
+            unsound: S::Mask::constant(false),
+            step: Step::none(t0, y0),
+            slope0: None,
+            accepted: zero,
+            rejected: zero,
+            evaluations: zero,
         }
-    }
-
-    /// Puts the integration at (`t`, `y`); the length of the next step and the counts are kept.
-    pub fn at(mut self, t: f64, y: [f64; N]) -> Self {
-        self.t = t;
-        self.y = y;
-        self.slope = None;
-        self.last = None;
-        self
     }
 
     /// Sets what is spent on interpolation within the steps.
@@ -105,251 +111,279 @@ impl<const N: usize> Integrator<N> {
 
     /// Where the integration stands.
     #[inline]
-    pub fn t(&self) -> f64 {
+    pub fn t(&self) -> S {
         self.t
     }
 
     /// State at [`Integrator::t`].
     #[inline]
-    pub fn y(&self) -> &[f64; N] {
+    pub fn y(&self) -> &[S; N] {
         &self.y
     }
 
-    /// What the integration has cost so far.
+    /// The step that the last trial took, in the lanes where it was accepted.
     #[inline]
-    pub fn statistics(&self) -> Statistics {
-        self.statistics
+    pub fn last_step(&self) -> &Step<N, S> {
+        &self.step
     }
 
-    /// Says that the right-hand side has changed: its stored value is forgotten, the length of the next step is kept.
-    #[inline]
-    pub fn renew(&mut self) {
-        self.slope = None;
-        if let Some((_, renewed)) = &mut self.last {
-            *renewed = Renewed::Yes;
+    /// What the integration of a lane has cost so far.
+    pub fn statistics_of(&self, lane: usize) -> Statistics {
+        let count = |of: S::Value| of.lane(lane) as u64;
+        Statistics {
+            accepted: count(self.accepted),
+            rejected: count(self.rejected),
+            evaluations: count(self.evaluations),
         }
     }
 
-    /// One accepted step, not beyond `t_limit` (which may be infinite).
-    ///
-    /// # Errors
-    /// Where `t_limit` is not ahead, the tolerance cannot be met, the right-hand side is not finite, or the allowance
-    /// of steps is used up; the integration then still stands where it stood.
-    #[inline]
-    pub fn step(
-        &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        t_limit: f64,
-    ) -> Result<Step<N>, OdeError> {
-        let mut evaluations = 0;
-        let mut counted = |t: f64, y: &[f64; N]| {
-            evaluations += 1;
-            f(t, y)
-        };
-        let step = match self.method {
-            Method::DormandPrince54 => self.adaptive::<DormandPrince54<N>>(&mut counted, t_limit),
-            Method::DormandPrince853 => self.adaptive::<DormandPrince853<N>>(&mut counted, t_limit),
-            Method::Rk4 { step } => self.fixed(&mut counted, step, t_limit),
-        };
-        self.statistics.evaluations += evaluations;
-        step
-    }
-
-    /// Takes the last step again so that it ends at `t_end`, beyond its beginning and not beyond its end.
-    ///
-    /// The integration then stands at `t_end`, with the accuracy of a step, not only of the dense output. May be
-    /// repeated with an earlier end.
-    ///
-    /// # Errors
-    /// Where `t_end` is not within the last step, or the right-hand side is not finite; the integration then still
-    /// stands where it stood.
-    #[inline]
-    pub fn retake(
-        &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        t_end: f64,
-    ) -> Result<Step<N>, OdeError> {
-        let mut evaluations = 0;
-        let mut counted = |t: f64, y: &[f64; N]| {
-            evaluations += 1;
-            f(t, y)
-        };
-        let step = match self.method {
-            Method::DormandPrince54 => self.again::<DormandPrince54<N>>(&mut counted, t_end),
-            Method::DormandPrince853 => self.again::<DormandPrince853<N>>(&mut counted, t_end),
-            Method::Rk4 { .. } => self.again::<Rk4<N>>(&mut counted, t_end),
-        };
-        self.statistics.evaluations += evaluations;
-        step
-    }
-
-    fn adaptive<F: Trial<N>>(
-        &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        t_limit: f64,
-    ) -> Result<Step<N>, OdeError> {
-        let origin = self.origin(f, t_limit)?;
-        let t = origin.t;
-        let planned = match self.h {
-            Some(h) => h,
-            None => first_step(
-                f,
-                &origin,
-                &self.tolerance,
-                F::CONTROL.order,
-                self.longest.min(t_limit - t),
-            ),
-        };
-        let mut h = planned.min(self.longest);
-        let mut refused = OdeError::StepTooSmall { t };
-        let mut first_trial = true;
-        loop {
-            self.check_allowance()?;
-            let at_limit = t + (1.0 + STRETCH) * h >= t_limit;
-            let t1 = if at_limit { t_limit } else { t + h };
-            // A comparison with a step that is not a number fails, too.
-            if !(at_limit && first_trial || t1 - t > LEAST_STEP * t.abs()) {
-                return Err(refused);
-            }
-            h = t1 - t;
-            let trial = F::take(f, &origin, h);
-            let error_squared = trial.error_squared(&origin, h, &self.tolerance);
-            if error_squared.is_finite() && trial.y1().iter().all(|y| y.is_finite()) {
-                if error_squared > 1.0 {
-                    h *= F::CONTROL.factor_refused(0.5 * math::ln(error_squared));
-                    refused = OdeError::StepTooSmall { t };
-                    first_trial = false;
-                    self.statistics.rejected += 1;
-                    continue;
-                }
-                let (step, slope1) = trial.finish(f, &origin, t1, self.dense);
-                if slope1.iter().all(|slope| slope.is_finite()) {
-                    self.plan(
-                        &F::CONTROL,
-                        0.5 * math::ln(error_squared),
-                        [h, planned],
-                        first_trial,
-                    );
-                    self.accept(origin, &step, slope1);
-                    self.statistics.accepted += 1;
-                    return Ok(step);
-                }
-            }
-            h *= RETREAT;
-            refused = OdeError::NotFinite { t };
-            first_trial = false;
-            self.statistics.rejected += 1;
+    /// Begins another integration in a lane, as [`Integrator::new`] does.
+    pub fn restart(&mut self, lane: usize, t0: S::Lane, y0: &[S::Lane; N]) {
+        self.put(lane, t0, y0);
+        self.is_planned.set_lane(lane, false);
+        self.fresh.set_lane(lane, true);
+        self.before.set_lane(lane, LN_LEAST_ERROR_BEFORE);
+        for count in [
+            &mut self.accepted,
+            &mut self.rejected,
+            &mut self.evaluations,
+        ] {
+            count.set_lane(lane, 0.0);
         }
     }
 
-    /// Length of the next step after one of length `h` where `planned` was intended.
-    fn plan(&mut self, control: &Control, ln_error: f64, [h, planned]: [f64; 2], first: bool) {
+    /// Puts the integration of a lane at (`t`, `y`), within the last step or elsewhere; the length of the next step and
+    /// the counts are kept. Costs one evaluation.
+    #[inline]
+    pub fn put(&mut self, lane: usize, t: S::Lane, y: &[S::Lane; N]) {
+        self.t.set_lane(lane, t);
+        for (all, y) in self.y.iter_mut().zip(y) {
+            all.set_lane(lane, *y);
+        }
+        self.sloped.set_lane(lane, false);
+        self.slope0 = None;
+    }
+
+    /// Says that the right-hand side of a lane has changed: its stored value is forgotten, the length of the next step is
+    /// kept.
+    #[inline]
+    pub fn renew_lane(&mut self, lane: usize) {
+        self.sloped.set_lane(lane, false);
+    }
+
+    /// One trial of a step in each of the `active` lanes, not beyond `t_limit` (which may be infinite).
+    ///
+    /// Lanes in which it is accepted then stand at its end; the others stand where they stood and try a shorter one next time.
+    #[inline]
+    pub fn attempt(
+        &mut self,
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        t_limit: S,
+        active: S::Mask,
+    ) -> Attempt<S> {
+        match self.method {
+            Method::DormandPrince54 => self.adaptive::<DormandPrince54<N, S>>(f, t_limit, active),
+            Method::DormandPrince853 => self.adaptive::<DormandPrince853<N, S>>(f, t_limit, active),
+            Method::Rk4 { step } => self.fixed(f, step, t_limit, active),
+        }
+    }
+
+    /// Why a lane cannot go on from where it stands towards `t_limit`.
+    pub fn fault(&self, lane: usize, t_limit: f64) -> OdeError {
+        let t = self.t.value().lane(lane);
+        let ahead = t < t_limit;
+        let Statistics {
+            accepted, rejected, ..
+        } = self.statistics_of(lane);
+        if !ahead {
+            OdeError::Unreachable { t, end: t_limit }
+        } else if accepted + rejected >= self.maximum_steps {
+            OdeError::TooManySteps { t }
+        } else if self.wild.lane(lane) || self.unsound.lane(lane) {
+            OdeError::NotFinite { t }
+        } else {
+            OdeError::StepTooSmall { t }
+        }
+    }
+
+    #[inline]
+    fn adaptive<F: Trial<N, S>>(
+        &mut self,
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        t_limit: S,
+        active: S::Mask,
+    ) -> Attempt<S> {
+        self.know_slope(f, active);
+        let t = self.t.value();
+        let longest = S::Value::constant(self.longest);
+        let unplanned = active.and(self.is_planned.not());
+        if unplanned.any() {
+            let room = longest.min(t_limit.value() - t);
+            let origin = Origin {
+                t: self.t,
+                y: &self.y,
+                slope: &self.slope,
+            };
+            let first = first_step(f, &origin, &self.tolerance, F::CONTROL.order, room);
+            self.planned = S::Value::select(unplanned, first, self.planned);
+            self.is_planned = self.is_planned.or(active);
+            self.count(unplanned, 1);
+        }
+        let wanted = S::Value::select(self.fresh, self.planned.min(longest), self.h);
+        let at_limit = (t + wanted * (1.0 + STRETCH)).less(t_limit.value()).not();
+        let t1 = S::select(at_limit, t_limit, self.t + S::from_value(wanted));
+        let length = t1 - self.t;
+        let h = length.value();
+        let moves = (t.abs() * LEAST_STEP).less(h);
+        let goes = (at_limit.and(self.fresh)).or(moves);
+        let live = self.able(active, t_limit).and(goes);
+        let mut attempt = Attempt {
+            accepted: S::Mask::constant(false),
+            failed: active.and(live.not()),
+        };
+        if !live.any() {
+            return attempt;
+        }
+        let origin = Origin {
+            t: self.t,
+            y: &self.y,
+            slope: &self.slope,
+        };
+        let trial = F::take(f, &origin, length);
+        let error_squared = trial.error_squared(&origin, h, &self.tolerance);
+        let tame = live.and(error_squared.finite()).and(finite(trial.y1()));
+        let large = tame.and(S::Value::constant(1.0).less(error_squared));
+        let passed = tame.and(large.not());
+        let ln_error = rough_ln(error_squared) * 0.5;
+        if passed.any() {
+            let slope1 = trial.finish(f, &origin, t1, self.dense, &mut self.step);
+            let accepted = passed.and(finite(&slope1));
+            self.count(passed, F::finishing(self.dense));
+            self.plan(&F::CONTROL, ln_error, h, accepted);
+            self.accept(&slope1, accepted);
+            attempt.accepted = accepted;
+        }
+        self.count(live, F::EVALUATIONS);
+        let refused = live.and(attempt.accepted.not());
+        if refused.any() {
+            let shorter = h * F::CONTROL.factor_refused(ln_error);
+            let h = S::Value::select(large, shorter, h * RETREAT);
+            self.refuse(refused, h, refused.and(large.not()));
+        }
+        attempt
+    }
+
+    /// Length of the next step after one of length `h`, in the lanes where it was accepted.
+    #[inline]
+    fn plan(&mut self, control: &Control, ln_error: S::Value, h: S::Value, accepted: S::Mask) {
         let next = h * control.factor_accepted(ln_error, self.before);
-        let cut_short = first && h < planned;
-        self.h = Some(match (first, cut_short) {
-            // A step cut short by its limit says little: the plan stands.
-            (_, true) => next.max(planned),
-            (false, _) => next.min(h),
-            (true, _) => next,
-        });
-        if !cut_short {
-            self.before = memory(ln_error);
-        }
+        let cut_short = self.fresh.and(h.less(self.planned));
+        // A step cut short by its limit says little: the plan stands.
+        let after_refusal = S::Value::select(self.fresh, next, next.min(h));
+        let planned = S::Value::select(cut_short, next.max(self.planned), after_refusal);
+        self.planned = S::Value::select(accepted, planned, self.planned);
+        let judged = accepted.and(cut_short.not());
+        self.before = S::Value::select(judged, memory(ln_error), self.before);
     }
 
+    #[inline]
     fn fixed(
         &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
         h: f64,
-        t_limit: f64,
-    ) -> Result<Step<N>, OdeError> {
-        let origin = self.origin(f, t_limit)?;
-        let t = origin.t;
-        self.check_allowance()?;
-        let t1 = if t + (1.0 + FIXED_STRETCH) * h >= t_limit {
-            t_limit
+        t_limit: S,
+        active: S::Mask,
+    ) -> Attempt<S> {
+        self.know_slope(f, active);
+        let t = self.t.value();
+        let at_limit = (t + (1.0 + FIXED_STRETCH) * h).less(t_limit.value()).not();
+        let t1 = S::select(at_limit, t_limit, self.t + h);
+        let moves = if h > 0.0 {
+            t.less(t1.value())
         } else {
-            t + h
+            S::Mask::constant(false)
         };
-        if !(h > 0.0 && t1 > t) {
-            return Err(OdeError::StepTooSmall { t });
+        let live = self.able(active, t_limit).and(moves);
+        if !live.any() {
+            return Attempt {
+                accepted: live,
+                failed: active.and(live.not()),
+            };
         }
-        let (step, slope1) = self.whole::<Rk4<N>>(f, &origin, t1)?;
-        self.accept(origin, &step, slope1);
-        self.statistics.accepted += 1;
-        Ok(step)
-    }
-
-    fn again<F: Trial<N>>(
-        &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        t_end: f64,
-    ) -> Result<Step<N>, OdeError> {
-        let unreachable = OdeError::Unreachable {
+        let origin = Origin {
             t: self.t,
-            end: t_end,
+            y: &self.y,
+            slope: &self.slope,
         };
-        let Some((mut origin, renewed)) = self.last.clone() else {
-            return Err(unreachable);
-        };
-        if !(origin.t < t_end && t_end <= self.t) {
-            return Err(unreachable);
-        }
-        if renewed == Renewed::Yes {
-            origin.slope = f(origin.t, &origin.y);
-        }
-        let (step, slope1) = self.whole::<F>(f, &origin, t_end)?;
-        self.accept(origin, &step, slope1);
-        Ok(step)
-    }
-
-    /// The step from `origin` to `t1`, whatever its error.
-    fn whole<F: Trial<N>>(
-        &self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        origin: &Origin<N>,
-        t1: f64,
-    ) -> Result<(Step<N>, [f64; N]), OdeError> {
-        let trial = F::take(f, origin, t1 - origin.t);
-        let (step, slope1) = trial.finish(f, origin, t1, self.dense);
-        if step.y1.iter().chain(&slope1).all(|y| y.is_finite()) {
-            Ok((step, slope1))
-        } else {
-            Err(OdeError::NotFinite { t: origin.t })
+        let trial = Rk4::take(f, &origin, t1 - self.t);
+        let slope1 = trial.finish(f, &origin, t1, self.dense, &mut self.step);
+        let of_step = <Rk4<N, S> as Trial<N, S>>::EVALUATIONS;
+        self.count(
+            live,
+            of_step + <Rk4<N, S> as Trial<N, S>>::finishing(self.dense),
+        );
+        let accepted = live.and(finite(&self.step.y1)).and(finite(&slope1));
+        self.wild = live.and(accepted.not()).or(self.wild.and(live.not()));
+        self.accept(&slope1, accepted);
+        Attempt {
+            accepted,
+            failed: active.and(accepted.not()),
         }
     }
 
-    /// Where the next step begins, with its slope.
-    fn origin(
-        &mut self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        t_limit: f64,
-    ) -> Result<Origin<N>, OdeError> {
-        let (t, y) = (self.t, self.y);
-        let ahead = t < t_limit;
-        if !ahead {
-            return Err(OdeError::Unreachable { t, end: t_limit });
+    /// Computes the slope where it is not known.
+    #[inline]
+    fn know_slope(&mut self, f: &mut impl FnMut(S, &[S; N]) -> [S; N], active: S::Mask) {
+        let unknown = active.and(self.sloped.not());
+        if unknown.any() {
+            let slope = f(self.t, &self.y);
+            for (known, slope) in self.slope.iter_mut().zip(slope) {
+                *known = S::select(unknown, slope, *known);
+            }
+            // What was accepted is finite; what was put here need not be.
+            let sound = finite(&self.y).and(finite(&self.slope));
+            self.unsound = self.unsound.and(unknown.not()).or(unknown.and(sound.not()));
+            self.sloped = self.sloped.or(active);
+            self.count(unknown, 1);
         }
-        let slope = self.slope.unwrap_or_else(|| f(t, &y));
-        if !y.iter().chain(&slope).all(|y| y.is_finite()) {
-            return Err(OdeError::NotFinite { t });
-        }
-        self.slope = Some(slope);
-        Ok(Origin { t, y, slope })
     }
 
-    fn accept(&mut self, origin: Origin<N>, step: &Step<N>, slope1: [f64; N]) {
-        self.t = step.t1;
-        self.y = step.y1;
-        self.slope = Some(slope1);
-        self.last = Some((origin, Renewed::No));
+    /// Lanes that may take a step towards `t_limit`.
+    #[inline]
+    fn able(&self, active: S::Mask, t_limit: S) -> S::Mask {
+        let trials = self.accepted + self.rejected;
+        let allowed = trials.less(S::Value::constant(self.maximum_steps as f64));
+        let ahead = self.t.value().less(t_limit.value());
+        active.and(ahead).and(allowed).and(self.unsound.not())
     }
 
-    fn check_allowance(&self) -> Result<(), OdeError> {
-        if self.statistics.accepted + self.statistics.rejected < self.maximum_steps {
-            Ok(())
-        } else {
-            Err(OdeError::TooManySteps { t: self.t })
+    /// Goes to the end of the step where it is accepted.
+    #[inline]
+    fn accept(&mut self, slope1: &[S; N], accepted: S::Mask) {
+        if S::LANES == 1 && accepted.any() {
+            self.slope0 = Some(self.slope);
         }
+        self.t = S::select(accepted, self.step.t1, self.t);
+        for i in 0..N {
+            self.y[i] = S::select(accepted, self.step.y1[i], self.y[i]);
+            self.slope[i] = S::select(accepted, slope1[i], self.slope[i]);
+        }
+        self.fresh = self.fresh.or(accepted);
+        self.wild = self.wild.and(accepted.not());
+        self.accepted = S::Value::select(accepted, self.accepted + 1.0, self.accepted);
+    }
+
+    #[inline]
+    fn refuse(&mut self, refused: S::Mask, h: S::Value, wild: S::Mask) {
+        self.h = S::Value::select(refused, h, self.h);
+        self.fresh = self.fresh.and(refused.not());
+        self.wild = wild.or(self.wild.and(refused.not()));
+        self.rejected = S::Value::select(refused, self.rejected + 1.0, self.rejected);
+    }
+
+    #[inline]
+    fn count(&mut self, lanes: S::Mask, evaluations: u32) {
+        let more = self.evaluations + f64::from(evaluations);
+        self.evaluations = S::Value::select(lanes, more, self.evaluations);
     }
 }

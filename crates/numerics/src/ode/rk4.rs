@@ -7,12 +7,13 @@ use super::Dense;
 use super::control::{Control, Tolerance};
 use super::formula::{Origin, Trial, advance};
 use super::step::{Ends, Step};
+use crate::scalar::Scalar;
 
-pub(super) struct Rk4<const N: usize> {
-    y1: [f64; N],
+pub(super) struct Rk4<const N: usize, S> {
+    y1: [S; N],
 }
 
-impl<const N: usize> Trial<N> for Rk4<N> {
+impl<const N: usize, S: Scalar> Trial<N, S> for Rk4<N, S> {
     // Never asked: the step is fixed.
     const CONTROL: Control = Control {
         order: 4.0,
@@ -21,10 +22,16 @@ impl<const N: usize> Trial<N> for Rk4<N> {
         shrink: 1.0,
         grow: 1.0,
     };
+    const EVALUATIONS: u32 = 3;
 
     #[inline]
-    fn take(f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N], origin: &Origin<N>, h: f64) -> Self {
-        let Origin { t, y, slope: k1 } = origin;
+    fn finishing(_dense: Dense) -> u32 {
+        1
+    }
+
+    #[inline]
+    fn take(f: &mut impl FnMut(S, &[S; N]) -> [S; N], origin: &Origin<N, S>, h: S) -> Self {
+        let Origin { t, y, slope: k1 } = *origin;
         let k2 = &f(t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k1)]));
         let k3 = &f(t + h / 2.0, &advance(y, h, [(1.0 / 2.0, k2)]));
         let k4 = &f(t + h, &advance(y, h, [(1.0, k3)]));
@@ -40,30 +47,37 @@ impl<const N: usize> Trial<N> for Rk4<N> {
     }
 
     #[inline]
-    fn y1(&self) -> &[f64; N] {
+    fn y1(&self) -> &[S; N] {
         &self.y1
     }
 
     #[inline]
-    fn error_squared(&self, _origin: &Origin<N>, _h: f64, _tolerance: &Tolerance<N>) -> f64 {
-        0.0
+    fn error_squared(
+        &self,
+        _origin: &Origin<N, S>,
+        _h: S::Value,
+        _tolerance: &Tolerance<N>,
+    ) -> S::Value {
+        S::Value::constant(0.0)
     }
 
     #[inline]
     fn finish(
-        self,
-        f: &mut impl FnMut(f64, &[f64; N]) -> [f64; N],
-        origin: &Origin<N>,
-        t1: f64,
+        &self,
+        f: &mut impl FnMut(S, &[S; N]) -> [S; N],
+        origin: &Origin<N, S>,
+        t1: S,
         _dense: Dense,
-    ) -> (Step<N>, [f64; N]) {
+        step: &mut Step<N, S>,
+    ) -> [S; N] {
         let slope1 = f(t1, &self.y1);
         let ends = Ends {
             t: [origin.t, t1],
-            y: [&origin.y, &self.y1],
-            slope: [&origin.slope, &slope1],
+            y: [origin.y, &self.y1],
+            slope: [origin.slope, &slope1],
         };
-        (Step::new(&ends, &[]), slope1)
+        step.set(&ends, &[S::constant(0.0); N]);
+        slope1
     }
 }
 
@@ -76,8 +90,8 @@ mod tests {
         // 1 + 1 + 1/2 + 1/6 + 1/24
         let origin = Origin {
             t: 0.0,
-            y: [1.0],
-            slope: [1.0],
+            y: &[1.0],
+            slope: &[1.0],
         };
         let trial = Rk4::take(&mut |_, y: &[f64; 1]| *y, &origin, 1.0);
         assert!((trial.y1()[0] - 65.0 / 24.0).abs() < 1e-15);

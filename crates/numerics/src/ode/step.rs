@@ -10,85 +10,189 @@
 //! # References
 //! - \[hairer-norsett-wanner-1993\] section II.6.
 
-/// r₁ to r₇.
-const ROWS: usize = 7;
+use crate::scalar::{Scalar, Single};
+
+/// r₁ to r₄.
+const ROWS: usize = 4;
+/// r₅ to r₇.
+const MORE: usize = 3;
 
 /// A step that was taken, with its dense output.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step<const N: usize> {
+pub struct Step<const N: usize, S = f64> {
     /// Beginning of the step.
-    pub t0: f64,
+    pub t0: S,
     /// End of the step.
-    pub t1: f64,
+    pub t1: S,
     /// State at the beginning.
-    pub y0: [f64; N],
+    pub y0: [S; N],
     /// State at the end.
-    pub y1: [f64; N],
-    /// r₁ to r₇, of which the first `used` count.
-    rows: [[f64; N]; ROWS],
-    used: usize,
+    pub y1: [S; N],
+    /// r₁ to r₄.
+    rows: [[S; N]; ROWS],
+    /// r₅ to r₇, of the method of order 8 alone: apart, so that steps of the others stay small.
+    more: Option<Box<[[S; N]; MORE]>>,
+    /// End of the step to which the rows belong: later than `t1` where the step was cut.
+    whole: S,
 }
 
 /// The two ends of a step with their slopes.
-pub(super) struct Ends<'a, const N: usize> {
-    pub t: [f64; 2],
-    pub y: [&'a [f64; N]; 2],
-    pub slope: [&'a [f64; N]; 2],
+pub(super) struct Ends<'a, const N: usize, S> {
+    pub t: [S; 2],
+    pub y: [&'a [S; N]; 2],
+    pub slope: [&'a [S; N]; 2],
 }
 
-impl<const N: usize> Step<N> {
-    /// The step between `ends`, its cubic polynomial corrected by r₄ and the following, as many as there are.
-    #[inline]
-    pub(super) fn new<const M: usize>(ends: &Ends<N>, corrections: &[[f64; N]; M]) -> Self {
-        let h = ends.t[1] - ends.t[0];
-        let ([y0, y1], [slope0, slope1]) = (ends.y, ends.slope);
-        let rise: [f64; N] = core::array::from_fn(|i| y1[i] - y0[i]);
-        let bend: [f64; N] = core::array::from_fn(|i| h * slope0[i] - rise[i]);
-        let rest: [f64; N] = core::array::from_fn(|i| rise[i] - h * slope1[i] - bend[i]);
-        let none = [0.0; N];
-        let mut rows = [rise, bend, rest, none, none, none, none];
-        for (row, correction) in rows.iter_mut().skip(3).zip(corrections) {
-            *row = *correction;
-        }
-        let used = (3 + M).min(ROWS);
+impl<const N: usize, S: Scalar> Step<N, S> {
+    /// A step of no length.
+    pub(super) fn none(t: S, y: [S; N]) -> Self {
         Self {
-            t0: ends.t[0],
-            t1: ends.t[1],
-            y0: *ends.y[0],
-            y1: *ends.y[1],
-            rows,
-            used,
+            t0: t,
+            t1: t,
+            y0: y,
+            y1: y,
+            rows: [[S::constant(0.0); N]; ROWS],
+            more: None,
+            whole: t,
         }
     }
 
+    /// Becomes the step between `ends`: its cubic polynomial, corrected by r₄.
+    #[inline]
+    pub(super) fn set(&mut self, ends: &Ends<N, S>, correction: &[S; N]) {
+        let h = ends.t[1] - ends.t[0];
+        let ([y0, y1], [slope0, slope1]) = (ends.y, ends.slope);
+        for i in 0..N {
+            let rise = y1[i] - y0[i];
+            let bend = h * slope0[i] - rise;
+            self.rows[0][i] = rise;
+            self.rows[1][i] = bend;
+            self.rows[2][i] = rise - h * slope1[i] - bend;
+            self.rows[3][i] = correction[i];
+        }
+        [self.t0, self.t1] = ends.t;
+        (self.y0, self.y1) = (*y0, *y1);
+        self.more = None;
+        self.whole = self.t1;
+    }
+
+    /// Adds r₅ to r₇.
+    pub(super) fn set_more(&mut self, more: [[S; N]; MORE]) {
+        self.more = Some(Box::new(more));
+    }
+
+    /// The step of one lane.
+    #[inline]
+    pub fn lane(&self, lane: usize) -> Step<N, S::Lane> {
+        let mut rows = [[S::Lane::constant(0.0); N]; ROWS];
+        for (row, all) in rows.iter_mut().zip(&self.rows) {
+            *row = of_lane(all, lane);
+        }
+        let more = (self.more.as_ref()).map(|more| {
+            let mut rows = [[S::Lane::constant(0.0); N]; MORE];
+            for (row, all) in rows.iter_mut().zip(more.iter()) {
+                *row = of_lane(all, lane);
+            }
+            Box::new(rows)
+        });
+        Step {
+            t0: self.t0.lane(lane),
+            t1: self.t1.lane(lane),
+            y0: of_lane(&self.y0, lane),
+            y1: of_lane(&self.y1, lane),
+            rows,
+            more,
+            whole: self.whole.lane(lane),
+        }
+    }
+
+    #[inline]
+    fn interpolated(&self, i: usize, theta: S) -> S {
+        let rest = S::constant(1.0) - theta;
+        let mut sum = S::constant(0.0);
+        if let Some(more) = &self.more {
+            let [r5, r6, r7] = &**more;
+            sum = (r7[i] * theta + r6[i]) * rest;
+            sum = (sum + r5[i]) * theta;
+        }
+        let [r1, r2, r3, r4] = &self.rows;
+        sum = (sum + r4[i]) * rest;
+        sum = (sum + r3[i]) * theta;
+        sum = (sum + r2[i]) * rest;
+        sum = (sum + r1[i]) * theta;
+        self.y0[i] + sum
+    }
+
+    /// The part of the step that is over at `t`.
+    #[inline]
+    fn part(&self, t: S) -> S {
+        (t - self.t0) / (self.whole - self.t0)
+    }
+}
+
+/// The numbers of one lane.
+#[inline]
+pub(super) fn of_lane<const N: usize, S: Scalar>(all: &[S; N], lane: usize) -> [S::Lane; N] {
+    let mut one = [S::Lane::constant(0.0); N];
+    for (one, all) in one.iter_mut().zip(all) {
+        *one = all.lane(lane);
+    }
+    one
+}
+
+impl<const N: usize, S: Single> Step<N, S> {
     /// State at `t`, between [`Step::t0`] and [`Step::t1`]; exactly `y0` and `y1` there.
     #[inline]
-    pub fn at(&self, t: f64) -> [f64; N] {
+    pub fn at(&self, t: S) -> [S; N] {
         if t == self.t1 {
             return self.y1;
         }
-        let theta = (t - self.t0) / (self.t1 - self.t0);
-        core::array::from_fn(|i| self.value(i, theta))
+        let theta = self.part(t);
+        let mut y = self.y0;
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = self.interpolated(i, theta);
+        }
+        y
+    }
+
+    /// The instant `t` of the step; its ends move with their derivatives, what is within stays.
+    #[inline]
+    pub fn time(&self, t: f64) -> S {
+        if t == self.t1.value() {
+            self.t1
+        } else if t == self.t0.value() {
+            self.t0
+        } else {
+            S::constant(t)
+        }
     }
 
     /// Component `i` of the state at `t`; not a number where there is no such component.
     #[inline]
-    pub fn component(&self, i: usize, t: f64) -> f64 {
+    pub fn component(&self, i: usize, t: S) -> S {
         match self.y1.get(i) {
-            None => f64::NAN,
+            None => S::constant(f64::NAN),
             Some(&y1) if t == self.t1 => y1,
-            Some(_) => self.value(i, (t - self.t0) / (self.t1 - self.t0)),
+            Some(_) => self.interpolated(i, self.part(t)),
         }
     }
 
+    /// The same step, ended at `t` within it.
     #[inline]
-    fn value(&self, i: usize, theta: f64) -> f64 {
-        let factor = [theta, 1.0 - theta];
-        let mut sum = 0.0;
-        for (n, row) in self.rows.iter().enumerate().take(self.used).rev() {
-            sum = (sum + row[i]) * factor[n % 2];
-        }
-        self.y0[i] + sum
+    pub fn cut(mut self, t: S) -> Self {
+        self.y1 = self.at(t);
+        self.t1 = t;
+        self
+    }
+}
+
+#[cfg(test)]
+impl<const N: usize, S: Scalar> Step<N, S> {
+    /// The step between `ends`.
+    pub(super) fn new(ends: &Ends<N, S>, correction: &[S; N]) -> Self {
+        let mut step = Self::none(ends.t[0], *ends.y[0]);
+        step.set(ends, correction);
+        step
     }
 }
 
@@ -103,7 +207,7 @@ mod tests {
             y: [&[1.0], &[27.0]],
             slope: [&[3.0], &[27.0]],
         };
-        Step::new(&ends, &[])
+        Step::new(&ends, &[0.0])
     }
 
     #[test]
@@ -122,7 +226,28 @@ mod tests {
             slope: [&[0.0], &[0.0]],
         };
         // 16 · (1/4)² (3/4)² = 9/16
-        assert_eq!(Step::new(&ends, &[[16.0]]).at(0.25), [0.5625]);
+        assert_eq!(Step::new(&ends, &[16.0]).at(0.25), [0.5625]);
+    }
+
+    #[test]
+    fn step_that_is_cut_keeps_its_polynomial() {
+        let cut = cube().cut(2.0);
+        assert_eq!((cut.t1, cut.y1), (2.0, [8.0]));
+        assert_eq!((cut.at(1.5), cut.at(2.0)), ([3.375], [8.0]));
+    }
+
+    #[test]
+    fn step_of_a_lane_is_that_of_the_lane() {
+        use crate::scalar::Lanes;
+        let two = |x| Lanes([x, 2.0 * x]);
+        let ends = Ends {
+            t: [Lanes([1.0; 2]), Lanes([3.0; 2])],
+            y: [&[two(1.0)], &[two(27.0)]],
+            slope: [&[two(3.0)], &[two(27.0)]],
+        };
+        let step = Step::new(&ends, &[Lanes([0.0; 2])]);
+        assert_eq!(step.lane(0), cube());
+        assert_eq!(step.lane(1).at(2.0), [16.0]);
     }
 
     #[test]

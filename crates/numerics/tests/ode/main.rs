@@ -4,6 +4,7 @@ mod accuracy;
 mod course;
 mod events;
 mod faults;
+mod lanes;
 
 use numerics::math;
 use numerics::ode::{Method, Tolerance};

@@ -1,7 +1,7 @@
 //! Where a step ends before its time: boundaries of the atmosphere, the ground, the way out, kinks of heating and drag.
 //!
 //! ```text
-//! g(t) = 0 by false position with halving on the dense output, on parts of the step where the altitude only rises or falls
+//! g(t) = 0 on the dense output, on parts of the step where the altitude only rises or falls
 //! ```
 //!
 //! with g an altitude less a level, m, or a speed less a level, m/s.
@@ -10,16 +10,24 @@
 //! Steps in which the vertical speed changes its sign once at most.
 //!
 //! # References
-//! - \[dowell-jarratt-1971\] for the halving (Illinois).
+//! - [`numerics::ode::event`].
 
-use super::Integration;
-use crate::flight::equations::Radiation;
-use crate::flight::motion::Motion;
-use crate::planet::Gravity;
+use super::course::{Course, speed_m_s};
+use super::node::Place;
+use crate::flight::motion::{Motion, head};
+use crate::flight::sample;
+use crate::heating::Radiation;
 use numerics::ode::Step;
+use numerics::ode::event::root_between;
+use numerics::scalar::{Mask, Single};
 
-/// A boundary is met to this height, m.
-const BOUNDARY_TOLERANCE_M: f64 = 1e-3;
+/// A gate is met within this part of a step.
+const TOLERANCE: f64 = 1e-12;
+/// A gate that was met within this speed is behind, m/s.
+pub(super) const BEHIND_M_S: f64 = 1e-2;
+/// The same for a row of the drag table, as a part of its Mach number.
+pub(super) const BEHIND_MACH: f64 = 1e-6;
+
 /// Where a step leaves the piece of the atmosphere, or the flight ends.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Gate {
@@ -37,49 +45,35 @@ pub(super) enum Gate {
     Kink,
 }
 
-/// A row of the drag table is met to this part of its Mach number.
-const MACH_TOLERANCE: f64 = 1e-7;
-
-/// Height, rate of climb and Mach number at an end of a step.
-#[derive(Clone, Copy)]
-pub(super) struct Place {
-    pub(super) altitude_m: f64,
-    pub(super) climb_m_s: f64,
-    /// Mach number where drag depends on it, else 0.
-    pub(super) mach: f64,
-}
-
-/// A kink of radiative heating is met to this speed, m/s.
-const KINK_TOLERANCE_M_S: f64 = 1e-3;
-
-impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
+impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     /// The first gate through which a step passes, and when.
-    pub(super) fn first_gate(&mut self, step: &Step<N>, there: Place) -> Option<(f64, Gate)> {
+    pub(super) fn first_gate(&mut self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
         let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
-        let layer = self.motion.point().layer;
+        let layer = self.layer;
         let floor_m = layer
             .checked_sub(1)
             .and_then(|below| boundaries.get(below))
             .copied();
         let ceiling_m = boundaries.get(layer).copied();
+        let ends = [step.t0.value(), step.t1.value()];
         let falls = [self.here.climb_m_s < 0.0, there.climb_m_s < 0.0];
         let found = if falls[0] == falls[1] {
             let ends_m = [self.here.altitude_m, there.altitude_m];
-            self.gate_in(step, [step.t0, step.t1], ends_m, [floor_m, ceiling_m])
+            self.gate_in(step, ends, ends_m, [floor_m, ceiling_m])
         } else {
-            let climb = |y: &[f64; N]| place(&self.motion, y).climb_m_s;
-            let t_turn = self.when(step, [step.t0, step.t1], climb, 1e-6);
-            let turn_m = self.altitude_m(&step.at(t_turn));
+            let climb = |y: &[S; N]| self.climb_m_s(y);
+            let t_turn = self.when(step, ends, climb).value();
+            let turn_m = self.altitude_m(&step.at(step.time(t_turn))).value();
             let before = self.gate_in(
                 step,
-                [step.t0, t_turn],
+                [ends[0], t_turn],
                 [self.here.altitude_m, turn_m],
                 [floor_m, ceiling_m],
             );
             self.turned_up |= falls[0];
             before.or_else(|| {
                 let ends_m = [turn_m, there.altitude_m];
-                self.gate_in(step, [t_turn, step.t1], ends_m, [floor_m, ceiling_m])
+                self.gate_in(step, [t_turn, ends[1]], ends_m, [floor_m, ceiling_m])
             })
         };
         let kinks = [self.speed_kink(step), self.mach_kink(step, there)];
@@ -87,45 +81,37 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
             .into_iter()
             .flatten()
             .fold(found, |first, kink| match first {
-                Some(gate) if gate.0 <= kink.0 => Some(gate),
+                Some(gate) if gate.0.value() <= kink.0.value() => Some(gate),
                 _ => Some(kink),
             })
     }
 
     /// Where a step slows down to a row of the drag table.
-    fn mach_kink(&self, step: &Step<N>, there: Place) -> Option<(f64, Gate)> {
-        let below = self
-            .kinks_mach
-            .partition_point(|kink| *kink < self.here.mach * (1.0 - 10.0 * MACH_TOLERANCE));
-        let level = *self.kinks_mach.get(below.checked_sub(1)?)?;
+    fn mach_kink(&self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
+        let kinks = &self.marks.kinks_mach;
+        let ahead = self.here.mach * (1.0 - BEHIND_MACH);
+        let below = kinks.partition_point(|kink| *kink < ahead);
+        let level = *kinks.get(below.checked_sub(1)?)?;
         if there.mach >= level {
             return None;
         }
-        let gap = |y: &[f64; N]| place(&self.motion, y).mach / level - 1.0;
-        Some((
-            self.when(step, [step.t0, step.t1], gap, MACH_TOLERANCE),
-            Gate::Kink,
-        ))
+        let ends = [step.t0.value(), step.t1.value()];
+        let gap = |y: &[S; N]| self.mach(y) / level - 1.0;
+        Some((self.when(step, ends, gap), Gate::Kink))
     }
 
     /// Where a step slows down to a kink of a heating relation; with radiation over, takes it up again when the speed rises.
-    fn speed_kink(&mut self, step: &Step<N>) -> Option<(f64, Gate)> {
-        let onset_m_s = self.onset_m_s.unwrap_or(0.0);
-        let (before, after) = (speed_m_s(&step.y0), speed_m_s(&step.y1));
-        if self.motion.point().radiation == Radiation::Over
-            && after > onset_m_s + 10.0 * KINK_TOLERANCE_M_S
-        {
-            self.motion.point_mut().radiation = Radiation::Continued(onset_m_s);
-            self.integrator.renew();
+    fn speed_kink(&mut self, step: &Step<N, S>) -> Option<(S, Gate)> {
+        let onset_m_s = self.marks.onset_m_s.unwrap_or(0.0);
+        let [before, after] = [&step.y0, &step.y1].map(|y| speed_m_s(y).value());
+        let mut radiates = self.motion.point().radiation.on.any();
+        if !radiates && after > onset_m_s + BEHIND_M_S {
+            self.motion.point_mut().radiation = Radiation::continued(onset_m_s);
+            radiates = true;
         }
-        let below = self
-            .kinks_m_s
-            .partition_point(|kink| *kink < before - 10.0 * KINK_TOLERANCE_M_S);
-        let radiates = self.motion.point().radiation != Radiation::Over;
-        let (level_m_s, gate) = match below
-            .checked_sub(1)
-            .and_then(|kink| self.kinks_m_s.get(kink))
-        {
+        let kinks = &self.marks.kinks_m_s;
+        let below = kinks.partition_point(|kink| *kink < before - BEHIND_M_S);
+        let (level_m_s, gate) = match below.checked_sub(1).and_then(|kink| kinks.get(kink)) {
             Some(kink) if !radiates || *kink > onset_m_s => (*kink, Gate::Kink),
             _ if radiates => (onset_m_s, Gate::Onset),
             _ => return None,
@@ -133,30 +119,29 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
         if after >= level_m_s {
             return None;
         }
-        let gap = |y: &[f64; N]| speed_m_s(y) - level_m_s;
-        let t = if before <= level_m_s {
-            step.t0
-        } else {
-            self.when(step, [step.t0, step.t1], gap, KINK_TOLERANCE_M_S)
-        };
-        Some((t, gate))
+        if before <= level_m_s {
+            return Some((step.t0, gate));
+        }
+        let gap = |y: &[S; N]| speed_m_s(y) - level_m_s;
+        let ends = [step.t0.value(), step.t1.value()];
+        Some((self.when(step, ends, gap), gate))
     }
 
     /// The gate of a part of a step in which the altitude only rises or only falls.
     fn gate_in(
         &self,
-        step: &Step<N>,
+        step: &Step<N, S>,
         span: [f64; 2],
         [start_m, end_m]: [f64; 2],
         [floor_m, ceiling_m]: [Option<f64>; 2],
-    ) -> Option<(f64, Gate)> {
+    ) -> Option<(S, Gate)> {
         if span[0] >= span[1] {
             return None;
         }
         if end_m < start_m {
             let (level_m, gate) = match floor_m {
-                Some(floor_m) if floor_m > self.ground_m => (floor_m, Gate::Floor),
-                _ => (self.ground_m, Gate::Ground),
+                Some(floor_m) if floor_m > self.marks.ground_m => (floor_m, Gate::Floor),
+                _ => (self.marks.ground_m, Gate::Ground),
             };
             // What begins below the ground was climbing and has not been above it.
             let below = end_m < level_m && (gate == Gate::Floor || start_m >= level_m);
@@ -174,82 +159,29 @@ impl<'a, M: Motion<'a, N>, const N: usize> Integration<M, N> {
         (end_m > level_m).then(|| (self.reaches(step, span, level_m), gate))
     }
 
-    fn reaches(&self, step: &Step<N>, span: [f64; 2], level_m: f64) -> f64 {
-        self.when(
-            step,
-            span,
-            |y| self.altitude_m(y) - level_m,
-            BOUNDARY_TOLERANCE_M,
-        )
+    fn reaches(&self, step: &Step<N, S>, span: [f64; 2], level_m: f64) -> S {
+        self.when(step, span, |y| self.altitude_m(y) - level_m)
     }
 
-    /// When `g` is zero to within `tolerance` along a step, by false position with halving (Illinois).
-    fn when(
-        &self,
-        step: &Step<N>,
-        [mut t0, mut t1]: [f64; 2],
-        g: impl Fn(&[f64; N]) -> f64,
-        tolerance: f64,
-    ) -> f64 {
-        let (mut g0, mut g1) = (g(&step.at(t0)), g(&step.at(t1)));
-        for _ in 0..60 {
-            if g0.abs() <= tolerance || g1 == g0 {
-                return t0;
-            }
-            if g1.abs() <= tolerance {
-                return t1;
-            }
-            let t = t1 - g1 * (t1 - t0) / (g1 - g0);
-            let here = g(&step.at(t));
-            if (here < 0.0) == (g1 < 0.0) {
-                g0 *= 0.5;
-            } else {
-                (t0, g0) = (t1, g1);
-            }
-            (t1, g1) = (t, here);
-        }
-        t1
+    /// When `g` is zero between two instants of a step at which its signs differ, on their later side; the later one where
+    /// they do not.
+    fn when(&self, step: &Step<N, S>, span: [f64; 2], g: impl Fn(&[S; N]) -> S) -> S {
+        let along = |t: S| g(&step.at(t));
+        let tolerance = TOLERANCE * (step.t1 - step.t0).value();
+        root_between(step, along, span, tolerance).unwrap_or(step.time(span[1]))
     }
 
-    fn altitude_m(&self, y: &[f64; N]) -> f64 {
-        self.motion
-            .point()
-            .ellipsoid
-            .local([y[0], y[1], y[2]])
-            .altitude_m
+    fn altitude_m(&self, y: &[S; N]) -> S {
+        let ellipsoid = self.motion.point().ellipsoid;
+        ellipsoid.local([y[0], y[1], y[2]]).altitude_m
     }
 
-    /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
-    pub(super) fn energy_j_kg(&self, y: &[f64; N]) -> f64 {
-        let planet = &self.motion.point().mission.planet;
-        let Gravity::Zonal { mu_m3_s2, .. } = planet.gravity else {
-            return -1.0;
-        };
-        let omega = planet.rotation_rate_rad_s;
-        let (vx, vy, vz) = (y[3] - omega * y[1], y[4] + omega * y[0], y[5]);
-        let radius_m = (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]).sqrt();
-        0.5 * (vx * vx + vy * vy + vz * vz) - mu_m3_s2 / radius_m
+    fn climb_m_s(&self, y: &[S; N]) -> S {
+        let [u, v, w] = self.motion.point().ellipsoid.local([y[0], y[1], y[2]]).up;
+        y[3] * u + y[4] * v + y[5] * w
     }
-}
 
-pub(super) fn place<'a, const N: usize>(motion: &impl Motion<'a, N>, y: &[f64; N]) -> Place {
-    let equations = motion.point();
-    let local = equations.ellipsoid.local([y[0], y[1], y[2]]);
-    let [u, v, w] = local.up;
-    let mach = match motion.drag_table() {
-        None => 0.0,
-        Some(_) => {
-            let atmosphere = &equations.mission.atmosphere;
-            speed_m_s(y) / atmosphere.speed_of_sound_in(equations.layer, local.altitude_m)
-        }
-    };
-    Place {
-        altitude_m: local.altitude_m,
-        climb_m_s: y[3] * u + y[4] * v + y[5] * w,
-        mach,
+    fn mach(&self, y: &[S; N]) -> S {
+        sample::mach(self.motion.point(), &head(y))
     }
-}
-
-pub(super) fn speed_m_s<const N: usize>(y: &[f64; N]) -> f64 {
-    (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
 }

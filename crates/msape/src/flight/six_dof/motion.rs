@@ -24,7 +24,7 @@ use crate::aero::{Drag, DragTable};
 use crate::flight::equations::{Equations, STATES, Surroundings};
 use crate::flight::integration::point_tolerance;
 use crate::flight::motion::{AttitudeSample, Motion, head};
-use crate::flight::sample::{EARTH_G_M_S2, Loads};
+use crate::flight::sample::Loads;
 use crate::planet::wind::Wind;
 use numerics::ode::{Step, Tolerance};
 
@@ -121,7 +121,7 @@ impl RigidMotion<'_> {
                     .point
                     .mission
                     .atmosphere
-                    .air_in(self.point.layer, around.altitude_m);
+                    .air_in(&self.point.piece, around.altitude_m);
                 [
                     around.air_speed_m_s / air.speed_of_sound_m_s,
                     air.mean_free_path_m / of_outline.database.diameter_m,
@@ -132,6 +132,18 @@ impl RigidMotion<'_> {
 }
 
 impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
+    type Lane = Self;
+
+    #[inline]
+    fn everywhere(of: &Self) -> Self {
+        *of
+    }
+
+    #[inline]
+    fn set_lane(&mut self, _lane: usize, of: &Self) {
+        *self = *of;
+    }
+
     #[inline]
     fn point(&self) -> &Equations<'a> {
         &self.point
@@ -198,18 +210,12 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         })
     }
 
-    fn loads(&self, _t: f64, y: &[f64; RIGID_STATES]) -> Loads {
+    fn loads_around(&self, _t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
         let Instant { around, stream, .. } = self.instant(y);
         let [x, y, z] = self.load(&stream).force_n;
         let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.body.mass_kg;
-        Loads {
-            deceleration_earth_g: deceleration_m_s2 / EARTH_G_M_S2,
-            dynamic_pressure_pa: 0.5
-                * around.density_kg_m3
-                * around.air_speed_m_s
-                * around.air_speed_m_s,
-            heat_flux: self.point.heat_flux(&around),
-        }
+        let loads = Loads::new(&self.point, &around, deceleration_m_s2);
+        (loads, around)
     }
 
     fn drag_coefficient(&self, _t: f64, y: &[f64; RIGID_STATES]) -> f64 {

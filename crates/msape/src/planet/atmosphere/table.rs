@@ -15,7 +15,7 @@
 //! # References
 //! - Own convention; temperature \[coesa-1976\].
 
-use super::{Air, StandardAir};
+use super::{Air, Piece, StandardAir};
 use crate::planet::rows::{self, Column, RowFault};
 use numerics::math;
 use numerics::scalar::Scalar;
@@ -74,11 +74,6 @@ impl Line {
             slope_per_m: (to - from) / dz,
         }
     }
-
-    #[inline]
-    fn at<S: Scalar>(&self, above_m: S) -> S {
-        above_m * self.slope_per_m + self.value
-    }
 }
 
 impl Table {
@@ -132,37 +127,52 @@ impl Table {
         self.valid_m
     }
 
+    /// A number of the interval in which each lane is.
     #[inline]
-    fn interval(&self, layer: usize) -> Option<&Interval> {
-        self.intervals.get(layer).or(self.intervals.last())
+    fn of_interval<S: Scalar, const K: usize>(
+        &self,
+        piece: &Piece<S::Value>,
+        numbers: impl Fn(&Interval) -> [f64; K],
+    ) -> [S; K] {
+        let last = self.intervals.len().saturating_sub(1);
+        let of = |layer: f64| {
+            let interval = self.intervals.get((layer as usize).min(last));
+            interval.map_or([0.0; K], &numbers)
+        };
+        piece.layers().lookup(of).map(S::from_value)
     }
 
     /// Density of one interval, kg/m³.
     #[inline]
-    pub fn density_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
-        self.interval(layer).map_or(S::constant(0.0), |i| {
-            i.ln_density.at(altitude_m - i.from_m).exp()
-        })
+    pub fn density_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
+        let [from_m, value, slope_per_m]: [S; 3] = self.of_interval(piece, |i| {
+            let Line { value, slope_per_m } = i.ln_density;
+            [i.from_m, value, slope_per_m]
+        });
+        ((altitude_m - from_m) * slope_per_m + value).exp()
     }
 
     /// Everything of one interval.
     #[inline]
-    pub fn air_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> Air<S> {
-        let density_kg_m3 = self.density_in(layer, altitude_m);
+    pub fn air_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> Air<S> {
+        let density_kg_m3 = self.density_in(piece, altitude_m);
         let (first_m, last_m) = self.valid_m;
         let held_m = altitude_m
             .max(S::constant(first_m))
             .min(S::constant(last_m));
-        let interval = self.interval(layer);
-        let temperature_k =
-            match interval.and_then(|i| i.temperature_k.map(|line| line.at(held_m - i.from_m))) {
-                Some(temperature_k) => temperature_k,
-                None => self.standard.temperature.kinetic_k(altitude_m),
-            };
-        let pressure_pa = interval.and_then(|i| {
-            i.ln_pressure
-                .map(|line| line.at(altitude_m - i.from_m).exp())
-        });
+        // All rows have the same columns.
+        let first = self.intervals.first();
+        let line_at = |of: fn(&Interval) -> Option<Line>, altitude_m: S| {
+            first.and_then(of)?;
+            let [from_m, value, slope_per_m]: [S; 3] = self.of_interval(piece, |i| {
+                let [value, slope] = of(i).map_or([0.0; 2], |l| [l.value, l.slope_per_m]);
+                [i.from_m, value, slope]
+            });
+            Some((altitude_m - from_m) * slope_per_m + value)
+        };
+        let temperature_k = line_at(|i| i.temperature_k, held_m)
+            .unwrap_or_else(|| self.standard.temperature.kinetic_k(altitude_m));
+        let pressure_pa = line_at(|i| i.ln_pressure, altitude_m).map(S::exp);
         self.standard.of(density_kg_m3, temperature_k, pressure_pa)
     }
 }

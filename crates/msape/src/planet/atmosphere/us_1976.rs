@@ -8,8 +8,9 @@
 //! a = √(γ R* T / M),   L = M / (√2 π σ² N_A ρ)
 //! ```
 //!
-//! Density is looked up in cubic Hermite cells through knots of the definition (relative error below 2e-10 to 86 km,
-//! 3e-7 above), so that no elementary function is called per step; beyond its ends a piece goes on by its own formula.
+//! Density and speed of sound are looked up in cubic Hermite cells through knots of the definition (relative error below
+//! 2e-10 to 86 km, 3e-7 above), so that no elementary function is called per step; beyond its ends a piece goes on by its
+//! own formula.
 //!
 //! with z in m, ρ in kg/m³, p in Pa, T in K, M in kg/kmol, a in m/s, mean free path L in m.
 //!
@@ -23,16 +24,17 @@ pub mod definition;
 pub mod hermite;
 pub mod heterosphere;
 pub mod lower;
+mod stratum;
 pub mod temperature;
 
-use super::Air;
+use super::{Air, Piece};
 use definition::Definition;
-use hermite::{Cubic, Curve, Knot};
-use heterosphere::{Heterosphere, SPANS, Span, SpanKnots};
-use lower::{Layer, Lower};
-use numerics::math;
-use numerics::scalar::Scalar;
-use temperature::{Segment, StandardTemperature, Upper};
+use hermite::Cubic;
+use heterosphere::{Heterosphere, SPANS};
+use lower::Lower;
+use numerics::scalar::{Dual, Mask, Scalar};
+use stratum::{Cells, State, Stratum};
+use temperature::{StandardTemperature, Upper};
 
 /// Distance of the knots below 86 km, m.
 const LOWER_CELL_M: f64 = 100.0;
@@ -41,34 +43,12 @@ const LOWER_CELL_M: f64 = 100.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct UsStandard1976 {
     temperature: StandardTemperature,
-    pieces: Vec<Piece>,
+    strata: Vec<Stratum>,
+    /// Where the rows of each of them stand.
+    pieces: Vec<Piece<f64>>,
+    cells: Cells,
     boundaries_m: Vec<f64>,
     gas: Gas,
-}
-
-/// One smooth piece.
-#[derive(Clone, Debug, PartialEq)]
-struct Piece {
-    density: Curve,
-    kind: Kind,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum Kind {
-    Lower(Layer),
-    Upper {
-        segment: Segment,
-        molar_mass: Curve,
-        ends: [End; 2],
-    },
-}
-
-/// The state at one end of an upper piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct End {
-    altitude_m: f64,
-    density: Knot,
-    molar_mass: Knot,
 }
 
 /// What the equation of state needs.
@@ -83,110 +63,12 @@ struct Gas {
     mean_free_path_constant: f64,
 }
 
-impl Piece {
-    fn lower(layer: &Layer, from_m: f64, to_m: f64) -> Self {
-        let cells = ((to_m - from_m) / LOWER_CELL_M) as usize + 1;
-        let cell_m = (to_m - from_m) / cells as f64;
-        let knots: Vec<Knot> = (0..=cells)
-            .map(|i| layer.density(from_m + i as f64 * cell_m))
-            .collect();
-        Self {
-            density: Curve::new(from_m, cell_m, &knots),
-            kind: Kind::Lower(layer.clone()),
-        }
-    }
-
-    fn upper(span: &Span, knots: &SpanKnots) -> Option<Self> {
-        let end = |altitude_m, density: Option<&Knot>, molar_mass: Option<&Knot>| {
-            Some(End {
-                altitude_m,
-                density: *density?,
-                molar_mass: *molar_mass?,
-            })
-        };
-        let low = end(span.from_m, knots.density.first(), knots.molar_mass.first())?;
-        let high = end(span.to_m, knots.density.last(), knots.molar_mass.last())?;
-        Some(Self {
-            density: Curve::new(span.from_m, span.cell_m, &knots.density),
-            kind: Kind::Upper {
-                segment: span.segment,
-                molar_mass: Curve::new(span.from_m, span.cell_m, &knots.molar_mass),
-                ends: [low, high],
-            },
-        })
-    }
-
-    /// What goes on above this piece for ever: its last slope of ln ρ and its last molar mass.
-    fn exosphere(&self) -> Option<Self> {
-        let Kind::Upper {
-            segment,
-            ends: [_, high],
-            ..
-        } = &self.kind
-        else {
-            return None;
-        };
-        let end = End {
-            molar_mass: Knot {
-                slope_per_m: 0.0,
-                ..high.molar_mass
-            },
-            ..*high
-        };
-        let nothing = Curve::new(high.altitude_m, 1.0, &[]);
-        let kind = Kind::Upper {
-            segment: *segment,
-            molar_mass: nothing.clone(),
-            ends: [end, end],
-        };
-        Some(Self {
-            density: nothing,
-            kind,
-        })
-    }
-
-    /// Density, kg/m³.
+impl Gas {
+    /// Speed of sound, m/s.
     #[inline]
-    fn density_kg_m3<S: Scalar>(&self, altitude_m: S) -> S {
-        let cubic = altitude_m.lookup(|z| {
-            self.density
-                .cubic(z)
-                .unwrap_or_else(|| self.density_beyond(z))
-        });
-        hermite::value(altitude_m, cubic)
-    }
-
-    /// The line through the density beyond the ends: the layer's own formula, or the last slope of ln ρ.
-    #[cold]
-    fn density_beyond(&self, altitude_m: f64) -> Cubic {
-        match &self.kind {
-            Kind::Lower(layer) => hermite::line(altitude_m, layer.density(altitude_m)),
-            Kind::Upper { ends, .. } => {
-                let End {
-                    altitude_m: z_0,
-                    density,
-                    ..
-                } = nearer(ends, altitude_m);
-                let rate = density.slope_per_m / density.value;
-                let value = density.value * math::exp(rate * (altitude_m - z_0));
-                hermite::line(
-                    altitude_m,
-                    Knot {
-                        value,
-                        slope_per_m: value * rate,
-                    },
-                )
-            }
-        }
-    }
-}
-
-fn nearer(ends: &[End; 2], altitude_m: f64) -> End {
-    let [low, high] = *ends;
-    if altitude_m < high.altitude_m {
-        low
-    } else {
-        high
+    fn sound_m_s<S: Scalar>(&self, state: &State<S>) -> S {
+        let r = self.heat_capacity_ratio * self.gas_constant_j_kmol_k;
+        (state.temperature_k / state.molar_mass_kg_kmol * r).sqrt()
     }
 }
 
@@ -206,27 +88,6 @@ impl UsStandard1976 {
             lower: Lower::new(definition),
             upper: Upper::new(definition),
         };
-        let mut boundaries_m: Vec<f64> = Vec::new();
-        let mut pieces = Vec::new();
-        for (layer, top_m) in temperature
-            .lower
-            .layers
-            .iter()
-            .zip(&temperature.lower.tops_m)
-        {
-            let from_m = boundaries_m.last().copied().unwrap_or(Self::VALID_M.0);
-            pieces.push(Piece::lower(layer, from_m, *top_m));
-            boundaries_m.push(*top_m);
-        }
-        for (span, knots) in SPANS
-            .iter()
-            .zip(Heterosphere::new(definition, &temperature.upper).knots())
-        {
-            pieces.extend(Piece::upper(span, &knots));
-            boundaries_m.push(span.to_m);
-        }
-        let exosphere = pieces.last().and_then(Piece::exosphere);
-        pieces.extend(exosphere);
         let gas = Gas {
             heat_capacity_ratio: c.heat_capacity_ratio,
             gas_constant_j_kmol_k: c.gas_constant_j_kmol_k,
@@ -234,9 +95,41 @@ impl UsStandard1976 {
             sea_level_molar_mass_kg_kmol: c.sea_level_molar_mass_kg_kmol,
             mean_free_path_constant: lower::mean_free_path_constant(definition),
         };
+        let mut boundaries_m: Vec<f64> = Vec::new();
+        let mut strata = Vec::new();
+        for (layer, top_m) in temperature
+            .lower
+            .layers
+            .iter()
+            .zip(&temperature.lower.tops_m)
+        {
+            let from_m = boundaries_m.last().copied().unwrap_or(Self::VALID_M.0);
+            strata.push(Stratum::lower(layer, from_m, *top_m));
+            boundaries_m.push(*top_m);
+        }
+        for (span, knots) in SPANS
+            .iter()
+            .zip(Heterosphere::new(definition, &temperature.upper).knots())
+        {
+            strata.extend(Stratum::upper(span, knots));
+            boundaries_m.push(span.to_m);
+        }
+        let mut cells = Cells::default();
+        let sound_m_s = |stratum: &Stratum, altitude_m: Dual<1>| {
+            gas.sound_m_s(&stratum.state(&temperature, &gas, altitude_m))
+        };
+        let mut pieces: Vec<Piece<f64>> = (strata.iter().enumerate())
+            .map(|(layer, (stratum, knots))| cells.add(layer, stratum, knots, sound_m_s))
+            .collect();
+        let mut strata: Vec<Stratum> = strata.into_iter().map(|(stratum, _)| stratum).collect();
+        let exosphere = strata.last().and_then(Stratum::exosphere);
+        pieces.push(Piece::bare(strata.len()));
+        strata.extend(exosphere);
         Self {
             temperature,
+            strata,
             pieces,
+            cells,
             boundaries_m,
             gas,
         }
@@ -259,70 +152,95 @@ impl UsStandard1976 {
         &self.boundaries_m
     }
 
+    /// The piece with an index; the last beyond it.
+    pub fn piece(&self, layer: usize) -> Piece<f64> {
+        let piece = self.pieces.get(layer).or(self.pieces.last());
+        piece.copied().unwrap_or_else(|| Piece::bare(layer))
+    }
+
+    fn stratum(&self, layer: usize) -> Option<&Stratum> {
+        self.strata.get(layer).or(self.strata.last())
+    }
+
+    /// The value by rows; in the lanes beyond the rows that of the formula.
     #[inline]
-    fn piece(&self, layer: usize) -> Option<&Piece> {
-        self.pieces.get(layer).or(self.pieces.last())
+    fn by_rows<S: Scalar>(
+        &self,
+        rows: &[Cubic],
+        piece: &Piece<S::Value>,
+        altitude_m: S,
+        beyond: impl Fn(&Stratum, S::Lane) -> S::Lane,
+    ) -> S {
+        let place = piece.place(altitude_m.value());
+        let cubic = place.row.gather(rows).map(S::from_value);
+        let value = hermite::value(altitude_m, cubic);
+        if place.inside.all() {
+            return value;
+        }
+        self.beyond_rows(value, place.inside, piece, altitude_m, beyond)
+    }
+
+    #[cold]
+    fn beyond_rows<S: Scalar>(
+        &self,
+        mut value: S,
+        inside: S::Mask,
+        piece: &Piece<S::Value>,
+        altitude_m: S,
+        beyond: impl Fn(&Stratum, S::Lane) -> S::Lane,
+    ) -> S {
+        for lane in (0..S::LANES).filter(|lane| !inside.lane(*lane)) {
+            if let Some(stratum) = self.stratum(piece.lane(lane).layer()) {
+                value.set_lane(lane, beyond(stratum, altitude_m.lane(lane)));
+            }
+        }
+        value
     }
 
     /// Density of one piece, kg/m³.
     #[inline]
-    pub fn density_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> S {
-        self.piece(layer)
-            .map_or(S::constant(0.0), |piece| piece.density_kg_m3(altitude_m))
+    pub fn density_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
+        self.by_rows(&self.cells.density, piece, altitude_m, |stratum, z| {
+            let knot = stratum.density_beyond(z.value());
+            (z - z.value()) * knot.slope_per_m + knot.value
+        })
+    }
+
+    /// Speed of sound of one piece, m/s.
+    #[inline]
+    pub fn speed_of_sound_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
+        self.by_rows(&self.cells.sound, piece, altitude_m, |stratum, z| {
+            self.gas
+                .sound_m_s(&stratum.state(&self.temperature, &self.gas, z))
+        })
     }
 
     /// Everything of one piece.
-    #[inline]
-    pub fn air_in<S: Scalar>(&self, layer: usize, altitude_m: S) -> Air<S> {
-        let Gas {
-            heat_capacity_ratio,
-            gas_constant_j_kmol_k,
-            sea_level_molar_mass_kg_kmol: m_0,
-            ..
-        } = self.gas;
-        let density_kg_m3 = self.density_in(layer, altitude_m);
-        let (temperature_k, m, r) = match self.piece(layer).map(|piece| &piece.kind) {
-            Some(Kind::Lower(layer)) => {
-                let ratio = self.temperature.lower.ratio.at(altitude_m);
-                (
-                    layer.molecular_scale_temperature_k(altitude_m) * ratio,
-                    ratio * m_0,
-                    gas_constant_j_kmol_k,
-                )
-            }
-            Some(Kind::Upper {
-                segment,
-                molar_mass,
-                ends,
-            }) => {
-                let cubic = altitude_m.lookup(|z| {
-                    molar_mass.cubic(z).unwrap_or_else(|| {
-                        let end = nearer(ends, z);
-                        hermite::line(end.altitude_m, end.molar_mass)
-                    })
-                });
-                let t = self.temperature.upper.temperature_k(*segment, altitude_m);
-                (
-                    t,
-                    hermite::value(altitude_m, cubic),
-                    self.gas.pressure_constant_j_kmol_k,
-                )
-            }
-            None => (S::constant(0.0), S::constant(m_0), gas_constant_j_kmol_k),
-        };
-        let pressure_pa = density_kg_m3 * temperature_k / m * r;
-        Air {
+    pub fn air_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> Air<S> {
+        let density_kg_m3 = self.density_in(piece, altitude_m);
+        let mut air = Air {
             density_kg_m3,
-            pressure_pa,
-            temperature_k,
-            speed_of_sound_m_s: (temperature_k / m * (heat_capacity_ratio * gas_constant_j_kmol_k))
-                .sqrt(),
-            mean_free_path_m: lower::mean_free_path_m(
-                self.gas.mean_free_path_constant,
-                m,
-                density_kg_m3,
-            ),
+            pressure_pa: density_kg_m3,
+            temperature_k: density_kg_m3,
+            speed_of_sound_m_s: density_kg_m3,
+            mean_free_path_m: density_kg_m3,
+        };
+        for lane in 0..S::LANES {
+            let Some(stratum) = self.stratum(piece.lane(lane).layer()) else {
+                continue;
+            };
+            let density = density_kg_m3.lane(lane);
+            let state = stratum.state(&self.temperature, &self.gas, altitude_m.lane(lane));
+            let (temperature, m) = (state.temperature_k, state.molar_mass_kg_kmol);
+            let pressure = density * temperature / m * state.gas_constant_j_kmol_k;
+            let free_path = lower::mean_free_path_m(self.gas.mean_free_path_constant, m, density);
+            air.temperature_k.set_lane(lane, temperature);
+            air.pressure_pa.set_lane(lane, pressure);
+            air.speed_of_sound_m_s
+                .set_lane(lane, self.gas.sound_m_s(&state));
+            air.mean_free_path_m.set_lane(lane, free_path);
         }
+        air
     }
 }
 

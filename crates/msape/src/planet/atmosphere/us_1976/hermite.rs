@@ -72,6 +72,11 @@ impl Curve {
         }
     }
 
+    /// The cubics of the cells, upwards.
+    pub fn into_cells(self) -> Vec<Cubic> {
+        self.cells
+    }
+
     /// The cubic that holds at an altitude, m; nothing beyond the ends.
     #[inline]
     pub fn cubic(&self, altitude_m: f64) -> Option<Cubic> {

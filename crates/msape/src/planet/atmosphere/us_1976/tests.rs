@@ -9,6 +9,10 @@ fn us_1976() -> Atmosphere {
     Atmosphere::us_1976(include_str!("../../../../data/atmospheres/us-1976.toml")).unwrap()
 }
 
+fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
+    air.density_in(&air.piece(layer), altitude_m)
+}
+
 /// Rows of a file of reference; an empty field is not a number.
 fn rows(text: &str) -> Vec<Vec<f64>> {
     let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
@@ -89,7 +93,7 @@ fn pieces_meet_at_their_boundaries() {
     // ends 1.1e-6 beside 240 K at 110 km; hydrogen begins with 3e-7 of the density at 150 km.
     let air = us_1976();
     for (i, z) in air.boundaries_m().iter().enumerate() {
-        let (below, above) = (air.density_in(i, *z), air.density_in(i + 1, *z));
+        let (below, above) = (in_layer(&air, i, *z), in_layer(&air, i + 1, *z));
         let step = (above / below - 1.0).abs();
         let allowed = match *z {
             86e3 => 1e-5,
@@ -114,9 +118,49 @@ fn below_86_km_the_cells_meet_the_closed_form() {
     let mut z = -4_987.0;
     while z < 86e3 {
         let layer = air.layer(z);
-        let error = air.density_in(layer, z) / lower.layers[layer].density(z).value - 1.0;
+        let error = in_layer(&air, layer, z) / lower.layers[layer].density(z).value - 1.0;
         assert!(error.abs() < 3e-10, "{z} m: {error:e}");
         z += 37.0;
+    }
+}
+
+#[test]
+fn cells_of_the_speed_of_sound_meet_the_formula() {
+    // The ellipse of the temperature is steepest at 110 km, where the cells are good to 1.3e-8.
+    let air = us_1976();
+    let mut z = -4_987.0;
+    while z < 900e3 {
+        let piece = air.piece(air.layer(z));
+        let error = air.speed_of_sound_in(&piece, z) / air.air(z).speed_of_sound_m_s - 1.0;
+        assert!(error.abs() < 2e-8, "{z} m: {error:e}");
+        z += if z < 120e3 { 37.0 } else { 1_937.0 };
+    }
+}
+
+#[test]
+fn lanes_and_derivatives_see_the_same_air() {
+    use crate::planet::atmosphere::Piece;
+    use numerics::scalar::{Dual, Lanes, Scalar};
+    let air = us_1976();
+    // The first and the last are looked at from the piece below, far beyond its end.
+    let places = [(3, 50e3), (7, 90e3), (2, 12e3), (9, 140e3)];
+    let mut pieces = Piece::<Lanes<4>>::everywhere(&air.piece(0));
+    for (lane, (layer, _)) in places.iter().enumerate() {
+        pieces.set_lane(lane, &air.piece(*layer));
+    }
+    let all = air.air_in(&pieces, Lanes(places.map(|(_, z)| z)));
+    let sound = air.speed_of_sound_in(&pieces, Lanes(places.map(|(_, z)| z)));
+    for (lane, (layer, z)) in places.into_iter().enumerate() {
+        let piece = air.piece(layer);
+        let one = air.air_in(&piece, z);
+        assert_eq!(all.density_kg_m3.lane(lane), one.density_kg_m3);
+        assert_eq!(all.pressure_pa.lane(lane), one.pressure_pa);
+        assert_eq!(all.mean_free_path_m.lane(lane), one.mean_free_path_m);
+        assert_eq!(sound.lane(lane), air.speed_of_sound_in(&piece, z));
+        let dual = air.density_in(&piece, Dual::<1>::variable(z, 0));
+        let slope = (air.density_in(&piece, z + 1.0) - air.density_in(&piece, z - 1.0)) / 2.0;
+        assert_eq!(dual.value, one.density_kg_m3);
+        assert!((dual.slope[0] / slope - 1.0).abs() < 1e-6, "{z}");
     }
 }
 
@@ -125,7 +169,7 @@ fn a_piece_goes_on_smoothly_beyond_its_ends() {
     let air = us_1976();
     for (i, z) in air.boundaries_m().iter().enumerate() {
         for (layer, side) in [(i, 1.0), (i + 1, -1.0)] {
-            let at = |dz: f64| air.density_in(layer, z + side * dz);
+            let at = |dz: f64| in_layer(&air, layer, z + side * dz);
             // Slopes on both sides of the end agree to the curvature, dz/H = 1e-3.
             let (within, beyond) = (at(-1.0) - at(-2.0), at(3.0) - at(2.0));
             assert!(
@@ -157,7 +201,7 @@ fn interpolation_between_knots_meets_the_definition() {
         let knots = &Heterosphere::new(&definition, &upper).knots_of(&fine)[i];
         for (j, knot) in knots.density.iter().enumerate() {
             let z = span.from_m + j as f64 * span.cell_m / 2.0;
-            let error = air.density_in(7 + i, z) / knot.value - 1.0;
+            let error = in_layer(&air, 7 + i, z) / knot.value - 1.0;
             assert!(error.abs() < 3e-7, "{z} m: {error:e}");
         }
     }

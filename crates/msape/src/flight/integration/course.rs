@@ -1,0 +1,406 @@
+//! The course of one flight from step to step: what each step runs into, and what follows.
+//!
+//! ```text
+//! boundary of the atmosphere, ground, way out   the step ends there on its dense output
+//! kink of heating or drag, end of radiation     the step is taken again so that it ends there
+//! ```
+//!
+//! Beyond a boundary the formula of the piece goes on smoothly, so that the dense output holds up to it at no cost; across a
+//! kink nothing is smooth.
+//!
+//! # Valid
+//! As [`super`].
+//!
+//! # References
+//! - Own convention.
+
+use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
+use super::node::{Node, Place};
+use super::{Keep, Leg, Record};
+use crate::aero::DragTable;
+use crate::flight::motion::Motion;
+use crate::flight::sample::Loads;
+use crate::heating::Radiation;
+use crate::outcome::Outcome;
+use crate::planet::Gravity;
+use numerics::ode::{OdeError, Step};
+use numerics::scalar::{Mask, Scalar, Single};
+
+/// Longest flight, s: 30 days.
+const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
+/// Nothing falls deeper, m.
+const DEEPEST_M: f64 = -5_000.0;
+/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
+const KINKS_FROM_MACH: f64 = 3.0;
+/// A load is little below this part of its largest.
+const QUIET: f64 = 0.25;
+/// Legs for which there is room at first.
+const USUAL_LEGS: usize = 256;
+
+/// What flights through the same air may run into.
+#[derive(Clone, Debug)]
+pub(super) struct Marks {
+    /// Speeds at which a heating relation has a kink, m/s, ascending.
+    pub kinks_m_s: Vec<f64>,
+    /// Speed below which radiative heating is nothing, m/s.
+    pub onset_m_s: Option<f64>,
+    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
+    pub kinks_mach: Vec<f64>,
+    /// Altitude that ends a fall, m.
+    pub ground_m: f64,
+    /// Time that ends a flight, s.
+    pub end_s: f64,
+    /// Which steps are kept.
+    pub keep: Keep,
+}
+
+impl Marks {
+    /// The marks of a motion.
+    pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
+        let mission = motion.point().mission;
+        let heating = &mission.heating;
+        let mut kinks_m_s = heating.radiative.kinks_m_s();
+        kinks_m_s.extend(heating.convective.kink_m_s());
+        kinks_m_s.sort_by(f64::total_cmp);
+        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
+        Self {
+            kinks_m_s,
+            onset_m_s: heating.radiative.onset_m_s(),
+            kinks_mach: rows
+                .map(|(mach, _)| mach)
+                .filter(|mach| *mach >= KINKS_FROM_MACH)
+                .collect(),
+            ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
+            end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
+            keep,
+        }
+    }
+}
+
+/// A flight under way.
+pub(super) struct Course<'m, M, const N: usize, S> {
+    pub(super) marks: &'m Marks,
+    /// The motion as it is now: in its piece of the atmosphere, with or without radiation.
+    pub motion: M,
+    /// What has been flown.
+    pub record: Record<N, S>,
+    /// Where the next step must end at the latest, s.
+    pub limit_s: S,
+    /// Index of the piece of the atmosphere.
+    pub(super) layer: usize,
+    /// Altitude at the start, m.
+    start_m: f64,
+    /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
+    pub(super) exit_m: Option<f64>,
+    /// Whether the flight has turned from falling to rising.
+    pub(super) turned_up: bool,
+    /// Where the integration stands.
+    pub(super) here: Place,
+    /// What the step that ends at the limit runs into.
+    awaited: Option<Gate>,
+    /// The largest of each load so far: deceleration, dynamic pressure, convective and radiative heating.
+    largest: [f64; 4],
+    /// Whether the last step kept, and the state at its end, are of little load.
+    quiet: [bool; 2],
+}
+
+/// How a flight goes on after a step.
+pub(super) enum Next<const N: usize, S> {
+    /// As it stands.
+    On,
+    /// As it stands, under another right-hand side.
+    Changed,
+    /// From another instant and state.
+    From(S, [S; N]),
+    /// No further.
+    Over,
+}
+
+impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S> {
+    /// A flight that begins.
+    pub fn new(marks: &'m Marks, mut motion: M, start: [S; N]) -> Self {
+        let point = motion.point();
+        let mission = point.mission;
+        let local = mission.planet.local([start[0], start[1], start[2]]);
+        let altitude_m = local.altitude_m.value();
+        let layer = mission.atmosphere.layer(altitude_m);
+        let exit_m = match mission.planet.gravity {
+            Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
+            Gravity::Uniform { .. } => None,
+        };
+        motion = motion.in_layer(layer);
+        if let Some(onset_m_s) = marks.onset_m_s {
+            motion.point_mut().radiation = match speed_m_s(&start).value() > onset_m_s {
+                true => Radiation::continued(onset_m_s),
+                false => Radiation::over(),
+            };
+        }
+        let (here, loads) = Node::of(&motion, S::constant(0.0), &start).lane(0);
+        Self {
+            marks,
+            motion,
+            record: Record {
+                start,
+                start_layer: layer,
+                start_loads: loads,
+                legs: Vec::with_capacity(USUAL_LEGS),
+                outcome: Outcome::Stopped,
+                reason: None,
+                evaluations: 0,
+            },
+            limit_s: S::constant(marks.end_s),
+            layer,
+            start_m: altitude_m,
+            exit_m,
+            turned_up: false,
+            here,
+            awaited: None,
+            largest: [0.0; 4],
+            quiet: [false; 2],
+        }
+    }
+
+    /// Whether the flight ends where it starts.
+    pub fn is_over(&mut self) -> bool {
+        let over = self.here.altitude_m <= self.marks.ground_m && self.here.climb_m_s < 0.0;
+        if over {
+            self.land();
+        }
+        over
+    }
+
+    /// Part of the fall that is done, 0 to 1.
+    pub fn part_done(&self) -> f64 {
+        let fall_m = (self.start_m - self.marks.ground_m).max(1.0);
+        ((self.start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0)
+    }
+
+    /// Ends a flight that is wanted no further.
+    pub fn stop(&mut self) {
+        self.record.reason = Some("stopped on request".to_string());
+    }
+
+    /// What has been flown.
+    pub fn into_record(self) -> Record<N, S> {
+        self.record
+    }
+
+    /// The flight after the step of a lane, at whose end it is at a node.
+    #[inline]
+    pub fn advance<V: Scalar<Lane = S>>(
+        &mut self,
+        step: &Step<N, V>,
+        node: &Node<V>,
+        lane: usize,
+    ) -> Next<N, S> {
+        let end_s = step.t1.lane(lane).value();
+        let (there, loads) = node.lane(lane);
+        if let Some(gate) = self.awaited {
+            // The step was begun again to end at the gate; a part of it may come first.
+            self.add(step.lane(lane), there, loads);
+            if end_s < self.limit_s.value() {
+                return Next::On;
+            }
+            self.awaited = None;
+            self.limit_s = S::constant(self.marks.end_s);
+            return self.pass(gate);
+        }
+        if self.is_clear(&there) {
+            self.add(step.lane(lane), there, loads);
+            if end_s >= self.marks.end_s {
+                return self.run_out();
+            }
+            return Next::On;
+        }
+        self.stopped(step.lane(lane), there, loads)
+    }
+
+    /// The flight after a step that may run into something.
+    fn stopped(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) -> Next<N, S> {
+        let end_s = step.t1.value();
+        let Some((t, gate)) = self.first_gate(&step, there) else {
+            self.add(step, there, loads);
+            if end_s >= self.marks.end_s {
+                return self.run_out();
+            }
+            return Next::On;
+        };
+        if t.value() <= step.t0.value() {
+            // The step began on the boundary: it is taken anew from there, on the other side.
+            let (t0, y0) = (step.t0, step.y0);
+            return match self.pass(gate) {
+                Next::Over => Next::Over,
+                _ => Next::From(t0, y0),
+            };
+        }
+        if t.value() >= end_s {
+            self.add(step, there, loads);
+            return self.pass(gate);
+        }
+        if matches!(gate, Gate::Kink | Gate::Onset) {
+            self.awaited = Some(gate);
+            self.limit_s = t;
+            return Next::From(step.t0, step.y0);
+        }
+        let step = step.cut(t);
+        let (t1, y1) = (step.t1, step.y1);
+        let (there, loads) = Node::of(&self.motion, t1, &y1).lane(0);
+        self.add(step, there, loads);
+        match self.pass(gate) {
+            Next::Over => Next::Over,
+            _ => Next::From(t1, y1),
+        }
+    }
+
+    #[inline]
+    fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
+        self.here = there;
+        let leg = Leg {
+            step,
+            layer: self.layer,
+            loads,
+        };
+        let legs = &mut self.record.legs;
+        if self.marks.keep == Keep::Busy {
+            let heat = &loads.heat_flux;
+            let values = [
+                loads.deceleration_earth_g,
+                loads.dynamic_pressure_pa,
+                heat.convective_w_m2,
+                heat.radiative_w_m2,
+            ];
+            let mut quiet = true;
+            for (largest, value) in self.largest.iter_mut().zip(values.map(S::value)) {
+                *largest = largest.max(value);
+                quiet &= value <= QUIET * *largest;
+            }
+            let [last_quiet, end_quiet] = self.quiet;
+            self.quiet = [end_quiet && quiet, quiet];
+            if last_quiet
+                && self.quiet[0]
+                && let Some(last) = legs.last_mut()
+            {
+                *last = leg;
+                return;
+            }
+        }
+        legs.push(leg);
+    }
+
+    /// The flight behind a gate.
+    fn pass(&mut self, gate: Gate) -> Next<N, S> {
+        match gate {
+            Gate::Ground => {
+                self.land();
+                return Next::Over;
+            }
+            Gate::Exit => {
+                self.leave();
+                return Next::Over;
+            }
+            Gate::Floor => self.enter(self.layer.saturating_sub(1)),
+            Gate::Ceiling => self.enter(self.layer + 1),
+            Gate::Onset => self.motion.point_mut().radiation = Radiation::over(),
+            Gate::Kink => return Next::On,
+        }
+        Next::Changed
+    }
+
+    /// Whether nothing can have been run into on the way from here to there.
+    #[inline]
+    fn is_clear(&self, there: &Place) -> bool {
+        let (here, marks) = (&self.here, self.marks);
+        let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
+        let floor_m = match self
+            .layer
+            .checked_sub(1)
+            .and_then(|below| boundaries.get(below))
+        {
+            Some(floor_m) => floor_m.max(marks.ground_m),
+            None => marks.ground_m,
+        };
+        let ceiling_m = boundaries.get(self.layer).copied().unwrap_or(f64::INFINITY);
+        let ceiling_m = self
+            .exit_m
+            .map_or(ceiling_m, |exit_m| exit_m.min(ceiling_m));
+        let level = (here.climb_m_s < 0.0) == (there.climb_m_s < 0.0)
+            && there.altitude_m >= floor_m
+            && there.altitude_m <= ceiling_m;
+        let radiates = self.motion.point().radiation.on.any();
+        let steady = match marks.onset_m_s {
+            Some(onset_m_s) if radiates => there.speed_m_s >= onset_m_s,
+            Some(onset_m_s) => there.speed_m_s <= onset_m_s,
+            None => true,
+        };
+        let below = |kinks: &[f64], from: f64| kinks.partition_point(|kink| *kink < from);
+        let same_speeds = below(&marks.kinks_m_s, here.speed_m_s - BEHIND_M_S)
+            <= below(&marks.kinks_m_s, there.speed_m_s);
+        let same_mach = marks.kinks_mach.is_empty()
+            || below(&marks.kinks_mach, here.mach * (1.0 - BEHIND_MACH))
+                <= below(&marks.kinks_mach, there.mach);
+        level && steady && same_speeds && same_mach
+    }
+
+    fn enter(&mut self, layer: usize) {
+        self.layer = layer;
+        self.motion = self.motion.in_layer(layer);
+    }
+
+    /// The state at which the integration stands.
+    fn state(&self) -> [S; N] {
+        (self.record.legs.last()).map_or(self.record.start, |leg| leg.step.y1)
+    }
+
+    fn land(&mut self) {
+        let (outcome, reason) = match self.motion.point().mission.stop.altitude_m {
+            Some(altitude_m) if altitude_m > 0.0 => (Outcome::Stopped, None),
+            Some(_) => (Outcome::Landed, None),
+            None => (
+                Outcome::Landed,
+                Some(format!("fell to {DEEPEST_M} m, below any ground")),
+            ),
+        };
+        (self.record.outcome, self.record.reason) = (outcome, reason);
+    }
+
+    fn leave(&mut self) {
+        let exit_km = self.exit_m.unwrap_or_default() / 1e3;
+        let bound = self.energy_j_kg(&self.state()) < 0.0;
+        let (outcome, orbit) = match bound {
+            true => (Outcome::Captured, "on a bound orbit"),
+            false => (Outcome::SkippedOut, "faster than escape speed"),
+        };
+        self.record.outcome = outcome;
+        self.record.reason = Some(format!("rose through {exit_km:.0} km again, {orbit}"));
+    }
+
+    fn run_out(&mut self) -> Next<N, S> {
+        let unasked = self.motion.point().mission.stop.time_s.is_none();
+        self.record.reason = unasked.then(|| "still in flight after 30 days".to_string());
+        Next::Over
+    }
+
+    /// Ends a flight that cannot be integrated further.
+    pub fn give_up(&mut self, fault: &OdeError) {
+        self.record.reason = Some(format!("the integration was given up: {fault}"));
+    }
+
+    /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
+    pub(super) fn energy_j_kg(&self, y: &[S; N]) -> f64 {
+        let planet = &self.motion.point().mission.planet;
+        let Gravity::Zonal { mu_m3_s2, .. } = planet.gravity else {
+            return -1.0;
+        };
+        let [x, y, z, vx, vy, vz] = [y[0], y[1], y[2], y[3], y[4], y[5]].map(S::value);
+        let omega = planet.rotation_rate_rad_s;
+        let (vx, vy) = (vx - omega * y, vy + omega * x);
+        let radius_m = (x * x + y * y + z * z).sqrt();
+        0.5 * (vx * vx + vy * vy + vz * vz) - mu_m3_s2 / radius_m
+    }
+}
+
+/// Speed relative to the planet, m/s.
+#[inline]
+pub(super) fn speed_m_s<const N: usize, S: Single>(y: &[S; N]) -> S {
+    (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
+}
