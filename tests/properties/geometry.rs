@@ -161,6 +161,14 @@ fn changes(input: &VehicleInput, vehicle: &Vehicle) -> Vec<&'static str> {
                 .max(input.rules.foam_thickness_min_m),
             d.foam_thickness_m,
         ),
+        match input.concept {
+            Concept::Msr => ("lid_gap_m", 0.0, 0.0),
+            Concept::NonMsr => (
+                "lid_gap_m",
+                input.rules.payload_lid_gap_m,
+                d.lid_insulation_thickness_m,
+            ),
+        },
     ];
     let mut names = Vec::new();
     for (key, from, to) in asked {
@@ -175,6 +183,7 @@ fn changes(input: &VehicleInput, vehicle: &Vehicle) -> Vec<&'static str> {
                 names.push(match (key, to > from) {
                     ("design.diameter_m", _) => "diameter grown",
                     ("foam_thickness_m", _) => "foam thickened",
+                    ("lid_gap_m", _) => "lid raised",
                     (_, true) => "shoulder grown",
                     (_, false) => "shoulder shrunk",
                 });

@@ -35,6 +35,7 @@ pub mod rules;
 pub mod segment;
 pub mod structure;
 pub mod winding;
+pub mod wing;
 
 pub use grow::NotClosed;
 pub use input::{ImpactInput, LayerStack, Loads, PayloadSize, VehicleInput};

@@ -1,14 +1,12 @@
 //! Where everything in a vehicle stands at one diameter, and why it may not fit: what both concepts share.
 //!
 //! ```text
-//! (x_a − x_s) cos φ + (r_s − r_a) sin φ − R_s ≥ 0      the wing is no steeper than φ, the steepest allowed
-//! (x_a − x_s)² + (r_s − r_a)² ≥ R_s²                   the annulus does not cut into the shoulder
-//! R_s − (x_a − x_s) cos φ₀ − (r_s − r_a) sin φ₀ ≥ 0    the wing is no shallower than φ₀
+//! R_s ≥ (t + t_a cos δ) / (1 + cos δ), cos δ = sin (θ + φ)      the layers fit into the shoulder
 //! ```
 //!
-//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the centre of the shoulder arc in m, φ and φ₀ in rad, R_s the
-//! shoulder radius in m. Of the lids that a concept may have the lowest and widest is taken that keeps the first two; the third
-//! then tells by how much a vehicle is too small, continuously in every dimension.
+//! with R_s the shoulder radius, t and t_a the layers of forebody and aftbody in m, θ the cone half-angle and φ the slope of the
+//! wing in rad. Of the lids that a concept may have the lowest and widest is taken that [`Wing`] lets stand; how far
+//! it stands ahead of the shallowest wing then tells by how much a vehicle is too small, continuously in every dimension.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`].
@@ -20,6 +18,7 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::outline::{Outline, smallest_shoulder_radius_m, wing_slope_rad};
 use crate::vehicle::rules::Rules;
 use crate::vehicle::segment::Point;
+use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE, sin_cos};
 use numerics::root;
 use serde::{Deserialize, Serialize};
@@ -192,9 +191,6 @@ const ROUNDING_M: f64 = 1e-9;
 /// Width of the last interval in the search for a lid or its shoulder, m.
 pub const LID_TOLERANCE_M: f64 = 1e-14;
 
-/// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
-const WING_LENGTH_M: f64 = 1e-6;
-
 /// A layout, whether it closes or not.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
@@ -356,75 +352,6 @@ impl Frame<'_> {
         crossed.then_some(Misfit::NoRoomForLayers {
             layers_m: fore + aft,
         })
-    }
-}
-
-/// Where the outer edge of the annulus may stand: inwards of the steepest wing and of the shoulder's circle, ahead of the
-/// shallowest wing.
-#[derive(Clone, Copy, Debug)]
-pub struct Wing {
-    /// Centre of the shoulder arc.
-    center: Point,
-    /// Its radius, m.
-    radius_m: f64,
-    /// Sine and cosine of the steepest slope.
-    steepest: (f64, f64),
-    /// Sine and cosine of the least slope.
-    shallowest: (f64, f64),
-}
-
-impl Wing {
-    /// How far an edge stands behind the steepest wing, m.
-    pub fn behind_steepest_m(&self, edge: Point) -> f64 {
-        let (s, c) = self.steepest;
-        (edge.x_m - self.center.x_m) * c + (self.center.r_m - edge.r_m) * s - self.radius_m
-    }
-
-    /// Sine and cosine of the steepest slope.
-    pub fn steepest(&self) -> (f64, f64) {
-        self.steepest
-    }
-
-    /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
-    pub fn is_aft_of_steepest(&self, edge: Point) -> bool {
-        edge.x_m - self.center.x_m > self.radius_m * self.steepest.1
-    }
-
-    /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
-    /// shoulder: the least of the three, m.
-    fn room_m(&self, edge: Point) -> f64 {
-        let (s, c) = self.shallowest;
-        let (behind, along) = (edge.x_m - self.center.x_m, self.center.r_m - edge.r_m);
-        let ahead = self.radius_m - behind * c - along * s;
-        let outside = if self.is_aft_of_steepest(edge) {
-            along - self.circle_m(behind)
-        } else {
-            f64::INFINITY
-        };
-        ahead.min(along - self.radius_m * s).min(outside)
-    }
-
-    /// Half the width of the shoulder's circle at a distance behind its centre, m; zero aft of it.
-    fn circle_m(&self, behind_m: f64) -> f64 {
-        let square = self.radius_m * self.radius_m - behind_m * behind_m;
-        square.max(0.0).sqrt()
-    }
-
-    /// Largest distance from the axis of an edge at the axial position `x_m`: on the steepest wing, further aft on the
-    /// shoulder's circle, at most where the shallowest wing touches it, m.
-    pub fn widest_r_m(&self, x_m: f64) -> f64 {
-        let (behind, (s, c)) = (x_m - self.center.x_m, self.steepest);
-        let inwards = if behind <= self.radius_m * c {
-            (self.radius_m - behind * c) / s
-        } else {
-            (self.circle_m(behind) + WING_LENGTH_M).max(self.radius_m * self.shallowest.0)
-        };
-        self.center.r_m - inwards
-    }
-
-    /// How far inwards of the widest place an edge stands, m.
-    pub fn clearance_m(&self, edge: Point) -> f64 {
-        self.widest_r_m(edge.x_m) - edge.r_m
     }
 }
 

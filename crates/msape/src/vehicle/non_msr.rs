@@ -22,9 +22,10 @@
 //!   for the wing, are choices of ours.
 
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial, Wing};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, PI, atan2};
 use numerics::root;
 
@@ -108,7 +109,7 @@ fn lowest_lid(frame: &Frame, wing: &Wing, narrowest: Lid) -> Lid {
         return hemisphere;
     }
     // behind the steepest wing by −K + R sin(β − φ) at the angle β above the hemisphere's foot: zero at β = φ + arcsin(K/R)
-    let (s, c) = wing.steepest();
+    let (s, c) = wing.steepest;
     let k = -wing.behind_steepest_m(edge) / narrowest.radius_m - s;
     let sin_angle = (s * (1.0 - k * k).max(0.0).sqrt() + c * k).max(0.0);
     let lid = at(frame.cg_x_m + narrowest.radius_m * sin_angle);
