@@ -140,9 +140,7 @@ mod tests {
             assert!(messages[1].contains(&format!("also trims at {angle:.1} deg, not nose first")));
             assert_eq!(messages.len(), 2);
         }
-        for name in ["cases/galahad.toml", "cases/msr-eev-pica.toml"] {
-            let (angle, messages) = said(name, "35");
-            assert_eq!((angle, messages.len()), (None, 1), "{name}: {messages:?}");
-        }
+        let (angle, messages) = said("cases/galahad.toml", "35");
+        assert_eq!((angle, messages.len()), (None, 1), "{messages:?}");
     }
 }

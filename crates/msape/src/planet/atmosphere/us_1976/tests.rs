@@ -126,13 +126,13 @@ fn below_86_km_the_cells_meet_the_closed_form() {
 
 #[test]
 fn cells_of_the_speed_of_sound_meet_the_formula() {
-    // The ellipse of the temperature is steepest at 110 km, where the cells are good to 1.3e-8.
+    // The ellipse of the temperature is steepest just below 110 km, where the cells are good to 2.9e-8.
     let air = us_1976();
     let mut z = -4_987.0;
     while z < 900e3 {
         let piece = air.piece(air.layer(z));
         let error = air.speed_of_sound_in(&piece, z) / air.air(z).speed_of_sound_m_s - 1.0;
-        assert!(error.abs() < 2e-8, "{z} m: {error:e}");
+        assert!(error.abs() < 3e-8, "{z} m: {error:e}");
         z += if z < 120e3 { 37.0 } else { 1_937.0 };
     }
 }
