@@ -15,6 +15,7 @@
 
 mod course;
 mod gate;
+mod marks;
 mod node;
 
 use super::equations::STATES;
@@ -23,7 +24,8 @@ use super::sample::Loads;
 use crate::outcome::Outcome;
 use crate::progress::{Progress, Unwatched};
 use core::ops::ControlFlow;
-use course::{Course, Marks, Next};
+use course::{Course, Next};
+use marks::Marks;
 use node::Node;
 use numerics::ode::{Integrator, Step, Tolerance};
 use numerics::scalar::{Mask, Scalar, Single};

@@ -18,7 +18,7 @@ const CROSSING_TOLERANCE: f64 = 1e-13;
 /// The place of a maximum cannot be told better than about the square root of the rounding.
 const MAXIMUM_TOLERANCE: f64 = 1e-9;
 /// Distance at which the slope along a step is taken, as a part of the step.
-const SLOPE_PART: f64 = 1e-3;
+const SLOPE_PART: f64 = 1e-2;
 /// Corrections of the place of a maximum; each squares the error.
 const CORRECTIONS: usize = 4;
 /// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
@@ -28,6 +28,10 @@ const TOP_PART: f64 = 1e-2;
 const TOP_TOLERANCE: f64 = 1e-4;
 /// Another maximum is placed within this part of a step.
 const COARSE_TOLERANCE: f64 = 1e-6;
+/// The same as a part of t: a search by values sees no finer.
+const NEAR_TIME: f64 = 1e-6;
+/// A maximum this close to the end of a step, as a part of it, moves with the end.
+const NEAR_END: f64 = 1e-4;
 
 /// The way in which zero is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +95,10 @@ pub fn root_between<const N: usize, S: Single>(
     let [x, other] = root::bracket(values, from, to, tolerance)?;
     let at = x.max(other);
     let d = SLOPE_PART * (step.t1 - step.t0).value();
-    let rate = || (values(at + d) - values(at - d)) / (2.0 * d);
+    let rate = || {
+        let near = values(at + d) - values(at - d);
+        (8.0 * near - (values(at + 2.0 * d) - values(at - 2.0 * d))) / (12.0 * d)
+    };
     Some(S::root(at, || g(S::constant(at)), rate))
 }
 
@@ -154,7 +161,12 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
         return S::root(place, || slope(&|t| g(S::constant(t))), || rate);
     }
     let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
-    step.time(t)
+    if t1 - t <= NEAR_END * length + NEAR_TIME * t1.abs() {
+        // At a jump that ends the step: it moves with the end.
+        step.t1 + (t - t1)
+    } else {
+        step.time(t)
+    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! The course of one flight from step to step: what each step runs into, and what follows.
 //!
 //! ```text
-//! boundary of the atmosphere, ground, way out   the step ends there on its dense output
-//! kink of heating or drag, end of radiation     the step is taken again so that it ends there
+//! boundary of the atmosphere, ground, way out, when slow   the step ends there on its dense output
+//! all of them when fast, kink, end of radiation            the step is taken again so that it ends there
 //! ```
 //!
-//! Beyond a boundary the formula of the piece goes on smoothly, so that the dense output holds up to it at no cost; across a
-//! kink nothing is smooth.
+//! Beyond a boundary the formula of the piece goes on smoothly, so that the dense output holds up to it at no cost, but with
+//! less accuracy than a step has: that is spent where peaks and heat loads are behind. Across a kink nothing is smooth.
 //!
 //! # Valid
 //! As [`super`].
@@ -15,9 +15,9 @@
 //! - Own convention.
 
 use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
+use super::marks::{DEEPEST_M, Marks};
 use super::node::{Node, Place};
 use super::{Keep, Leg, Record};
-use crate::aero::DragTable;
 use crate::flight::motion::Motion;
 use crate::flight::sample::Loads;
 use crate::heating::Radiation;
@@ -26,56 +26,12 @@ use crate::planet::Gravity;
 use numerics::ode::{OdeError, Step};
 use numerics::scalar::{Mask, Scalar, Single};
 
-/// Longest flight, s: 30 days.
-const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
-/// Nothing falls deeper, m.
-const DEEPEST_M: f64 = -5_000.0;
-/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
-const KINKS_FROM_MACH: f64 = 3.0;
+/// Speed below which a step may end on its dense output, m/s.
+const SLOW_M_S: f64 = 1_000.0;
 /// A load is little below this part of its largest.
 const QUIET: f64 = 0.25;
 /// Legs for which there is room at first.
 const USUAL_LEGS: usize = 256;
-
-/// What flights through the same air may run into.
-#[derive(Clone, Debug)]
-pub(super) struct Marks {
-    /// Speeds at which a heating relation has a kink, m/s, ascending.
-    pub kinks_m_s: Vec<f64>,
-    /// Speed below which radiative heating is nothing, m/s.
-    pub onset_m_s: Option<f64>,
-    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
-    pub kinks_mach: Vec<f64>,
-    /// Altitude that ends a fall, m.
-    pub ground_m: f64,
-    /// Time that ends a flight, s.
-    pub end_s: f64,
-    /// Which steps are kept.
-    pub keep: Keep,
-}
-
-impl Marks {
-    /// The marks of a motion.
-    pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
-        let mission = motion.point().mission;
-        let heating = &mission.heating;
-        let mut kinks_m_s = heating.radiative.kinks_m_s();
-        kinks_m_s.extend(heating.convective.kink_m_s());
-        kinks_m_s.sort_by(f64::total_cmp);
-        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
-        Self {
-            kinks_m_s,
-            onset_m_s: heating.radiative.onset_m_s(),
-            kinks_mach: rows
-                .map(|(mach, _)| mach)
-                .filter(|mach| *mach >= KINKS_FROM_MACH)
-                .collect(),
-            ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
-            end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
-            keep,
-        }
-    }
-}
 
 /// A flight under way.
 pub(super) struct Course<'m, M, const N: usize, S> {
@@ -237,7 +193,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             self.add(step, there, loads);
             return self.pass(gate);
         }
-        if matches!(gate, Gate::Kink | Gate::Onset) {
+        if matches!(gate, Gate::Kink | Gate::Onset) || there.speed_m_s > SLOW_M_S {
             self.awaited = Some(gate);
             self.limit_s = t;
             return Next::From(step.t0, step.y0);

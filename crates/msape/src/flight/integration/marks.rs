@@ -1,0 +1,65 @@
+//! What flights through the same air may run into, found once for all of them.
+//!
+//! ```text
+//! V of kinks and onset,   M of the rows of drag,   h of the ground,   t of the end
+//! ```
+//!
+//! with V in m/s, M without unit, h in m, t in s.
+//!
+//! # Valid
+//! Flights of one mission with one kind of drag.
+//!
+//! # References
+//! - Own convention.
+
+use super::Keep;
+use crate::aero::DragTable;
+use crate::flight::motion::Motion;
+use numerics::scalar::Single;
+
+/// Longest flight, s: 30 days.
+const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
+/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
+const KINKS_FROM_MACH: f64 = 3.0;
+/// Nothing falls deeper, m.
+pub(super) const DEEPEST_M: f64 = -5_000.0;
+
+/// What flights through the same air may run into.
+#[derive(Clone, Debug)]
+pub(super) struct Marks {
+    /// Speeds at which a heating relation has a kink, m/s, ascending.
+    pub kinks_m_s: Vec<f64>,
+    /// Speed below which radiative heating is nothing, m/s.
+    pub onset_m_s: Option<f64>,
+    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
+    pub kinks_mach: Vec<f64>,
+    /// Altitude that ends a fall, m.
+    pub ground_m: f64,
+    /// Time that ends a flight, s.
+    pub end_s: f64,
+    /// Which steps are kept.
+    pub keep: Keep,
+}
+
+impl Marks {
+    /// The marks of a motion.
+    pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
+        let mission = motion.point().mission;
+        let heating = &mission.heating;
+        let mut kinks_m_s = heating.radiative.kinks_m_s();
+        kinks_m_s.extend(heating.convective.kink_m_s());
+        kinks_m_s.sort_by(f64::total_cmp);
+        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
+        Self {
+            kinks_m_s,
+            onset_m_s: heating.radiative.onset_m_s(),
+            kinks_mach: rows
+                .map(|(mach, _)| mach)
+                .filter(|mach| *mach >= KINKS_FROM_MACH)
+                .collect(),
+            ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
+            end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
+            keep,
+        }
+    }
+}
