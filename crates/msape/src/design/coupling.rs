@@ -42,8 +42,15 @@ const HIGH_FIDELITY_BELOW: f64 = 0.05;
 /// Numbers that couple the passes.
 const NUMBERS: usize = 5;
 
+/// Accuracy of a flight, as a part of what the criterion is of the mass: the numbers of a pass scatter by as much.
+const FLIGHT_PART: f64 = 0.05;
+/// Finest tolerance of a flight: below it the steps meet rounding.
+const FINEST_TOLERANCE: f64 = 1e-10;
+
 /// Designs a vehicle.
 pub fn solve(input: &DesignInput, request: Request) -> Solution {
+    // its own, as the flights of a small criterion are integrated more finely
+    let mut input = input.clone();
     let mut vehicle_input = input.vehicle.clone();
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
@@ -69,10 +76,13 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
         {
             model = input.mission.solver.model;
             anderson.change_function();
+            let solver = &mut input.mission.solver;
+            let enough = FLIGHT_PART * input.mass_criterion_kg / mass_kg;
+            solver.tolerance = solver.tolerance.min(enough.max(FINEST_TOLERANCE));
         }
         let body = input.body(&vehicle);
-        let flown = Flown::fly(input, &body, model);
-        let sized = Sized::new(input, &vehicle, &flown);
+        let flown = Flown::fly(&input, &body, model);
+        let sized = Sized::new(&input, &vehicle, &flown);
         let found = found(&flown, &sized);
         let proposal = anderson.propose(taken(&vehicle_input), found, mass_kg);
         let distance_kg = proposal.distance;
@@ -89,7 +99,7 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
         });
         let high_fidelity = model == input.mission.solver.model;
         if high_fidelity && matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured) {
-            return departed(input, request, &body, flown, passes);
+            return departed(&input, request, &body, flown, passes);
         }
         let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
         let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
@@ -109,7 +119,7 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
                     last.mass_change_kg = mass_before_kg.map(|before| last.mass_kg - before);
                 }
                 return Finished {
-                    input,
+                    input: &input,
                     request,
                     vehicle: closing,
                     body,
