@@ -150,8 +150,9 @@ where
     let method = first.point().mission.solver.method;
     let mut integrator = Integrator::new(method, all.tolerance(), S::constant(0.0), y)
         .with_maximum_steps(MOST_STEPS);
-    let mut courses: Vec<Option<(usize, Course<M::Lane, N, S::Lane>)>> = Vec::new();
-    courses.resize_with(S::LANES, || None);
+    // number of the flight in the queue and its course, lane by lane
+    let mut courses = Vec::new();
+    courses.resize_with(S::LANES, || None::<(usize, Course<M::Lane, N, S::Lane>)>);
     let mut limit_s = S::constant(0.0);
     let mut active = S::Mask::constant(false);
     loop {

@@ -270,7 +270,11 @@ impl Candidate<'_> {
         };
         // the foremost: from the nose on, and beyond the vehicle no centre of gravity lies behind
         let place = |k: u32| nose_x_m + step_m * f64::from(k);
-        let passed = (1..=4 * PLACES).find(|&k| !(lead_m(place(k)) > 0.0));
+        // a place that cannot be laid out ends the search as well
+        let passed = (1..=4 * PLACES).find(|&k| {
+            let lead_m = lead_m(place(k));
+            lead_m <= 0.0 || lead_m.is_nan()
+        });
         let found =
             passed.and_then(|k| root::brent(&mut lead_m, place(k - 1), place(k), tolerance));
         let Some(x_m) = found else {

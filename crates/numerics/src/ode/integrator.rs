@@ -364,9 +364,9 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             self.slope0 = Some(self.slope);
         }
         self.t = S::select(accepted, self.step.t1, self.t);
-        for i in 0..N {
+        for (i, slope1) in slope1.iter().enumerate() {
             self.y[i] = S::select(accepted, self.step.y1[i], self.y[i]);
-            self.slope[i] = S::select(accepted, slope1[i], self.slope[i]);
+            self.slope[i] = S::select(accepted, *slope1, self.slope[i]);
         }
         self.fresh = self.fresh.or(accepted);
         self.wild = self.wild.and(accepted.not());

@@ -166,7 +166,7 @@ fn Trims() -> impl IntoView {
         let stability = latest
             .as_ref()
             .and_then(|latest| latest.answer.design.as_ref()?.stability.as_ref());
-        let rows = stability.map(|stability| {
+        stability.map(|stability| {
             [("Free-molecular", &stability.free_molecular), ("Hypersonic", &stability.hypersonic)].map(|(name, regime)| {
                 let margin = regime.static_margin.map_or("–".to_string(), |m| number(m, 4));
                 let trims = regime.trims.iter().map(|trim| {
@@ -182,8 +182,7 @@ fn Trims() -> impl IntoView {
                     </tr>
                 }
             }).collect_view()
-        });
-        rows
+        })
     };
     view! {
         <div class="wide-table" tabindex="0" role="region" aria-label="Static stability of the design">
