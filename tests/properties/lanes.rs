@@ -1,16 +1,15 @@
 //! Flights in lanes and flights with derivatives.
 
+use msape::flight::Flight;
 use msape::flight::batch::{extremes_of_all, fly_all};
 use msape::flight::mission::Start;
 use msape::flight::numbers::Numbers;
 use msape::flight::three_dof::fly_with;
-use msape::flight::{Flight, Peak};
 use msape::planet::geodetic::Geodetic;
 use msape::planet::horizon::Velocity;
 use msape::problem::FlightProblem;
 use msape::{Case, Library, Request};
-use numerics::ode::Method;
-use numerics::scalar::{Dual, Scalar};
+use numerics::scalar::Scalar;
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
@@ -175,132 +174,4 @@ fn batch_can_be_stopped() {
         }
     });
     assert_eq!((stopped, ended), (ControlFlow::Break(()), 3));
-}
-
-/// Every number of a flight.
-fn outputs<S: Scalar>(flight: &Flight<S>) -> Vec<(&'static str, S)> {
-    let mut all = vec![
-        ("convective load", flight.convective_heat_load_j_m2),
-        ("radiative load", flight.radiative_heat_load_j_m2),
-        ("margined load", flight.total_margined_heat_load_j_m2()),
-        ("wall temperature", flight.peak_wall_temperature_k),
-        ("ballistic coefficient", flight.ballistic_coefficient_kg_m2),
-        ("time of flight", flight.time_of_flight_s),
-        ("final altitude", flight.final_altitude_m),
-        ("final speed", flight.final_speed_m_s),
-        ("final angle", flight.final_flight_path_angle_rad),
-        ("final latitude", flight.final_latitude_rad),
-        ("final longitude", flight.final_longitude_rad),
-        ("final density", flight.final_density_kg_m3),
-        ("downrange", flight.downrange_m),
-        ("inertial speed", flight.entry_inertial.speed_m_s),
-        (
-            "inertial angle",
-            flight.entry_inertial.flight_path_angle_rad,
-        ),
-        ("inertial azimuth", flight.entry_inertial.azimuth_rad),
-    ];
-    all.extend(
-        flight
-            .mach_times_s
-            .iter()
-            .flatten()
-            .map(|t| ("Mach time", *t)),
-    );
-    let mut peak = |name, peak: &Peak<S>| {
-        let Peak {
-            value,
-            time_s,
-            altitude_m,
-            speed_m_s,
-            density_kg_m3,
-        } = *peak;
-        all.extend([value, time_s, altitude_m, speed_m_s, density_kg_m3].map(|x| (name, x)));
-    };
-    peak("deceleration", &flight.peak_deceleration_earth_g);
-    peak("dynamic pressure", &flight.peak_dynamic_pressure_pa);
-    peak("stagnation pressure", &flight.peak_stagnation_pressure_pa);
-    peak("convective flux", &flight.peak_convective_heat_flux_w_m2);
-    flight
-        .peak_radiative_heat_flux_w_m2
-        .iter()
-        .for_each(|p| peak("radiative flux", p));
-    peak("total flux", &flight.peak_total_heat_flux_w_m2);
-    peak("margined flux", &flight.peak_total_margined_heat_flux_w_m2);
-    all
-}
-
-/// A problem so exactly integrated that differences of flights tell derivatives, without tables: their slopes jump from row
-/// to row, which a step that is controlled by its values does not see in its derivatives.
-fn exact() -> FlightProblem {
-    let text = EVERYTHING
-        .replace("atmosphere = \"us-1976\"\n", "")
-        .replace(
-            "[wind]",
-            "[atmosphere.exponential]\ndensity_kg_m3 = 1.4\nscale_height_m = 7000.0\n[wind]",
-        )
-        .replace(", [12000.0, 40.0, -3.0], [30000.0, 0.0, 0.0]", "")
-        .replace("aerodynamics = \"mmeev-60\"", "drag_coefficient = 1.5")
-        .replace("tauber-sutton", "brandis-johnston");
-    let mut problem = problem(&text);
-    problem.mission.solver.method = Method::DormandPrince853;
-    problem.mission.solver.tolerance = 1e-12;
-    problem
-}
-
-/// Size below which an output counts as zero.
-fn least(name: &str) -> f64 {
-    match name {
-        "final altitude" => 1.0,
-        _ => 0.0,
-    }
-}
-
-#[test]
-fn derivatives_of_all_outputs_are_those_of_central_differences() {
-    let problem = exact();
-    let mut random = Random(2);
-    let mut worst = (0.0, String::new());
-    for case in 0..50 {
-        let parameters = drawn(&mut random);
-        let dual = core::array::from_fn(|i| Dual::<PARAMETERS>::variable(parameters[i], i));
-        let (flight, ..) = fly_with(
-            &problem.mission,
-            &problem.body,
-            numbers(&problem, dual),
-            Request::Nothing,
-        );
-        let derivatives = outputs(&flight);
-        let plain = outputs(&alone(&problem, numbers(&problem, parameters)));
-        for ((name, value), (_, dual)) in plain.iter().zip(&derivatives) {
-            assert_eq!(
-                *value, dual.value,
-                "{name}: the value is that of plain numbers"
-            );
-        }
-        // A third of the parameters by turns: all are met over the flights.
-        for i in (case % 3..PARAMETERS).step_by(3) {
-            let scale = parameters[i].abs().max(0.1);
-            let moved = |part: f64| {
-                let mut moved = parameters;
-                moved[i] += part * scale;
-                outputs(&alone(&problem, numbers(&problem, moved)))
-            };
-            let step = 1e-3;
-            let [a, b, c, d] = [2.0 * step, step, -step, -2.0 * step].map(moved);
-            for (k, (name, dual)) in derivatives.iter().enumerate() {
-                // f' = (8 (f₁ − f₋₁) − (f₂ − f₋₂)) / (12 h)
-                let near = 8.0 * (b[k].1 - c[k].1) - (a[k].1 - d[k].1);
-                let difference = near / (12.0 * step * scale);
-                // The altitude at the ground is zero but for rounding.
-                let size = difference.abs() + dual.value.abs().max(least(name)) / scale;
-                let error = (dual.slope[i] - difference).abs() / size;
-                if error > worst.0 {
-                    let text = format!("{case} {name} by {i}: {} {difference}", dual.slope[i]);
-                    worst = (error, text);
-                }
-            }
-        }
-    }
-    assert!(worst.0 < 1e-6, "{}: {}", worst.0, worst.1);
 }
