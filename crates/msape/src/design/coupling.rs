@@ -54,7 +54,8 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
     let mut vehicle_input = input.vehicle.clone();
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
-    let mut anderson = Anderson::new(input.relaxation);
+    // a step beyond what a pass found may lead where no vehicle closes; the acceleration goes as far as the passes say
+    let mut anderson = Anderson::new(input.relaxation.min(1.0));
     let mut damped: Option<[f64; NUMBERS]> = None;
     loop {
         let number = passes.len() as u32 + 1;
