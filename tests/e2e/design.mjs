@@ -153,7 +153,7 @@ pageTest(
     assert.equal(await page.getByLabel("Name of the case").inputValue(), "From a link");
     await fresh(page);
   },
-  { hash: "#/design?p=run-page&n=From%20a%20link&design.diameter_m=1.25&nonsense=1&%zz" },
+  { hash: "#/design?v=0.2&p=run-page&n=From%20a%20link&design.diameter_m=1.25&nonsense=1&%zz" },
 );
 
 pageTest("the charts share a cursor that keys move and that is read out", async (page) => {
