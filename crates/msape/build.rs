@@ -14,6 +14,15 @@ fn main() -> io::Result<()> {
     let here = PathBuf::from(env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?);
     let mut list = Vec::new();
     embed(&here.join("data"), "", &mut list)?;
+    if env::var_os("CARGO_FEATURE_VALIDATION").is_none() {
+        let of_validation = [
+            "aero-models/mmeev-60-database.csv",
+            "predictions/",
+            "references.bib",
+            "validation/",
+        ];
+        list.retain(|(name, _)| !of_validation.iter().any(|start| name.starts_with(start)));
+    }
     embed(&here.join("../../cases"), "cases/", &mut list)?;
     list.sort();
     let mut text = String::from("&[\n");

@@ -132,6 +132,19 @@ pageTest("another ground is chosen by keyboard, told with its source, and can be
   await page.waitForFunction((before) => document.querySelector('[data-level="peak_impact_deceleration_earth_g"] .value')?.textContent === before, before);
 }, { allowed: software });
 
+pageTest(
+  "foam that is too weak stiffens, and the tab says so",
+  async (page) => {
+    await open(page, "Landing");
+    await region(page, "Stroke in the impact foam").locator("tbody tr", { hasText: "stiffens" }).first().waitFor();
+    await page.locator("#panel-landing .notes li.note-outside").first().waitFor();
+    await page.locator("#panel-landing .solver").getByRole("button", { name: "Go to Stroke Efficiency" }).first().focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.activeElement?.id === "in-design-stroke_efficiency");
+  },
+  { allowed: software, hash: "#/design?v=0.2&p=msr-eev-pica&design.density_kg_m3.impact_foam=60" },
+);
+
 pageTest("a vehicle that does not close leaves the last one's structure and landing in view", async (page) => {
   await open(page, "Structure");
   await type(page, "Payload Diameter / Vehicle Diameter", "0.95");

@@ -4,7 +4,7 @@ use crate::config;
 use crate::designs::{LIBRARY, run_page};
 use msape::finding::Finding;
 use msape::vehicle::impact::landing::Landing;
-use msape::vehicle::{Concept, Vehicle};
+use msape::vehicle::{Concept, EARTH_G_M_S2, Vehicle};
 use msape::{Answer, Outcome, Request};
 use msape_tests::entry::output;
 use proptest::strategy::{Strategy, ValueTree};
@@ -71,8 +71,7 @@ fn the_payload_keeps_the_limit_it_is_sized_for() {
 }
 
 /// Figures 19 and 20 of the report: equation 3 against equation 1, equation 5 against the stroke of equation 4. Both lie on the line
-/// of equal values but for the speed, which is a little above the terminal one, by 3 % for the heaviest of them, and gravity, 0.1 %
-/// below the standard one at 33 deg.
+/// of equal values but for the speed: their ratio is the square of the terminal speed of equation 2 over the speed at impact.
 #[test]
 fn equations_3_and_5_lie_on_the_lines_of_figures_19_and_20() {
     for (figure, estimate, exact) in [
@@ -83,18 +82,21 @@ fn equations_3_and_5_lie_on_the_lines_of_figures_19_and_20() {
         ),
         (20, "equation_5_stroke_m", "required_stroke_m"),
     ] {
-        let ratios: Vec<f64> = CONVERGED
-            .iter()
-            .map(|answer| output(answer, estimate) / output(answer, exact))
-            .collect();
+        let mut ratios = Vec::new();
+        for answer in CONVERGED.iter() {
+            let of = |key| output(answer, key);
+            let ratio = of(estimate) / of(exact);
+            let v = of("impact_speed_m_s");
+            let beta = of("ballistic_coefficient_at_impact_kg_m2");
+            let expected = 2.0 * beta * EARTH_G_M_S2 / (of("final_density_kg_m3") * v * v);
+            assert!((ratio / expected - 1.0).abs() < 1e-9, "{ratio} {expected}");
+            assert!(ratio < 1.003, "{ratio}");
+            ratios.push(ratio);
+        }
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = ratios.iter().copied().fold(0.0, f64::max);
         let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
-        println!("Figure {figure}: {least:.4} to {most:.4}, mean {mean:.4}");
-        assert!(
-            least > 0.93 && most < 1.003 && (0.985..1.0).contains(&mean),
-            "{least} {most} {mean}"
-        );
+        println!("Figure {figure}: from {least:.4}, mean {mean:.4}");
+        assert!((0.985..1.0).contains(&mean), "{mean}");
         // a line, not a point
         let values: Vec<f64> = CONVERGED
             .iter()

@@ -42,7 +42,7 @@
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
 //! - [`finding`]: use outside a model's range, as a value beside the result.
 //! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
-//! - [`validation`]: the shipped cases beside their references.
+//! - `validation`: the shipped cases beside their references; a feature of that name, on by default.
 //!
 //! # What is deliberately absent
 //!
@@ -72,6 +72,7 @@ pub mod soak;
 pub mod table;
 pub mod tps;
 pub mod units;
+#[cfg(feature = "validation")]
 pub mod validation;
 pub mod vehicle;
 

@@ -48,8 +48,8 @@ struct Size {
 
 impl Size {
     fn of(content: &[u8]) -> Result<Self> {
-        // Quality 11, as a host sends files that were compressed beforehand. Window 2^22 bytes.
-        let mut compressed = brotli::CompressorWriter::new(Vec::new(), 1 << 16, 11, 22);
+        // Quality 9: within a few per cent of the best, in a tenth of its time. Window 2^22 bytes.
+        let mut compressed = brotli::CompressorWriter::new(Vec::new(), 1 << 16, 9, 22);
         compressed.write_all(content).context("cannot compress")?;
         let compressed_bytes = compressed.into_inner().len();
         Ok(Self {

@@ -109,7 +109,7 @@ pub fn smallest_that_closes(
         largest.max(input.diameter_m),
         at_largest.reason()
     );
-    if let Some(diameter_m) = largest_payload_m(input, foam, largest.max(input.diameter_m)) {
+    if let Some(diameter_m) = largest_payload_m(input, largest.max(input.diameter_m)) {
         reason.push_str(&format!(
             " The widest payload of this mass that fits into {:.3} m is {diameter_m:.3} m across, this one is {:.3} m.",
             largest.max(input.diameter_m),
@@ -127,11 +127,13 @@ pub fn smallest_that_closes(
 const PAYLOAD_HALVINGS: usize = 18;
 
 /// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.
-fn largest_payload_m(input: &VehicleInput, foam: &FoamRule, diameter_m: f64) -> Option<f64> {
+fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
     let closes = |payload_m: f64| {
         let mut input = input.clone();
         input.payload_size = PayloadSize::DiameterM(payload_m);
-        attempt(&input, diameter_m, foam).is_ok_and(|tried| tried.misfit().is_none())
+        // a wider payload crushes more foam at once, and asks for another
+        attempt(&input, diameter_m, &FoamRule::new(&input))
+            .is_ok_and(|tried| tried.misfit().is_none())
     };
     let (mut low, mut high) = (0.0, input.payload_diameter_m());
     for _ in 0..PAYLOAD_HALVINGS {

@@ -11,8 +11,8 @@
 //! β in kg/m², g = 9.80665 m/s².
 //!
 //! # Valid
-//! On Earth, at terminal speed. A vehicle that falls into denser and denser air is a little faster: by 0 to 1.4 % in designs over the
-//! run page's ranges, so that both lie 0 to 3 % below equations 1 and 4.
+//! On Earth, at terminal speed. A vehicle that falls into denser and denser air is a little faster: by 0 to 1.4 % in most designs over
+//! the run page's ranges and 3 % at 113 m/s, so that both lie 0 to 6 % below equations 1 and 4.
 //!
 //! # References
 //! - \[samareh-2014\] equations 2, 3 and 5, Figures 19 and 20.
