@@ -22,13 +22,10 @@ fn random(count: usize) -> Vec<Case> {
     (0..count).map(|_| next()).collect()
 }
 
-/// Most of a thousand that do not settle in 20 passes: where the vehicle or a heat shield of two branches jumps between
-/// two passes there may be no fixed point. 44 before the closing by a bracketed root and the foam by the crush law, 7 after.
-const UNSETTLED_MAX: usize = 10;
-
-/// Three in four converge: the payload of most others is too large for 2 m.
+/// Three in four converge in 20 passes: the payload of most others is too large for 2 m, or each vehicle asks for one with a
+/// thicker heat shield until none closes any more.
 #[test]
-fn most_of_the_run_page_converges_and_hardly_any_ends_unsettled() {
+fn most_of_the_run_page_converges_and_none_ends_unsettled() {
     let mut outcomes = BTreeMap::new();
     let mut unsettled = Vec::new();
     for case in random(1000) {
@@ -40,12 +37,7 @@ fn most_of_the_run_page_converges_and_hardly_any_ends_unsettled() {
     }
     println!("{outcomes:?}");
     assert!(outcomes["converged"] > 500, "{outcomes:?}");
-    assert!(
-        unsettled.len() <= UNSETTLED_MAX,
-        "{} {}",
-        unsettled.len(),
-        unsettled[0]
-    );
+    assert!(unsettled.is_empty(), "{}", unsettled.join("\n\n"));
 }
 
 #[test]

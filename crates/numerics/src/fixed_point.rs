@@ -8,7 +8,10 @@
 //!
 //! with Δxⱼ, Δrⱼ the last two steps and what they did to the residual r, each variable in parts of its own size; ω the
 //! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated step
-//! that left a larger residual; each step that does halves ω, down to an eighth.
+//! that overshot, to a larger residual the other way; each step that does halves ω, down to an eighth, each other doubles it again.
+//! Where the steps say that the fixed point lies behind, against r, it is one that f leaves: then x goes on along the last change
+//! of f, twice as far each time, to the next fixed point or to where f ends. An accelerated step is shortened to
+//! twenty residuals and to twice or half of a variable.
 //!
 //! # References
 //! - \[anderson-1965\]; \[walker-ni-2011\].
@@ -57,9 +60,12 @@ pub struct Proposal<const N: usize> {
 pub struct Anderson<const N: usize> {
     relaxation: f64,
     least_relaxation: f64,
+    largest_relaxation: f64,
     steps: Vec<Step<N>>,
     place: Option<Place<N>>,
     accelerated: bool,
+    /// Length of a step away from a fixed point behind, in last changes of f.
+    stride: f64,
 }
 
 impl<const N: usize> Anderson<N> {
@@ -68,9 +74,11 @@ impl<const N: usize> Anderson<N> {
         Self {
             relaxation,
             least_relaxation: LEAST_RELAXATION * relaxation,
+            largest_relaxation: relaxation,
             steps: Vec::new(),
             place: None,
             accelerated: false,
+            stride: 1.0,
         }
     }
 
@@ -92,9 +100,9 @@ impl<const N: usize> Anderson<N> {
             if largest > 0.0 { largest } else { 1.0 }
         });
         let worse = self.learn(Place { x, r, watched }, &size);
-        if worse {
-            self.relaxation = (0.5 * self.relaxation).max(self.least_relaxation);
-        }
+        let factor = if worse { 0.5 } else { 2.0 };
+        self.relaxation =
+            (factor * self.relaxation).clamp(self.least_relaxation, self.largest_relaxation);
         let damped = std::array::from_fn(|i| x[i] + self.relaxation * r[i]);
         let gamma = self.coefficients(&r, &size);
         let explained = |part: fn(&Step<N>) -> &[f64; N], i: usize| -> f64 {
@@ -105,9 +113,22 @@ impl<const N: usize> Anderson<N> {
                 .sum()
         };
         let rest: [f64; N] = std::array::from_fn(|i| r[i] - explained(|step| &step.dr, i));
-        let accelerated: [f64; N] = std::array::from_fn(|i| {
-            x[i] - explained(|step| &step.dx, i) + self.relaxation * rest[i]
-        });
+        let mut far: [f64; N] =
+            std::array::from_fn(|i| self.relaxation * rest[i] - explained(|step| &step.dx, i));
+        if dot(&far, &r, &size) < 0.0 {
+            // a fixed point behind is one that f leaves: the next one lies where f goes
+            self.stride *= 2.0;
+            let newest = self.steps.first();
+            let change = |i: usize| newest.map_or(0.0, |step| step.dx[i] + step.dr[i]);
+            far = std::array::from_fn(|i| r[i] + self.stride * change(i));
+            if dot(&far, &r, &size) < 0.0 {
+                far = r;
+            }
+        } else {
+            self.stride = 1.0;
+        }
+        let part = allowed(&x, &far, &r, &size);
+        let accelerated: [f64; N] = std::array::from_fn(|i| x[i] + part * far[i]);
         let distance: f64 = self
             .steps
             .iter()
@@ -116,8 +137,7 @@ impl<const N: usize> Anderson<N> {
             .sum();
         // a damped step that made it worse has taught the slope that the next one needs
         let misled = worse && self.accelerated;
-        self.accelerated =
-            !self.steps.is_empty() && !misled && is_safe(&x, &accelerated, &r, &size);
+        self.accelerated = !self.steps.is_empty() && !misled;
         Proposal {
             next: if self.accelerated {
                 accelerated
@@ -134,7 +154,9 @@ impl<const N: usize> Anderson<N> {
     fn learn(&mut self, place: Place<N>, size: &[f64; N]) -> bool {
         let mut worse = false;
         if let Some(before) = &self.place {
-            worse = square(&place.r, size) > square(&before.r, size);
+            // a larger residual in the same direction is no overshoot
+            worse = square(&place.r, size) > square(&before.r, size)
+                && dot(&place.r, &before.r, size) < 0.0;
             let step = Step {
                 dx: std::array::from_fn(|i| place.x[i] - before.x[i]),
                 dr: std::array::from_fn(|i| place.r[i] - before.r[i]),
@@ -185,16 +207,26 @@ impl<const N: usize> Anderson<N> {
     }
 }
 
-/// Whether a step is neither much longer than the residual nor takes a variable far from where it stands.
-fn is_safe<const N: usize>(x: &[f64; N], next: &[f64; N], r: &[f64; N], size: &[f64; N]) -> bool {
-    let step: [f64; N] = std::array::from_fn(|i| next[i] - x[i]);
-    let near = |(next, x): (&f64, &f64)| {
-        *next == *x || {
-            let ratio = next / x;
-            (1.0 / LARGEST_CHANGE..=LARGEST_CHANGE).contains(&ratio)
-        }
+/// Part of a step that is neither much longer than the residual nor takes a variable far from where it stands.
+fn allowed<const N: usize>(x: &[f64; N], step: &[f64; N], r: &[f64; N], size: &[f64; N]) -> f64 {
+    let length = square(step, size).sqrt();
+    let longest = LONGEST * square(r, size).sqrt();
+    let mut part = if length > longest {
+        longest / length
+    } else {
+        1.0
     };
-    square(&step, size) <= LONGEST * LONGEST * square(r, size) && next.iter().zip(x).all(near)
+    for (x, step) in x.iter().zip(step) {
+        let most = if step * x < 0.0 {
+            (1.0 - 1.0 / LARGEST_CHANGE) * x.abs()
+        } else {
+            (LARGEST_CHANGE - 1.0) * x.abs()
+        };
+        if most > 0.0 && step.abs() > most {
+            part = part.min(most / step.abs());
+        }
+    }
+    part
 }
 
 fn dot<const N: usize>(a: &[f64; N], b: &[f64; N], size: &[f64; N]) -> f64 {
@@ -229,6 +261,26 @@ mod tests {
     }
 
     #[test]
+    fn a_fixed_point_that_f_leaves_is_left() {
+        // x = 1, where f has the slope 1/2, and x = 3, where it has 3/2
+        let mut anderson = Anderson::new(1.0);
+        let f = |x: f64| 0.25 * x * x + 0.75;
+        let mut x = 2.9;
+        for _ in 0..12 {
+            x = anderson.propose([x], [f(x)], 0.0).next[0];
+        }
+        assert!((x - 1.0).abs() < 1e-6, "{x}");
+        let mut anderson = Anderson::new(1.0);
+        let mut x = 3.1;
+        for _ in 0..12 {
+            let next = anderson.propose([x], [f(x)], 0.0).next[0];
+            assert!(next > x, "{next} after {x}");
+            x = next;
+        }
+        assert!(x > 100.0, "{x}");
+    }
+
+    #[test]
     fn linear_map_of_rank_one_is_solved_once_its_slope_is_known() {
         // x = 1 + 0.9 y, y = 2 + 0.9 y has y = 20, x = 19; the damped iteration needs 260 passes to 1e-12
         let f = |x: [f64; 2]| [1.0 + 0.9 * x[1], 2.0 + 0.9 * x[1]];
@@ -260,16 +312,16 @@ mod tests {
     }
 
     #[test]
-    fn an_accelerated_step_that_makes_it_worse_is_followed_by_a_damped_one() {
+    fn an_accelerated_step_that_overshoots_is_followed_by_a_damped_one() {
         let mut anderson = Anderson::new(1.0);
         anderson.propose([1.0], [1.1], 0.0);
         // slope 0.5: 1.1 + 0.05 / (1 - 0.5)
         let next = anderson.propose([1.1], [1.15], 0.0).next;
         assert!((next[0] - 1.2).abs() < 1e-12);
-        let proposal = anderson.propose([1.2], [1.6], 0.0);
+        let proposal = anderson.propose([1.2], [0.8], 0.0);
         assert_eq!(proposal.next, proposal.damped);
-        // half of the residual 0.4
-        assert!((proposal.damped[0] - 1.4).abs() < 1e-12);
+        // half of the residual -0.4
+        assert!((proposal.damped[0] - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -198,10 +198,18 @@ fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
 }
 
 fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> Solution {
+    let mut reason = not_closed.reason.clone();
+    if let [first, .., last] = passes.as_slice() {
+        // a vehicle closed before: the loads and heat shields that the passes asked for since have outgrown every diameter
+        reason.push_str(&format!(
+            " Pass 1 closed with {:.2} kg, pass {} with {:.2} kg: each vehicle asks for a heavier one, up to here.",
+            first.mass_kg, last.number, last.mass_kg
+        ));
+    }
     Solution {
         outcome: Outcome::NotClosed,
         findings: misfit::findings(&not_closed, input),
-        reason: Some(not_closed.reason),
+        reason: Some(reason),
         flight: None,
         design: None,
         adjustments: Vec::new(),

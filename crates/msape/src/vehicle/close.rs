@@ -1,14 +1,14 @@
 //! Closing at one diameter: the centre of gravity that the vehicle about it has, its walls settled.
 //!
 //! ```text
-//! walls(x)    least fixed point of  walls → geometry(x, walls) → masses → loads → walls,  from the least gauges up
-//! g(x)        centre of gravity of the vehicle laid out about x with these walls
-//! g(x) = x    bracketed among the x that leave room for a wing; the foremost root
+//! g(x, walls) = x   bracketed among the x that leave room for a wing; the foremost root, x(walls)
+//! walls             least fixed point of  walls → geometry(x(walls), walls) → masses → loads → walls,  from the least gauges up
 //! ```
 //!
-//! with x in m. Too far forward the lid is so flat, too far aft its foot stands so high that the wing is too shallow: in between
-//! is the admissible interval; g outside it is not asked for. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start: what
-//! closes at a diameter depends on the input and the diameter alone.
+//! with x in m and g the centre of gravity of the vehicle laid out about x with these walls. Too far forward the lid is so flat,
+//! too far aft its foot stands so high that the wing is too shallow: in between is the admissible interval; g outside it is not
+//! asked for. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start:
+//! what closes at a diameter depends on the input and the diameter alone.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`]. Thicker walls make heavier vehicles and these thicker walls:
@@ -56,12 +56,21 @@ const PRECISION: f64 = 1e-4;
 /// Room that walls of the least gauge must nearly have, m: thicker ones never give as much back.
 const HOPELESS_M: f64 = -0.02;
 
+/// Room that is missing, or centre of gravity that is off, so much that the walls need not be known well, m.
+const UNFIT_M: f64 = 1e-4;
+
 /// Step that tells to which side there is more room, and room that is nought but for rounding, m.
 const NEAR_M: f64 = 1e-9;
 
 /// Room that counts for each metre by which a centre of gravity lies beyond the places that leave room: it moves faster with
 /// the diameter than the annulus does.
 const CG_SHARE: f64 = 0.2;
+
+/// Neighborhood in which the centre of gravity is looked for first when walls have changed, m.
+const NEIGHBORHOOD_M: f64 = 1e-3;
+
+/// Room that is missing at the edge of the places that leave room: the length that a wing must have, m.
+const EDGE_M: f64 = 1e-6;
 
 /// Places between nose and aft end at which the foremost root is looked for.
 const PLACES: u32 = 6;
@@ -139,16 +148,13 @@ pub fn attempt(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result
         },
         payload_radius_m,
         structure: least_walls(input),
-        turns: 0,
+        layouts: 0,
     };
-    let trial = match input.concept {
-        Concept::Msr => candidate.settle(0.0)?.0,
-        Concept::NonMsr => candidate.about_its_own_cg()?,
-    };
+    let trial = candidate.trial()?;
     Ok(Attempt {
         trial,
         structure: candidate.structure,
-        iterations: candidate.turns,
+        iterations: candidate.layouts,
     })
 }
 
@@ -171,7 +177,7 @@ struct Candidate<'a> {
     payload_radius_m: f64,
     /// Walls of the last turn.
     structure: Structure,
-    turns: u32,
+    layouts: u32,
 }
 
 impl Candidate<'_> {
@@ -203,28 +209,41 @@ impl Candidate<'_> {
         PRECISION * self.input.rules.convergence_m
     }
 
-    /// The layout about a centre of gravity with walls that carry it, from those at hand on, and its masses.
-    fn settle(&mut self, cg_x_m: f64) -> Result<(Trial, Masses), Misfit> {
-        let input = self.input;
+    fn masses(&self, trial: &Trial) -> Masses {
+        let densities = Densities {
+            structure: &self.structure,
+            foam: self.foam.at(trial.layout.foam_thickness_m),
+        };
+        masses(self.input, &trial.layout, &densities)
+    }
+
+    /// The layout with walls that carry it, and how far its centre of gravity lies from the place that it is laid out about, m.
+    fn settle(&mut self) -> Result<(Trial, f64), Misfit> {
+        let mut x_m = None;
         let mut move_m = f64::INFINITY;
         for _ in 0..MOST_TURNS {
-            self.turns += 1;
-            let trial = self.lay_out(cg_x_m);
-            let masses = masses(
-                input,
-                &trial.layout,
-                &Densities {
-                    structure: &self.structure,
-                    foam: self.foam.at(trial.layout.foam_thickness_m),
-                },
-            );
-            if input.concept == Concept::Msr && trial.room_m < HOPELESS_M {
-                return Ok((trial, masses));
+            x_m = match self.input.concept {
+                // nothing is laid out about it
+                Concept::Msr => None,
+                Concept::NonMsr => Some(self.own_cg_x_m(x_m)?),
+            };
+            let trial = self.lay_out(x_m.unwrap_or_default());
+            let masses = self.masses(&trial);
+            let off_m = masses.cg_x_m - x_m.unwrap_or(masses.cg_x_m);
+            if trial.room_m < HOPELESS_M {
+                return Ok((trial, off_m));
             }
-            let sized = size::walls(input, &size::loads_of(input, &trial.layout, &masses));
+            let loads = size::loads_of(self.input, &trial.layout, &masses);
+            let sized = size::walls(self.input, &loads);
             move_m = largest_move_m(&self.structure, &sized);
-            if move_m <= self.precision_m() {
-                return Ok((trial, masses));
+            let unfit = trial.room_m < -UNFIT_M || off_m.abs() > UNFIT_M;
+            let enough_m = if unfit {
+                0.1 * UNFIT_M
+            } else {
+                self.precision_m()
+            };
+            if move_m <= enough_m {
+                return Ok((trial, off_m));
             }
             if move_m.is_nan() || move_m > self.forebody.diameter_m {
                 break;
@@ -236,64 +255,65 @@ impl Candidate<'_> {
 
     /// How far the centre of gravity lies behind the place about which the vehicle is laid out, m; where the wing is too
     /// shallow by how much, positive when a place further aft has it less so.
-    fn lead_m(&mut self, x_m: f64) -> Result<f64, Misfit> {
-        let mut trial = self.lay_out(x_m);
+    fn lead_m(&mut self, x_m: f64) -> f64 {
+        self.layouts += 1;
+        let trial = self.lay_out(x_m);
         if trial.room_m >= 0.0 {
-            let (settled, masses) = self.settle(x_m)?;
-            if settled.room_m >= 0.0 {
-                return Ok(masses.cg_x_m - x_m);
-            }
-            trial = settled;
+            return self.masses(&trial).cg_x_m - x_m;
         }
-        let further = self.lay_out(x_m + NEAR_M);
-        Ok(if further.room_m > trial.room_m {
+        if self.lay_out(x_m + NEAR_M).room_m > trial.room_m {
             -trial.room_m
         } else {
             trial.room_m
-        })
+        }
     }
 
-    /// The layout about the centre of gravity that it has.
-    fn about_its_own_cg(&mut self) -> Result<Trial, Misfit> {
-        let tolerance = self.precision_m();
+    /// The place about which the vehicle with these walls has its centre of gravity, or the last one that leaves room for a
+    /// wing, m: near the place `before_m` of walls before, or the foremost.
+    fn own_cg_x_m(&mut self, before_m: Option<f64>) -> Result<f64, Misfit> {
+        if let Some(x_m) = before_m {
+            let (fore, aft) = (x_m - NEIGHBORHOOD_M, x_m + NEIGHBORHOOD_M);
+            if self.lead_m(fore) > 0.0 && self.lead_m(aft) <= 0.0 {
+                return self.cg_between(fore, aft);
+            }
+        }
         let nose_x_m = self.forebody.nose_tip_x_m();
         let payload_x_m = self.forebody.resting_ball_x_m(0.0, self.payload_radius_m);
         let aft_x_m = self.forebody.shoulder_center().x_m.max(payload_x_m) + self.payload_radius_m;
         let step_m = (aft_x_m - nose_x_m) / f64::from(PLACES);
-        let mut fault = None;
-        let mut lead_m = |x_m: f64| match self.lead_m(x_m) {
-            Ok(lead_m) => lead_m,
-            Err(misfit) => {
-                fault = Some(misfit);
-                f64::NAN
-            }
-        };
-        // the foremost: from the nose on, and beyond the vehicle no centre of gravity lies behind
         let place = |k: u32| nose_x_m + step_m * f64::from(k);
-        // a place that cannot be laid out ends the search as well
-        let passed = (1..=4 * PLACES).find(|&k| {
-            let lead_m = lead_m(place(k));
-            lead_m <= 0.0 || lead_m.is_nan()
-        });
-        let found =
-            passed.and_then(|k| root::brent(&mut lead_m, place(k - 1), place(k), tolerance));
-        let Some(x_m) = found else {
-            return Err(fault.unwrap_or(Misfit::NotConverged { move_m: step_m }));
-        };
-        let trial = self.lay_out(x_m);
-        if trial.room_m < -NEAR_M {
-            return Ok(trial);
+        // from the nose on; beyond the vehicle no centre of gravity lies behind
+        match (1..=4 * PLACES).find(|&k| self.lead_m(place(k)) <= 0.0) {
+            Some(k) => self.cg_between(place(k - 1), place(k)),
+            None => Err(Misfit::NotConverged { move_m: step_m }),
         }
-        let (trial, masses) = self.settle(x_m)?;
-        let off_m = (masses.cg_x_m - x_m).abs();
-        if off_m < self.input.rules.convergence_m {
+    }
+
+    /// The place between two at which the lead changes its sign, m: no closer than need be where the centre of gravity is far off.
+    fn cg_between(&mut self, fore_m: f64, aft_m: f64) -> Result<f64, Misfit> {
+        let none = || Misfit::NotConverged {
+            move_m: aft_m - fore_m,
+        };
+        let near = root::bracket(|x_m| self.lead_m(x_m), fore_m, aft_m, 0.1 * UNFIT_M);
+        let [one, other] = near.ok_or_else(none)?;
+        if self.lead_m(one).abs().max(self.lead_m(other).abs()) > UNFIT_M {
+            return Ok(one);
+        }
+        let tolerance = self.precision_m();
+        root::brent(|x_m| self.lead_m(x_m), one, other, tolerance).ok_or_else(none)
+    }
+
+    /// The settled layout, with the room that its centre of gravity leaves.
+    fn trial(&mut self) -> Result<Trial, Misfit> {
+        let (trial, off_m) = self.settle()?;
+        if trial.room_m < -EDGE_M || off_m.abs() < self.input.rules.convergence_m {
             return Ok(trial);
         }
         // the last place that leaves room for a wing, and the centre of gravity lies beyond it
-        let about_cg = self.lay_out(masses.cg_x_m);
+        let about_cg = self.lay_out(trial.layout.outline.lid_center_x_m + off_m);
         let slope_rad = about_cg.layout.outline.wing_slope_rad;
         Ok(Trial {
-            room_m: -off_m * CG_SHARE,
+            room_m: -off_m.abs() * CG_SHARE,
             misfit: about_cg.misfit.or(Some(Misfit::WingTooShallow {
                 slope_rad,
                 least_rad: self.input.rules.wing_slope_min_rad,
