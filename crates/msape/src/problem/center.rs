@@ -64,6 +64,7 @@ fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vehicle::segment::{Point, Segment};
     use numerics::math::FRAC_PI_2;
 
     #[test]
@@ -85,6 +86,22 @@ mod tests {
             (-1.1, 0.0, false),
         ] {
             assert_eq!(contains(&outline, x, r), inside, "{x} {r}");
+        }
+    }
+
+    #[test]
+    fn a_ball_of_one_arc_has_an_inside() {
+        let ball = Profile {
+            segments: vec![Segment::arc(
+                Point::on_axis(1.0),
+                1.0,
+                2.0 * FRAC_PI_2,
+                -2.0 * FRAC_PI_2,
+            )],
+        };
+        let ball = ball.closed();
+        for (x, r, inside) in [(1.0, 0.0, true), (1.0, 1.01, false), (2.5, 0.0, false)] {
+            assert_eq!(contains(&ball, x, r), inside, "{x} {r}");
         }
     }
 }
