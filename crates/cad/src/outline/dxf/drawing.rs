@@ -111,6 +111,8 @@ pub struct Drawing<'a> {
     pub unit: Option<&'a Group<'a>>,
     /// Layers that are not drawn, by name in small letters: why, and their names.
     pub hidden: BTreeMap<String, (Hidden, String)>,
+    /// Whether an insertion is clipped (SPATIAL_FILTER).
+    pub clipped: bool,
     /// Blocks, by name in small letters.
     pub blocks: BTreeMap<String, Block<'a>>,
     /// Entities of the drawing itself.
@@ -171,6 +173,7 @@ pub fn drawing<'a>(groups: &'a [Group<'a>]) -> Result<Drawing<'a>, ImportFault> 
                 }
             }
             (_, "entities") => drawing.entities.push(record),
+            ("SPATIAL_FILTER", "objects") => drawing.clipped = true,
             _ => {}
         }
     }

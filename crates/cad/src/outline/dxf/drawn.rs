@@ -13,13 +13,13 @@
 //! Blocks in blocks to a depth of 32; 200,000 entities in all, each counted as often as it is inserted.
 //!
 //! # References
-//! - \[autodesk-dxf\] groups 8, 60, 67; INSERT; \[ezdxf\] layer 0 of blocks.
+//! - \[autodesk-dxf\] groups 8, 60, 67; INSERT; SPATIAL_FILTER; \[ezdxf\] layer 0 of blocks.
 
 use super::affine::Affine;
 use super::curve::Curve;
 use super::drawing::{Block, Drawing, Hidden, Record};
 use super::entity::{curves, is_read, seen};
-use super::group::Place;
+use super::group::{Group, Place};
 use crate::outline::{ImportFault, MOST_FAULTS, shown};
 use std::collections::BTreeMap;
 
@@ -263,6 +263,13 @@ impl Drawn {
                 )));
             }
         };
+        let extended = |group: &Group| group.is(102, "{ACAD_XDICTIONARY");
+        if drawing.clipped && entity.groups().iter().any(extended) {
+            return Err(entity.fault(format!(
+                "INSERT: the block \"{}\" may be clipped, which is not read; draw what is left of it",
+                shown(&name)
+            )));
+        }
         if nest.depth > DEPTH {
             return Err(entity.fault(format!(
                 "INSERT: blocks in blocks deeper than {DEPTH}; does \"{}\" hold itself?",

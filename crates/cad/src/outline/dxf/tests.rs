@@ -274,6 +274,18 @@ fn blocks_in_themselves_and_numbers_without_end_are_refused() {
         "0 INSERT 8 0 2 X 10 0 20 0",
     );
     assert!(refused(&xref).contains("is another file"));
+    let insert = format!("0 BLOCK 2 C 70 0 10 0 20 0 {SIDE} {BASE} 0 ENDBLK");
+    let clipped = sheet(
+        "",
+        &insert,
+        "0 INSERT 102 {ACAD_XDICTIONARY 360 5F 102 } 8 0 2 C 10 0 20 0",
+    );
+    near(taken(&clipped).0, CONE_M3);
+    let clipped = clipped.replace(
+        "0\nEOF\n",
+        "0\nSECTION\n2\nOBJECTS\n0\nSPATIAL_FILTER\n0\nENDSEC\n0\nEOF\n",
+    );
+    assert!(refused(&clipped).contains("may be clipped"));
 }
 
 #[test]
