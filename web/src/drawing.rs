@@ -158,16 +158,14 @@ pub struct Silhouette {
 /// The drawing of a rigid body.
 pub fn silhouette(body: &RigidBody) -> Silhouette {
     let radius_m = 0.5 * body.diameter_m;
-    let tip_m = body.nose_tip_x_m();
-    let ends = body.outline.segments.iter().map(|segment| segment.end());
-    // Of the ends, the one that stands furthest out: a shoulder's arc is as wide at most a radius away.
-    let widest = ends.max_by(|a, b| a.r_m.total_cmp(&b.r_m));
+    let [from_m, to_m] = body.extent_m();
+    let widest_m = body.nose_tip_x_m() + body.facts().largest_diameter_from_nose_m;
     Silhouette {
         path: both(&body.outline, Ends::WithoutAxis),
         radius_mm: radius_m * MM,
-        top_mm: -(tip_m + body.length_m()) * MM,
-        bottom_mm: -tip_m * MM,
-        widest_mm: -widest.map_or(tip_m, |point| point.x_m) * MM,
+        top_mm: -to_m * MM,
+        bottom_mm: -from_m * MM,
+        widest_mm: -widest_m * MM,
     }
 }
 
@@ -340,5 +338,18 @@ mod tests {
     #[test]
     fn a_vehicle_of_nine_hundred_mm_has_a_bar_of_two_hundred() {
         assert_eq!(scale_bar_mm(900.0), 200.0);
+    }
+
+    #[test]
+    fn a_ball_of_one_arc_and_a_hollow_base_have_their_whole_length() {
+        let shown = |rows: &[Vec<f64>]| {
+            let body = msape::vehicle::body::from_rows("x", rows).unwrap();
+            let drawn = silhouette(&body);
+            [drawn.bottom_mm, drawn.top_mm, drawn.widest_mm].map(|mm| mm.round() + 0.0)
+        };
+        let ball = [vec![0.0, 0.0, -1.0], vec![1.0, 0.0, 0.0]];
+        assert_eq!(shown(&ball), [0.0, -1000.0, -500.0]);
+        let dish = [vec![0.0, 0.0], vec![0.4, 0.5], vec![0.2, 0.0]];
+        assert_eq!(shown(&dish), [0.0, -400.0, -400.0]);
     }
 }

@@ -63,7 +63,7 @@ impl From<DataError> for Failure {
 }
 
 /// Text of unknown origin without what would steer a terminal.
-fn printable(text: &str) -> String {
+pub fn printable(text: &str) -> String {
     text.chars()
         .map(|c| match c {
             '\n' => "\n  ".to_string(),

@@ -1,12 +1,12 @@
 //! Reads a case from a file or from standard input, with what the command line sets and the files it names.
 
-use crate::failure::Failure;
-use cad::outline::{self, LengthUnit};
+use crate::failure::{Failure, printable};
+use cad::outline::{self, Imported, LengthUnit};
 use cad::table::atmosphere::{self, Kind};
 use msape::case::Value;
 use msape::{Case, InputError};
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 /// Largest file that is read.
@@ -78,6 +78,17 @@ fn display(path: &Path) -> String {
 
 /// The text of a file, or of standard input for `-`.
 fn text(path: &Path) -> Result<String, Failure> {
+    String::from_utf8(bytes(path)?).map_err(|error| {
+        Failure::input(format!(
+            "{}: is not text: byte {} is not UTF-8",
+            display(path),
+            error.utf8_error().valid_up_to() + 1
+        ))
+    })
+}
+
+/// The bytes of a file, or of standard input for `-`.
+fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let name = display(path);
     let fault = |message: String| Failure::input(format!("{name}: {message}"));
     let mut bytes = Vec::new();
@@ -95,12 +106,7 @@ fn text(path: &Path) -> Result<String, Failure> {
     if bytes.len() as u64 > SIZE_MAX {
         return Err(fault(format!("is larger than {} MiB", SIZE_MAX >> 20)));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        fault(format!(
-            "is not text: byte {} is not UTF-8",
-            error.utf8_error().valid_up_to() + 1
-        ))
-    })
+    Ok(bytes)
 }
 
 /// Puts the rows of the file that `atmosphere.file` names in its place.
@@ -161,16 +167,21 @@ fn resolve_outline(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
         return;
     }
     let path = here.join(&name);
-    let rows = match text(&path) {
-        Ok(text) => outline::read(&name, &text, unit),
+    let read = match bytes(&path) {
+        Ok(bytes) => outline::read(&name, &bytes, unit),
         Err(Failure::Input(messages)) => {
             faults.extend(messages.iter().map(|m| format!("outline.file: {m}")));
             return;
         }
         Err(_) => return,
     };
-    match rows {
-        Ok(rows) => {
+    match read {
+        Ok(Imported { rows, remarks }) => {
+            for remark in remarks {
+                // a standard error that is full is no reason to stop
+                let named = printable(&format!("outline.file: {}: {remark}", path.display()));
+                let _ = writeln!(io::stderr(), "msape: note: {named}");
+            }
             case.values
                 .insert("outline.points".to_string(), Value::Rows(rows));
         }

@@ -25,7 +25,7 @@ pub struct Facts {
     pub diameter_m: f64,
     /// Area that coefficients refer to, m².
     pub reference_area_m2: f64,
-    /// Tip of the nose to the aft end on the axis, m.
+    /// Extent along the axis, m.
     pub length_m: f64,
     /// Radius of the nose, m.
     pub nose_radius_m: Option<f64>,
@@ -110,7 +110,7 @@ impl RigidBody {
 /// The outline up to its largest diameter, and the arc on which that lies.
 fn forebody(outline: &Profile) -> (Profile, Option<Segment>) {
     let largest = |segment: &Segment| segment.bounds_m()[3];
-    let most = outline.segments.iter().map(largest).fold(0.0, f64::max);
+    let [.., most] = outline.bounds_m();
     let mut fore = Profile::default();
     for segment in &outline.segments {
         if largest(segment) < most * (1.0 - 1e-12) {
@@ -196,5 +196,33 @@ mod tests {
         assert!((facts.forebody_centroid_from_nose_m - 0.75).abs() < 1e-14);
         assert!((facts.largest_diameter_from_nose_m - 1.0).abs() < 1e-15);
         assert!((facts.cone_half_angle_deg.unwrap() - 45.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn lengths_are_between_extremes_and_not_between_ends() {
+        let length = |rows: &[Vec<f64>]| {
+            let body = crate::vehicle::body::from_rows("x", rows).unwrap();
+            (body.facts().length_m, body.extent_m())
+        };
+        // a ball as one arc
+        let (ball, _) = length(&[vec![0.0, 0.0, -1.0], vec![1.0, 0.0, 0.0]]);
+        assert!((ball - 1.0).abs() < 1e-15);
+        // a base that is hollow, and a nose that is
+        let (dish, _) = length(&[vec![0.0, 0.0], vec![0.4, 0.5], vec![0.2, 0.0]]);
+        assert!((dish - 0.4).abs() < 1e-15);
+        let hollow = [
+            vec![0.2, 0.0],
+            vec![0.0, 0.3],
+            vec![0.4, 0.5],
+            vec![0.4, 0.0],
+        ];
+        assert_eq!(length(&hollow), (0.4, [0.0, 0.4]));
+        // a bulging base: an arc of 0.5 about (1, 0), half a ball
+        let (bulging, _) = length(&[
+            vec![0.0, 0.0],
+            vec![1.0, 0.5, -numerics::math::tan(PI / 8.0)],
+            vec![1.5, 0.0],
+        ]);
+        assert!((bulging - 1.5).abs() < 1e-12);
     }
 }
