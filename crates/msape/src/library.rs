@@ -52,8 +52,8 @@ pub struct HeatingModels {
     pub tauber_sutton: Named<TauberSutton>,
     /// Brandis-Johnston relations, for the Earth.
     pub brandis_johnston: BrandisJohnston,
-    /// Gas at a hot wall.
-    pub wall_gas: WallGas,
+    /// Gas at a hot wall by planet.
+    pub wall_gas: Named<WallGas>,
     /// Fractions of the aftbody.
     pub afterbody: Afterbody,
     /// Shoulder factor.
@@ -111,7 +111,11 @@ impl Library {
         Ok(Library {
             atmospheres: folder("atmospheres", Atmosphere::parse)?,
             heating: HeatingModels {
-                sutton_graves: sutton_graves(&planets)?,
+                sutton_graves: of_planets(
+                    "heating/sutton-graves.toml",
+                    &planets,
+                    SuttonGraves::parse,
+                )?,
                 tauber_sutton: vec![
                     ("earth".to_string(), earth.clone()),
                     ("earth-msape".to_string(), earth),
@@ -121,7 +125,7 @@ impl Library {
                     ),
                 ],
                 brandis_johnston: parsed("heating/brandis-johnston.toml", BrandisJohnston::parse)?,
-                wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
+                wall_gas: of_planets("heating/hot-wall.toml", &planets, WallGas::parse)?,
                 afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
                 shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
                 pressure_fit: parsed("heating/stagnation-pressure.toml", PressureFit::parse)?,
@@ -246,16 +250,15 @@ fn parsed<T>(path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<T,
     })
 }
 
-fn sutton_graves(planets: &Named<Planet>) -> Result<Named<SuttonGraves>, DataError> {
-    let file = "heating/sutton-graves.toml";
+/// A file that holds something for each planet.
+fn of_planets<T>(
+    file: &str,
+    planets: &Named<Planet>,
+    parse: impl Fn(&str, &str) -> Result<T, String>,
+) -> Result<Named<T>, DataError> {
     planets
         .iter()
-        .map(|(name, _)| {
-            Ok((
-                name.clone(),
-                parsed(file, |text| SuttonGraves::parse(text, name))?,
-            ))
-        })
+        .map(|(name, _)| Ok((name.clone(), parsed(file, |text| parse(text, name))?)))
         .collect()
 }
 

@@ -76,6 +76,9 @@ impl OwnTemperature {
     }
 }
 
+/// A flight that ends at the first row may lie this far below it, m.
+const NEAR_M: f64 = 1.0;
+
 /// A model of the atmosphere.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Atmosphere {
@@ -144,17 +147,13 @@ impl Atmosphere {
             _ => [false; 2],
         };
         let ends = [
-            (highest_m > top_m, highest_m, "starts at", "beyond", above),
-            (
-                lowest_m < bottom_m,
-                lowest_m,
-                "comes down to",
-                "below",
-                below,
-            ),
+            ("entry.altitude_m", highest_m, highest_m - top_m, above),
+            ("stop.altitude_m", lowest_m, bottom_m - lowest_m, below),
         ];
-        let left = ends.into_iter().filter(|(is_left, ..)| *is_left);
-        left.map(|(_, value, verb, side, is_held)| {
+        let left = ends
+            .into_iter()
+            .filter(|(_, _, beyond_m, _)| *beyond_m > NEAR_M);
+        left.map(|(key, value, _, is_held)| {
             let rule = match is_held {
                 true => "density is held, for it grows with height in the last rows",
                 false => "density goes on with its last slope",
@@ -162,12 +161,12 @@ impl Atmosphere {
             Finding {
                 severity: Severity::Extrapolated,
                 model: "atmosphere".to_string(),
-                key: "altitude_m".to_string(),
+                key: key.to_string(),
                 value: Some(value),
                 valid: (Some(bottom_m), Some(top_m)),
-                message: format!("The flight {verb} {value:.0} m, the atmosphere is given from {bottom_m:.0} to {top_m:.0} m; {side}, {rule}."),
+                message: format!("The flight reaches {value:.0} m, the atmosphere is given from {bottom_m:.0} to {top_m:.0} m; beyond, {rule}."),
                 source: "convention of this program".to_string(),
-                field: Some("entry.atmosphere".to_string()),
+                field: Some(key.to_string()),
             }
         })
         .collect()
@@ -236,7 +235,7 @@ mod tests {
         let [above] = &air.findings(0.0, 2e6)[..] else {
             panic!("one finding")
         };
-        let expected = "starts at 2000000 m, the atmosphere is given from -5000 to 1000000 m; beyond, density goes on";
+        let expected = "reaches 2000000 m, the atmosphere is given from -5000 to 1000000 m; beyond, density goes on";
         assert!(above.message.contains(expected), "{}", above.message);
         assert_eq!(air.findings(-10e3, 2e6).len(), 2);
     }

@@ -9,7 +9,7 @@
 //! the arc and α the azimuth of the line at the equator on that sphere, in rad; A, B (in Δσ) and C series in f.
 //!
 //! # Valid
-//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to 0.01, 1e-5 at
+//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to 0.01, 3e-5 at
 //! that of Saturn, 0.1; positions nearly opposite each other, within f of half a turn, are reached by a line up to f longer.
 //!
 //! # References
@@ -161,5 +161,78 @@ mod tests {
         assert!((length(at(30.0, 5.0), at(31.0, 5.0)) - 111_194.927).abs() < 1e-3);
         assert!((length(at(0.0, 0.0), at(90.0, 77.0)) - 10_007_543.398).abs() < 1e-3);
         assert!((length(at(0.0, 179.5), at(0.0, -179.5)) - 111_194.927).abs() < 1e-3);
+    }
+
+    #[test]
+    fn lengths_over_four_planets_are_those_of_geographiclib() {
+        // \[karney-2013\], geographiclib, in m to a millimeter.
+        let figures = [
+            (
+                [6_378_137.0, 6_356_752.314_2],
+                1e-9,
+                [1_464_095.460, 10_909_619.390, 8_269_825.103, 147_756.323],
+            ),
+            (
+                [3_396_190.0, 3_376_200.0],
+                1e-9,
+                [779_813.852, 5_796_455.430, 4_398_964.390, 78_876.786],
+            ),
+            (
+                [71_492e3, 66_854e3],
+                2e-6,
+                [
+                    16_522_416.725,
+                    116_053_600.522,
+                    90_362_596.012,
+                    1_765_119.306,
+                ],
+            ),
+            (
+                [60_268e3, 54_364e3],
+                3e-5,
+                [
+                    13_977_630.977,
+                    95_182_154.855,
+                    75_094_241.892,
+                    1_542_567.881,
+                ],
+            ),
+        ];
+        let pairs = [
+            (at(20.0, 0.0), at(21.0, 14.0)),
+            (at(-30.0, 170.0), at(45.0, -120.0)),
+            (at(10.0, 5.0), at(80.0, 60.0)),
+            (at(-89.0, 0.0), at(-89.5, 120.0)),
+        ];
+        for ([a, b], within, lengths) in figures {
+            let ellipsoid = Ellipsoid::new(a, b);
+            for ((from, to), expected) in pairs.iter().zip(lengths) {
+                let got = geodesic_m(&ellipsoid, from, to);
+                let off = (got - expected).abs();
+                assert!(
+                    off < within * expected + 1e-3,
+                    "{a}: {got} against {expected}"
+                );
+                assert!((geodesic_m(&ellipsoid, to, from) - got).abs() < 1e-6 * got);
+            }
+        }
+    }
+
+    #[test]
+    fn one_place_and_opposite_places_have_a_length() {
+        let mars = Ellipsoid::new(3_396_190.0, 3_376_200.0);
+        assert_eq!(geodesic_m(&mars, &at(20.0, 5.0), &at(20.0, 5.0)), 0.0);
+        assert_eq!(
+            geodesic_m(&mars, &at(90.0, 5.0), &at(90.0, 95.0)).round(),
+            0.0
+        );
+        // 5 deg of the equator across the date line
+        let five = geodesic_m(&mars, &at(0.0, 178.0), &at(0.0, -177.0));
+        assert!((five - 3_396_190.0 * 5.0 * RADIANS_PER_DEGREE).abs() < 1e-6);
+        // half the meridian: π times the mean radius, but for f²/16
+        let half = geodesic_m(&mars, &at(-90.0, 0.0), &at(90.0, 0.0));
+        assert!((half / (PI * 3_386_195.0) - 1.0).abs() < 1e-5, "{half}");
+        let opposite = geodesic_m(&mars, &at(1.0, 0.0), &at(-1.0, 179.9));
+        assert!((0.99..1.006).contains(&(opposite / half)), "{opposite}");
     }
 }

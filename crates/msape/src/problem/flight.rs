@@ -4,7 +4,7 @@ use super::aerodynamics::{Medium, database, table_database, table_drag};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
-use super::planet::{atmosphere, planet, wind};
+use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
@@ -12,7 +12,6 @@ use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, St
 use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
-use crate::planet::atmosphere::Atmosphere;
 use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
@@ -91,18 +90,11 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         (None, Some(radius_m)) => altitude_at(planet, radius_m, latitude_rad),
         (None, None) => return None,
     };
-    let lowest_m = planet.lowest_altitude_m;
-    if altitude_m < lowest_m {
-        let title = &planet.title;
-        let (key, got) = match radius {
-            true => ("entry.radius_m", "gives an altitude of"),
-            false => ("entry.altitude_m", "got"),
-        };
-        let message = format!(
-            "{got} {altitude_m:.0} m, must be at least {lowest_m} m, the lowest of {title}"
-        );
-        reader.fault(key, message);
-    }
+    let key = match radius {
+        true => "entry.radius_m",
+        false => "entry.altitude_m",
+    };
+    deep_enough(reader, key, altitude_m, planet);
     let place = Geodetic {
         altitude_m,
         latitude_rad,
@@ -127,18 +119,6 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
     })
 }
 
-/// The planet, whose flights may end as deep as a table of the case reaches.
-fn reaching(planet: Planet, atmosphere: Option<&Atmosphere>) -> Planet {
-    let deepest_m = match atmosphere {
-        Some(Atmosphere::Table(table)) => table.valid_m().0,
-        _ => f64::INFINITY,
-    };
-    Planet {
-        lowest_altitude_m: planet.lowest_altitude_m.min(deepest_m),
-        ..planet
-    }
-}
-
 /// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
 fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
     let excess = |altitude_m: f64| {
@@ -157,14 +137,8 @@ fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
 
 fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
     let altitude_m = reader.number("stop.altitude_m");
-    if let (Some(altitude_m), Some(planet)) = (altitude_m, planet)
-        && altitude_m < planet.lowest_altitude_m
-    {
-        let message = format!(
-            "got {altitude_m} m, must be at least {} m, the lowest of {}",
-            planet.lowest_altitude_m, planet.title
-        );
-        reader.fault("stop.altitude_m", message);
+    if let (Some(altitude_m), Some(planet)) = (altitude_m, planet) {
+        deep_enough(reader, "stop.altitude_m", altitude_m, planet);
     }
     let time_s = reader.number("stop.time_s");
     let nothing_given = !reader.given("stop.altitude_m") && !reader.given("stop.time_s");

@@ -64,6 +64,29 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
     faults.is_empty().then(|| (planet, base_name.clone()))
 }
 
+/// The planet, whose flights may end as deep as a table of the case reaches.
+pub(super) fn reaching(planet: Planet, atmosphere: Option<&Atmosphere>) -> Planet {
+    let deepest_m = match atmosphere {
+        Some(Atmosphere::Table(table)) => table.valid_m().0,
+        _ => f64::INFINITY,
+    };
+    Planet {
+        lowest_altitude_m: planet.lowest_altitude_m.min(deepest_m),
+        ..planet
+    }
+}
+
+/// A fault of an altitude below the lowest of the planet.
+pub(super) fn deep_enough(reader: &mut Reader, key: &str, altitude_m: f64, planet: &Planet) {
+    let (lowest_m, title) = (planet.lowest_altitude_m, &planet.title);
+    if altitude_m < lowest_m {
+        let message = format!(
+            "got an altitude of {altitude_m} m, must be at least {lowest_m} m, the lowest of {title}"
+        );
+        reader.fault(key, message);
+    }
+}
+
 /// Whether the case brings a planet of its own.
 fn is_own(reader: &Reader) -> bool {
     section_given(reader, "planet.")
@@ -266,11 +289,11 @@ fn assumed(
     if !has_temperature || (unnamed && !gas_given) {
         let mass = gas.molar_mass_kg_kmol();
         let why = match unnamed {
-            true => "; entry.planet names another planet",
+            true => "; with entry.planet it takes those of another planet",
             false => "",
         };
         messages.push(format!(
-            "{taken} assumed to be that of {title}: the case does not bring its own{why}. Molar mass {mass:.2} kg/kmol."
+            "{taken} assumed: of {title}, {mass:.2} kg/kmol; the case brings none{why}."
         ));
     }
     let masses = match model {
