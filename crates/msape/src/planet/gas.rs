@@ -20,7 +20,7 @@ use numerics::scalar::Scalar;
 use serde::Deserialize;
 
 /// Gas constant of the International System, J/(kmol K).
-pub const GAS_CONSTANT_J_KMOL_K: f64 = 8314.462_618_153_24;
+pub const GAS_CONSTANT_J_KMOL_K: f64 = 8_314.462_618_153_24;
 
 /// A gas.
 #[derive(Clone, Debug, PartialEq)]
