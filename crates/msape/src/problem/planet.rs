@@ -217,8 +217,12 @@ pub(super) fn atmosphere(
         all_faults(reader, "atmosphere.table", model)
             .map(|model| Atmosphere::Table(Arc::new(model)))
     }?;
+    let key = match exponential {
+        true => "atmosphere.exponential.density_kg_m3",
+        false => "atmosphere.table",
+    };
     for message in assumed(reader, &model, &air.gas, lender, title) {
-        remark(reader, "atmosphere", message);
+        remark(reader, key, message);
     }
     Some(model)
 }

@@ -1,4 +1,14 @@
 //! The data file of an atmosphere: its gas, and its rows as columns.
+//!
+//! ```text
+//! z in km, ρ in kg/m³, T in K, p in Pa, γ, σ of ρ in per cent: one list each, equally long
+//! ```
+//!
+//! # Valid
+//! Altitudes ascend; γ and σ may be missing.
+//!
+//! # References
+//! - Own convention; each data file names its own.
 
 use super::Table;
 use super::row::Row;
