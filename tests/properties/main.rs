@@ -8,8 +8,10 @@
 //! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
+//! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
 //! - [`landings`]: the limit of the payload, equations 3 and 5.
 
+mod atmosphere_tables;
 mod coupling;
 mod designs;
 mod flights;
@@ -17,6 +19,7 @@ mod garbage;
 mod geometry;
 mod landings;
 mod lanes;
+mod planets;
 mod text;
 mod versions;
 

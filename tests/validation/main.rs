@@ -3,6 +3,7 @@
 //! - [`published`]: every documented case that ships with the program.
 //! - [`aerodynamics`]: coefficients against exact, computed and published ones.
 //! - [`accuracy`]: methods and tolerances of integration against one another.
+//! - [`planets`]: atmospheres of the planets against measured ones and their sources.
 //! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
 
@@ -10,6 +11,7 @@ mod accuracy;
 mod aerodynamics;
 mod outcomes;
 mod outlines;
+mod planets;
 mod published;
 mod shell;
 mod six_dof;

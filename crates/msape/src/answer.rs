@@ -15,7 +15,27 @@ use crate::design::{Design, Pass};
 use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
 use crate::outcome::Outcome;
+use crate::planet::Planet;
 use serde::{Deserialize, Serialize};
+
+/// The planet of an answer, by its names.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PlanetNames {
+    /// Name for people.
+    pub title: String,
+    /// Name in KML, where viewers know the body.
+    pub kml_target: Option<String>,
+}
+
+impl PlanetNames {
+    /// The names of a planet.
+    pub fn of(planet: &Planet) -> Self {
+        Self {
+            title: planet.title.clone(),
+            kml_target: planet.kml_target.clone(),
+        }
+    }
+}
 
 /// The answer to a case.
 ///
@@ -37,6 +57,8 @@ use serde::{Deserialize, Serialize};
 pub struct Answer {
     /// Name of the case.
     pub name: String,
+    /// The planet.
+    pub planet: PlanetNames,
     /// How it ended.
     pub outcome: Outcome,
     /// Why, in one sentence, where the outcome needs one.

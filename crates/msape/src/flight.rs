@@ -7,7 +7,7 @@
 //! - [`summary`]: peaks, loads and end of a flight.
 //! - [`trajectory`]: the time history.
 
-use crate::finding::{Finding, Severity};
+use crate::finding::Finding;
 use crate::heating::PeakConditions;
 use crate::outcome::Outcome;
 use crate::planet::horizon::Velocity;
@@ -100,7 +100,7 @@ pub struct Flight<S = f64> {
     pub final_longitude_rad: S,
     /// Density of the air at the end, kg/m³.
     pub final_density_kg_m3: S,
-    /// Great circle from start to end on a sphere of 6371 km, m.
+    /// Distance from start to end over the figure of the planet, m.
     pub downrange_m: S,
     /// Downward crossings of Mach 5, 2, 1.4 and 0.8 after peak deceleration, s.
     pub mach_times_s: [Option<S>; 4],
@@ -150,19 +150,8 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }
-    let (lowest_m, highest_m) = mission.atmosphere.valid_m();
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
-    if !(lowest_m..=highest_m).contains(&start_m) {
-        findings.push(Finding {
-            severity: Severity::Extrapolated,
-            model: "atmosphere".to_string(),
-            key: "entry.altitude_m".to_string(),
-            value: Some(start_m),
-            valid: (Some(lowest_m), Some(highest_m)),
-            message: format!("The flight starts at {start_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
-            source: "convention of this program".to_string(),
-            field: Some("entry.altitude_m".to_string()),
-        });
-    }
+    let [lowest_m, highest_m] = [f64::min, f64::max].map(|of| of(start_m, flight.final_altitude_m));
+    findings.extend(mission.atmosphere.findings(lowest_m, highest_m));
     findings
 }

@@ -15,8 +15,7 @@ use crate::heating::tauber_sutton::TauberSutton;
 use crate::heating::wall::WallGas;
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
-use crate::planet::atmosphere::us_1976::UsStandard1976;
-use crate::quantity::input::{Choices, OWN_OUTLINE};
+use crate::quantity::input::{Choices, OWN_ATMOSPHERE, OWN_OUTLINE};
 use crate::soak::SoakCorrelation;
 use crate::tps::Side;
 use crate::tps::concept::Concept;
@@ -26,7 +25,6 @@ use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::VehicleData;
-use std::sync::Arc;
 use thiserror::Error;
 
 /// The files of the folder `data`, and the shipped cases as its folder `cases`: path and text.
@@ -54,8 +52,8 @@ pub struct HeatingModels {
     pub tauber_sutton: Named<TauberSutton>,
     /// Brandis-Johnston relations, for the Earth.
     pub brandis_johnston: BrandisJohnston,
-    /// Gas at a hot wall.
-    pub wall_gas: WallGas,
+    /// Gas at a hot wall by planet.
+    pub wall_gas: Named<WallGas>,
     /// Fractions of the aftbody.
     pub afterbody: Afterbody,
     /// Shoulder factor.
@@ -71,8 +69,6 @@ pub struct Library {
     pub planets: Named<Planet>,
     /// Atmospheres by name, with a title.
     pub atmospheres: Named<(String, Atmosphere)>,
-    /// The U.S. Standard Atmosphere 1976, whose temperature other atmospheres take.
-    pub us_1976: Arc<UsStandard1976>,
     /// Heating models.
     pub heating: HeatingModels,
     /// Heat-shield materials by name.
@@ -110,18 +106,16 @@ impl Library {
     /// assert!(library.planets.iter().any(|(name, _)| name == "earth-msape"));
     /// ```
     pub fn builtin() -> Result<Library, DataError> {
-        let us_1976 = Arc::new(parsed("atmospheres/us-1976.toml", UsStandard1976::parse)?);
-        let standard = Atmosphere::UsStandard1976(us_1976.clone());
         let planets = folder("planets", Planet::parse)?;
         let earth = parsed("heating/tauber-sutton.toml", TauberSutton::parse)?;
         Ok(Library {
-            atmospheres: vec![(
-                "us-1976".to_string(),
-                ("U.S. Standard Atmosphere 1976".to_string(), standard),
-            )],
-            us_1976,
+            atmospheres: folder("atmospheres", Atmosphere::parse)?,
             heating: HeatingModels {
-                sutton_graves: sutton_graves(&planets)?,
+                sutton_graves: of_planets(
+                    "heating/sutton-graves.toml",
+                    &planets,
+                    SuttonGraves::parse,
+                )?,
                 tauber_sutton: vec![
                     ("earth".to_string(), earth.clone()),
                     ("earth-msape".to_string(), earth),
@@ -131,7 +125,7 @@ impl Library {
                     ),
                 ],
                 brandis_johnston: parsed("heating/brandis-johnston.toml", BrandisJohnston::parse)?,
-                wall_gas: parsed("heating/hot-wall.toml", WallGas::parse)?,
+                wall_gas: of_planets("heating/hot-wall.toml", &planets, WallGas::parse)?,
                 afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
                 shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
                 pressure_fit: parsed("heating/stagnation-pressure.toml", PressureFit::parse)?,
@@ -190,7 +184,11 @@ impl Library {
                 .map(|(name, label)| (name.to_string(), label.to_string()))
                 .collect(),
             Choices::Planets => titles(&self.planets, |planet| &planet.title),
-            Choices::Atmospheres => titles(&self.atmospheres, |(title, _)| title),
+            Choices::Atmospheres => {
+                let mut all = vec![(OWN_ATMOSPHERE.to_string(), "Of the planet".to_string())];
+                all.extend(titles(&self.atmospheres, |(title, _)| title));
+                all
+            }
             Choices::ForebodyConcepts => titles(&self.concepts, |concept| &concept.name),
             Choices::AftbodyMaterials => self
                 .aftbody_materials()
@@ -252,16 +250,15 @@ fn parsed<T>(path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<T,
     })
 }
 
-fn sutton_graves(planets: &Named<Planet>) -> Result<Named<SuttonGraves>, DataError> {
-    let file = "heating/sutton-graves.toml";
+/// A file that holds something for each planet.
+fn of_planets<T>(
+    file: &str,
+    planets: &Named<Planet>,
+    parse: impl Fn(&str, &str) -> Result<T, String>,
+) -> Result<Named<T>, DataError> {
     planets
         .iter()
-        .map(|(name, _)| {
-            Ok((
-                name.clone(),
-                parsed(file, |text| SuttonGraves::parse(text, name))?,
-            ))
-        })
+        .map(|(name, _)| Ok((name.clone(), parsed(file, |text| parse(text, name))?)))
         .collect()
 }
 

@@ -13,12 +13,15 @@
 //! - \[samareh-2014\] section 3.2; each data file names its own.
 
 pub mod atmosphere;
+pub mod gas;
+pub mod geodesic;
 pub mod geodetic;
 pub mod gravity;
 pub mod horizon;
 pub mod rows;
 pub mod wind;
 
+use atmosphere::Atmosphere;
 use geodetic::{Ellipsoid, Geodetic, Local};
 pub use gravity::Gravity;
 use numerics::scalar::Scalar;
@@ -55,6 +58,18 @@ pub struct Planet {
     pub rotation_rate_rad_s: f64,
     /// Customary altitude of the entry interface, m.
     pub entry_interface_m: f64,
+    /// Name of its own atmosphere.
+    pub atmosphere: String,
+    /// Lowest altitude at which a flight may end, m: of its surface, or where its atmosphere is no longer known.
+    pub lowest_altitude_m: f64,
+    /// Altitudes through whose densities the closed form lays its exponential, m.
+    pub exponential_fit_m: [f64; 2],
+    /// Radius of the sphere on which downrange is measured, m; on the ellipsoid where absent.
+    #[serde(default)]
+    pub downrange_sphere_radius_m: Option<f64>,
+    /// Name of the body in KML, where viewers know it.
+    #[serde(default)]
+    pub kml_target: Option<String>,
     /// Gravity.
     pub gravity: Gravity,
 }
@@ -123,6 +138,30 @@ impl Planet {
             "m",
             POSITIVE,
         );
+        let [low_m, high_m] = self.exponential_fit_m;
+        must(
+            low_m < high_m && (high_m - low_m).is_finite(),
+            "exponential_fit_m",
+            low_m,
+            "m",
+            "below the second altitude",
+        );
+        let lowest_m = self.lowest_altitude_m;
+        must(
+            lowest_m <= 0.0 && lowest_m.is_finite(),
+            "lowest_altitude_m",
+            lowest_m,
+            "m",
+            "0 or below, and finite",
+        );
+        let sphere_m = self.downrange_sphere_radius_m.unwrap_or(a);
+        must(
+            positive(sphere_m) || !positive(a),
+            "downrange_sphere_radius_m",
+            sphere_m,
+            "m",
+            POSITIVE,
+        );
         match self.gravity {
             Gravity::Zonal {
                 mu_m3_s2,
@@ -176,6 +215,12 @@ impl Planet {
         let omega_2 = self.rotation_rate_rad_s * self.rotation_rate_rad_s;
         // g − ω × (ω × r)
         [x + r[0] * omega_2, y + r[1] * omega_2, z]
+    }
+
+    /// Ratio of the heat capacities of the air where vehicles are slowed, at the lower altitude of the closed form.
+    pub fn heat_capacity_ratio(&self, atmosphere: &Atmosphere) -> f64 {
+        let [altitude_m, _] = self.exponential_fit_m;
+        atmosphere.air(altitude_m).heat_capacity_ratio
     }
 
     /// The figure.

@@ -14,7 +14,7 @@ mod materials;
 mod outline;
 mod planet;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, PlanetNames};
 use crate::case::{Case, InputError, Reader};
 use crate::design::coupling;
 use crate::design::inputs::DesignInput;
@@ -94,6 +94,7 @@ impl FlightProblem {
         findings.extend(crate::flight::findings(mission, body, &flight));
         Answer {
             name: name.to_string(),
+            planet: PlanetNames::of(&mission.planet),
             outcome,
             reason,
             flight: Some(flight),
@@ -136,6 +137,7 @@ impl DesignProblem {
         solution.findings.extend(self.findings.iter().cloned());
         Answer {
             name: name.to_string(),
+            planet: PlanetNames::of(&self.input.mission.planet),
             outcome: solution.outcome,
             reason: solution.reason,
             flight: solution.flight,

@@ -53,6 +53,8 @@ pub enum Dimension {
     GravitationalParameter,
     /// Frequency, Hz.
     Frequency,
+    /// Molar mass, kg/kmol.
+    MolarMass,
 }
 
 /// A unit: `canonical = value * factor + offset`.
@@ -185,6 +187,8 @@ pub static UNITS: &[Unit] = &[
     unit("m^3/s^2", Dimension::GravitationalParameter, 1.0),
     unit("km^3/s^2", Dimension::GravitationalParameter, 1e9),
     unit("Hz", Dimension::Frequency, 1.0),
+    unit("kg/kmol", Dimension::MolarMass, 1.0),
+    unit("g/mol", Dimension::MolarMass, 1.0),
 ];
 
 /// Units of one dimension, the canonical one first.

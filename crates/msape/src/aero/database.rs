@@ -13,7 +13,7 @@
 //! through S = 5, 10, 25 and ∞.
 //!
 //! # Valid
-//! Air; bodies of revolution. Backward flight in a continuum is an impact theory and no more; the base pressure b and the blends
+//! Bodies of revolution; damping and what comes from wind tunnels is of air. Backward flight in a continuum is an impact theory and no more; the base pressure b and the blends
 //! beyond 60 deg are assumed.
 //!
 //! # References
@@ -37,7 +37,7 @@ mod provenance;
 
 pub use provenance::Regime;
 
-/// Ratio of specific heats of the air in pressure coefficients and speed ratios.
+/// Ratio of specific heats in pressure coefficients and speed ratios where no other gas is named: that of cold air.
 pub const GAMMA: f64 = 1.4;
 /// Normal force of equation 7 over the sine of the angle of attack.
 const SUBSONIC_NORMAL: f64 = 0.749;
@@ -65,6 +65,8 @@ pub struct Options {
     pub accommodation: [f64; 2],
     /// Pitch damping.
     pub damping: Damping,
+    /// Ratio of specific heats in pressure coefficients and speed ratios.
+    pub heat_capacity_ratio: f64,
 }
 
 /// Coefficients at one place, about the virtual apex, with the area of the reference diameter and that diameter.
@@ -122,6 +124,7 @@ struct Computed {
     pressure_coefficient: Vec<f64>,
     pressure_center: f64,
     bridging: Bridging,
+    heat_capacity_ratio: f64,
 }
 
 /// Nodes of C_p,max over M/(1 + M).
@@ -166,7 +169,7 @@ impl Database {
         let slope = newtonian.first_slope();
         let pressure_coefficient = (0..=PRESSURE_NODES)
             .map(|n| n as f64 / PRESSURE_NODES as f64)
-            .map(|y| pressure_coefficient_max(y / (1.0 - y).max(1e-6), GAMMA))
+            .map(|y| pressure_coefficient_max(y / (1.0 - y).max(1e-6), options.heat_capacity_ratio))
             .collect();
         Database {
             diameter_m: surface.diameter_m(),
@@ -181,6 +184,7 @@ impl Database {
                 axial_force: options.axial_force,
                 pressure_coefficient,
                 bridging: options.bridging,
+                heat_capacity_ratio: options.heat_capacity_ratio,
             })),
             damping: options.damping,
         }
@@ -277,7 +281,7 @@ impl Computed {
 
     fn free_molecular(&self, mach: f64, place: &Place) -> Loads {
         let [first, second, slowest] = SPEED_RATIOS;
-        let y = 1.0 / (mach * (0.5 * GAMMA).sqrt()).max(slowest);
+        let y = 1.0 / (mach * (0.5 * self.heat_capacity_ratio).sqrt()).max(slowest);
         let [c0, c1, c2, c3] = &self.free_molecular;
         let last = c2.at(place).mixed(1.0, &c3.at(place), y - 1.0 / second);
         let middle = c1.at(place).mixed(1.0, &last, y - 1.0 / first);

@@ -10,13 +10,13 @@
 //! angle, interpolated linearly in sin² θ between 45, 60 and 70 deg. An outline without a cone is given the angle whose sharp cone has the same A₀, and K = 1.
 //!
 //! # Valid
-//! Mach 3 to 27, 41 to 70 deg, R_n/R_b 0.5 to 2.7, R_s/R_b 0.04 to 0.2; kept within these ranges. Below Mach 3: 45 to 70 deg.
+//! Air, or a gas of another ratio of heat capacities in k alone. Mach 3 to 27, 41 to 70 deg, R_n/R_b 0.5 to 2.7, R_s/R_b 0.04 to 0.2; kept within these ranges. Below Mach 3: 45 to 70 deg.
 //!
 //! # References
 //! - \[aether\] (Euler solutions to which K was fitted); \[asim\] and \[samareh-2014\] (tables); b is \[assumed\].
 
 use super::DragTable;
-use super::database::{BASE_MACH_MIN, GAMMA};
+use super::database::BASE_MACH_MIN;
 use super::newtonian::pressure_coefficient_max;
 use numerics::math::{RADIANS_PER_DEGREE, sin};
 use serde::{Deserialize, Serialize};
@@ -125,11 +125,13 @@ pub fn axial_force(
     body: Option<&SphereCone>,
     correction: &EulerCorrection,
     tables: &Tables,
+    heat_capacity_ratio: f64,
 ) -> DragTable {
     let computed = |mach: f64| {
         let factor = body.map_or(1.0, |body| correction.factor(body, mach));
         let base = mach.max(BASE_MACH_MIN);
-        pressure_coefficient_max(mach, GAMMA) * factor * newtonian + 1.0 / (base * base)
+        pressure_coefficient_max(mach, heat_capacity_ratio) * factor * newtonian
+            + 1.0 / (base * base)
     };
     let square = body.map_or(newtonian, |body| {
         let s = sin(body.cone_half_angle_rad);
@@ -207,7 +209,7 @@ mod tests {
     #[test]
     fn computed_and_published_meet_at_mach_3() {
         let table = DragTable::try_new(&[(0.4, 1.0), (2.0, 1.5), (4.0, 1.4)]).unwrap();
-        let got = axial_force(0.9, None, &correction(), &[(60.0, &table)]);
+        let got = axial_force(0.9, None, &correction(), &[(60.0, &table)], 1.4);
         // p₀₂/p = 12.061 at Mach 3: k = 11.061/6.3 = 1.7557; 0.9 k + 1/9 = 1.6912
         assert!((got.at(3.0) - 1.6912).abs() < 1e-4);
         // table 1.45 at Mach 3, factor 1.1664 from Mach 1.5 up, none at 0.5 and below

@@ -6,14 +6,14 @@
 //! ```
 //!
 //! # Valid
-//! Bodies of revolution in air.
+//! Bodies of revolution; tables, damping and the fit of the Euler solutions are of air.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3; what is assumed is named by [`Regime::provenance`](super::database::Regime).
 
 use super::bridging::Bridging;
 use super::damping::{Damping, DampingData, Reading};
-use super::database::{Database, Options};
+use super::database::{Database, GAMMA, Options};
 use super::euler::{EulerCorrection, SphereCone, axial_force};
 use super::integral::{Effort, Law, loads};
 use super::surface::Surface;
@@ -94,6 +94,7 @@ impl AeroBody {
             wall_temperature_ratio: 1.0,
             accommodation: [1.0, 1.0],
             damping: standard.damping(Reading::Corrected),
+            heat_capacity_ratio: standard.forces.heat_capacity_ratio,
         }
     }
 }
@@ -108,6 +109,15 @@ pub struct Standard {
 }
 
 impl Standard {
+    /// The same in a gas of another ratio of specific heats.
+    #[must_use]
+    pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
+        Self {
+            forces: self.forces.in_gas(heat_capacity_ratio),
+            ..self
+        }
+    }
+
     /// Damping of the report's section 3.3.7.
     pub fn damping(&self, reading: Reading) -> Damping {
         Damping::Report {
@@ -124,6 +134,8 @@ pub struct AxialForces {
     tables: Vec<(f64, DragTable)>,
     /// Of impact theory, towards solutions of the Euler equations.
     correction: EulerCorrection,
+    /// Ratio of specific heats of the gas.
+    heat_capacity_ratio: f64,
 }
 
 impl AxialForces {
@@ -132,7 +144,20 @@ impl AxialForces {
     pub fn new(mut tables: Vec<(f64, DragTable)>, correction: EulerCorrection) -> Self {
         tables.sort_by(|a, b| a.0.total_cmp(&b.0));
         tables.dedup_by(|a, b| a.0 == b.0);
-        Self { tables, correction }
+        Self {
+            tables,
+            correction,
+            heat_capacity_ratio: GAMMA,
+        }
+    }
+
+    /// The same in a gas of another ratio of specific heats.
+    #[must_use]
+    pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
+        Self {
+            heat_capacity_ratio,
+            ..self
+        }
     }
 
     /// Axial force of a body in continuum flow against Mach number.
@@ -144,6 +169,7 @@ impl AxialForces {
             body.sphere_cone.as_ref(),
             &self.correction,
             &tables,
+            self.heat_capacity_ratio,
         )
     }
 }

@@ -1,5 +1,6 @@
 //! Answers made by hand, for tests of what writes answers.
 
+use super::PlanetNames;
 use super::{Answer, Outcome};
 use crate::case::Case;
 use crate::design::Design;
@@ -55,6 +56,10 @@ pub fn flight() -> Answer {
         .collect();
     Answer {
         name: "sample \"one\", first".to_string(),
+        planet: PlanetNames {
+            title: "Earth".to_string(),
+            kml_target: Some("earth".to_string()),
+        },
         outcome: Outcome::Landed,
         reason: None,
         flight: Some(Flight {
@@ -107,6 +112,10 @@ pub fn flight() -> Answer {
 pub fn not_closed() -> Answer {
     Answer {
         name: "too large".to_string(),
+        planet: PlanetNames {
+            title: "Earth".to_string(),
+            kml_target: Some("earth".to_string()),
+        },
         outcome: Outcome::NotClosed,
         reason: Some("The payload fits at no diameter up to 2 m.".to_string()),
         flight: None,

@@ -83,6 +83,11 @@ impl<'a> Reader<'a> {
         self.case.values.contains_key(key)
     }
 
+    /// A value as the case writes it.
+    pub fn text(&self, key: &str) -> Option<String> {
+        self.case.text(key)
+    }
+
     /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.
     pub fn number(&mut self, key: &str) -> Option<f64> {
         let input = self.known(key)?;

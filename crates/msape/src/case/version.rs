@@ -75,6 +75,17 @@ struct OldDefault {
     key: String,
     was: String,
     now: Option<String>,
+    /// Where the old default is still good; everywhere when absent.
+    #[serde(rename = "where")]
+    only: Option<Place>,
+}
+
+/// Cases in which an input has one of some values, or is left open.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Place {
+    key: String,
+    values: Vec<String>,
 }
 
 /// A fault of an earlier version, in cases that have a section.
@@ -163,6 +174,15 @@ impl Case {
             && (!OPTIONAL_SECTIONS.contains(&section) || self.has_section(section))
     }
 
+    /// Whether an old default would now be refused in this case.
+    fn outgrew(&self, old: &OldDefault) -> bool {
+        let place = old.only.as_ref();
+        place.is_some_and(|Place { key, values }| {
+            let text = self.text(key);
+            text.is_some_and(|text| !values.contains(&text))
+        })
+    }
+
     /// The case as its program meant it: what it leaves open keeps the defaults of `version`.
     #[must_use]
     pub fn brought_up_from(self, version: Version) -> BroughtUp {
@@ -179,9 +199,11 @@ fn brought_up(mut case: Case, changes: &[(Version, Changes)]) -> BroughtUp {
     let mut remarks = Vec::new();
     for (version, changes) in changes {
         for old in &changes.default {
-            if case.leaves_open(old) {
+            if case.leaves_open(old) && !case.outgrew(old) {
                 remarks.push(format!("{}: {} is kept.", old.line(*version), old.was));
                 case.set(&old.key, &old.was);
+            } else if case.leaves_open(old) {
+                remarks.push(format!("{}, which is taken.", old.line(*version)));
             }
         }
         let mended = changes.mended.iter();
@@ -284,6 +306,26 @@ now = "a softer one"
         assert_eq!(case.version, Version::CURRENT);
         assert_eq!(remarks.len(), 3, "{remarks:?}");
         assert_eq!(note(&case, &[]), None);
+    }
+
+    #[test]
+    fn the_air_of_the_earth_is_not_kept_on_another_planet() {
+        let kept = |planet: &str| {
+            let old = case(&format!("[entry]\nplanet = '{planet}'\n"));
+            let BroughtUp { case, remarks } = old.brought_up_from(Version::FIRST);
+            let of = |remark: &&String| remark.starts_with("entry.atmosphere was us-1976");
+            let remark = remarks.iter().find(of).cloned().unwrap();
+            (case.text("entry.atmosphere"), remark)
+        };
+        let (atmosphere, remark) = kept("earth");
+        assert_eq!(atmosphere.as_deref(), Some("us-1976"));
+        assert!(remark.ends_with("us-1976 is kept."), "{remark}");
+        let (atmosphere, remark) = kept("mars");
+        assert_eq!(atmosphere, None);
+        assert!(
+            remark.ends_with("now the planet's own, which is taken."),
+            "{remark}"
+        );
     }
 
     #[test]

@@ -11,7 +11,7 @@
 //! # Valid
 //! Steep entry: gravity, lift, rotation and the curvature of the planet are left out; β is that of Mach 25. A shallow
 //! entry decelerates less than this says (a third less at −8 deg). An atmosphere that is not exponential is replaced by
-//! the exponential through its densities at 45 and 65 km.
+//! the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
 //!
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
@@ -26,12 +26,10 @@ use crate::aero::Drag;
 use crate::heating::pressure::Stream;
 use crate::heating::{Flow, HeatFlux};
 use crate::planet::atmosphere::Atmosphere;
-use crate::planet::geodetic::{DOWNRANGE_SPHERE_RADIUS_M, Geodetic};
+use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math;
 
-/// Altitudes through whose densities the exponential goes, m.
-const FIT_M: [f64; 2] = [45_000.0, 65_000.0];
 /// Mach number of the drag coefficient.
 const MACH: f64 = 25.0;
 /// Intervals of the sum over altitude.
@@ -58,7 +56,7 @@ impl Entry {
     /// The constants of a mission and a vehicle.
     pub fn of(mission: &Mission, body: &Body) -> Entry {
         let density = |altitude_m: f64| mission.atmosphere.density_kg_m3(altitude_m);
-        let [low_m, high_m] = FIT_M;
+        let [low_m, high_m] = mission.planet.exponential_fit_m;
         let scale_height_m = (high_m - low_m) / math::ln(density(low_m) / density(high_m));
         let drag_coefficient = match &body.drag {
             Drag::Constant(coefficient) => *coefficient,
@@ -214,6 +212,7 @@ impl<'a> Sum<'a> {
             density_kg_m3,
             speed_m_s: entering_m_s,
             mach: entering_m_s / air.speed_of_sound_m_s,
+            heat_capacity_ratio: air.heat_capacity_ratio,
         };
         let values = [
             dynamic_pressure_pa / entry.ballistic_coefficient_kg_m2 / EARTH_G_M_S2,
@@ -244,7 +243,7 @@ impl<'a> Sum<'a> {
 
     /// The state in planet-fixed axes: along the great circle of the entry azimuth, at the entry angle.
     fn state(&self, altitude_m: f64, speed_m_s: f64) -> [f64; STATES] {
-        let arc = self.downrange_m / DOWNRANGE_SPHERE_RADIUS_M;
+        let arc = self.downrange_m / self.mission.planet.sphere_radius_m();
         let ((sin_a, cos_a), azimuth) =
             (math::sin_cos(arc), self.mission.start.relative.azimuth_rad);
         let ((sin_l, cos_l), (sin_z, cos_z)) = (

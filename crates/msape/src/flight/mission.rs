@@ -105,3 +105,10 @@ pub struct Mission {
     /// How it is computed.
     pub solver: Solver,
 }
+
+impl Mission {
+    /// Ratio of the heat capacities of the air where the vehicle is slowed.
+    pub fn heat_capacity_ratio(&self) -> f64 {
+        self.planet.heat_capacity_ratio(&self.atmosphere)
+    }
+}

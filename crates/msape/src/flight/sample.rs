@@ -7,7 +7,7 @@ use super::trajectory::Trajectory;
 use crate::heating::HeatFlux;
 use crate::heating::pressure::Stream;
 use crate::heating::wall::{ColdWall, Wall, radiating_temperature_k};
-use crate::planet::geodetic::{Geodetic, great_circle_m};
+use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Horizon;
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::scalar::{Scalar, Single};
@@ -69,6 +69,7 @@ pub fn stagnation_pressure<S: Scalar>(equations: &Equations<S>, y: &[S; STATES])
         density_kg_m3: around.density_kg_m3,
         speed_m_s: around.air_speed_m_s,
         mach: around.air_speed_m_s / air.speed_of_sound_m_s,
+        heat_capacity_ratio: air.heat_capacity_ratio,
     };
     equations.mission.heating.pressure.pressure_pa(&stream)
 }
@@ -140,7 +141,7 @@ pub fn record<'a, const N: usize, S: Single>(
         east_m_s,
         north_m_s,
         -up_m_s,
-        great_circle_m(start, &place),
+        mission.planet.distance_m(start, &place),
         around.air_speed_m_s / air.speed_of_sound_m_s,
         around.density_kg_m3,
         air.temperature_k,

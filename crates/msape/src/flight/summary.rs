@@ -8,7 +8,6 @@ use super::peaks::Peaks;
 use super::sample;
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak};
-use crate::planet::geodetic::great_circle_m;
 use numerics::ode::event::root_between;
 use numerics::scalar::Single;
 
@@ -62,7 +61,7 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
         final_density_kg_m3: (motion.in_layer(layer_end).point())
             .surroundings(&head(&y_end))
             .density_kg_m3,
-        downrange_m: great_circle_m(&start, &end),
+        downrange_m: mission.planet.distance_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s.value()),
         trajectory: flight.trajectory(request),
         attitude: None,

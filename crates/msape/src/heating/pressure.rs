@@ -28,9 +28,6 @@ use numerics::math;
 use numerics::scalar::Scalar;
 use serde::Deserialize;
 
-/// Ratio of specific heats of cold air.
-pub const GAMMA_AIR: f64 = 1.4;
-
 /// How the stagnation pressure is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PressureModel {
@@ -38,7 +35,7 @@ pub enum PressureModel {
     NewtonianLimit,
     /// The report's fit to Navier-Stokes results.
     Equation9,
-    /// Equations 10 to 12 with the ratio of specific heats of cold air.
+    /// Equations 10 to 12 with the ratio of specific heats of the undisturbed air.
     PerfectGas,
 }
 
@@ -65,7 +62,9 @@ impl PressureModel {
         match self {
             Self::NewtonianLimit => "the Newtonian limit, Cp,max = 2",
             Self::Equation9 => "equation 9, the fit to Navier-Stokes results",
-            Self::PerfectGas => "a perfect gas of gamma 1.4, equations 10 to 12",
+            Self::PerfectGas => {
+                "a perfect gas with the gamma of the undisturbed air, equations 10 to 12"
+            }
         }
     }
 }
@@ -91,7 +90,7 @@ impl StagnationPressure {
             PressureModel::Equation9 => {
                 stream.pressure_pa + self.fit.rise_pa(stream.density_kg_m3, stream.speed_m_s)
             }
-            PressureModel::PerfectGas => perfect_gas_pa(stream, GAMMA_AIR),
+            PressureModel::PerfectGas => perfect_gas_pa(stream),
         }
     }
 
@@ -101,7 +100,7 @@ impl StagnationPressure {
             PressureModel::NewtonianLimit => "it bounds the other models, 3 % above equation 9",
             PressureModel::Equation9 => "of one geometry: 3 % below the Newtonian limit",
             PressureModel::PerfectGas => {
-                "5 to 7 % below the report's Navier-Stokes results: it is not conservative"
+                "in air 5 to 7 % below the report's Navier-Stokes results: it is not conservative"
             }
         };
         let message = format!(
@@ -159,6 +158,8 @@ pub struct Stream<S> {
     pub speed_m_s: S,
     /// Mach number.
     pub mach: S,
+    /// Ratio of specific heats.
+    pub heat_capacity_ratio: S,
 }
 
 impl<S: Scalar> Stream<S> {
@@ -171,28 +172,29 @@ impl<S: Scalar> Stream<S> {
 
 /// Largest pressure coefficient at `mach` in a gas with ratio of specific heats `gamma`.
 #[inline]
-pub fn maximum_pressure_coefficient<S: Scalar>(mach: S, gamma: f64) -> S {
+pub fn maximum_pressure_coefficient<S: Scalar>(mach: S, gamma: S) -> S {
     let one = S::constant(1.0);
-    let exponent = S::constant(gamma / (gamma - 1.0));
+    let (less, more) = (gamma - 1.0, gamma + 1.0);
+    let exponent = gamma / less;
     // below Mach 0.001 the coefficient is 1 to 1e-6
     let m = mach.max(S::constant(1e-3));
     let m2 = m * m;
     let supersonic = m2.max(one);
-    let base = supersonic * ((gamma + 1.0) * (gamma + 1.0))
-        / (supersonic * (4.0 * gamma) - 2.0 * (gamma - 1.0));
-    let jump = (supersonic * (2.0 * gamma) + (1.0 - gamma)) / (gamma + 1.0);
-    let compression = m2.min(one) * (0.5 * (gamma - 1.0)) + 1.0;
+    let base = supersonic * (more * more) / (supersonic * (gamma * 4.0) - less * 2.0);
+    let jump = (supersonic * (gamma * 2.0) - less) / more;
+    let compression = m2.min(one) * (less * 0.5) + 1.0;
     let fast = one.less(m2);
     let ratio = S::select(fast, base, compression).pow(exponent) * S::select(fast, jump, one);
-    (ratio - 1.0) * (2.0 / gamma) / m2
+    (ratio - 1.0) * (S::constant(2.0) / gamma) / m2
 }
 
 /// Stagnation pressure of a perfect gas, Pa.
 #[inline]
-fn perfect_gas_pa<S: Scalar>(stream: &Stream<S>, gamma: f64) -> S {
+fn perfect_gas_pa<S: Scalar>(stream: &Stream<S>) -> S {
     // p − p∞ = Cp,max ρ V²/2
     stream.pressure_pa
-        + maximum_pressure_coefficient(stream.mach, gamma) * stream.dynamic_pressure_pa()
+        + maximum_pressure_coefficient(stream.mach, stream.heat_capacity_ratio)
+            * stream.dynamic_pressure_pa()
 }
 
 /// Pressure coefficient of a surface at `angle_rad` to the flow; 0 in its shadow.
@@ -228,6 +230,7 @@ mod tests {
             density_kg_m3: 3e-4,
             speed_m_s: 12e3,
             mach: 39.0,
+            heat_capacity_ratio: 1.4,
         };
         let expected = [2.0, 1.9514, 1.8388];
         for (model, times) in PressureModel::ALL.into_iter().zip(expected) {
@@ -264,8 +267,9 @@ mod tests {
                 density_kg_m3: 1.4,
                 speed_m_s: mach,
                 mach,
+                heat_capacity_ratio: 1.4,
             };
-            let ours: f64 = perfect_gas_pa(&stream, 1.4);
+            let ours: f64 = perfect_gas_pa(&stream);
             assert!(
                 (ours / ratio - 1.0).abs() < 2e-4,
                 "Mach {mach}: {ours} against {ratio}"

@@ -10,7 +10,7 @@
 //! the portal's, margin 1.3 on plain Sutton-Graves with a factor of 1. Both above 1 are reported.
 //!
 //! # Valid
-//! As the models; the hot wall for air.
+//! As the models; the hot wall for the gas of the planet, undissociated.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.4.3 and the run page of appendix D.
@@ -259,7 +259,7 @@ mod tests {
             ))
             .unwrap(),
             radiative_margin: margins.radiative_margin,
-            gas: WallGas::parse(include_str!("../../data/heating/hot-wall.toml")).unwrap(),
+            gas: WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "earth").unwrap(),
             pressure: StagnationPressure {
                 model: PressureModel::NewtonianLimit,
                 fit: PressureFit::parse(include_str!(

@@ -2,14 +2,15 @@
 //!
 //! ```text
 //! q̇ = q̇ᶜ (1 − h_w/h₀) + q̇ʳ = ε σ T_w⁴        h₀ = V²/2 + h(T∞)
-//! h(T) = R [7/2 T + Σ xᵢ θᵢ / (exp(θᵢ/T) − 1)]
+//! h(T) = R [c₀ T + Σ xᵢ θᵢ / (exp(θᵢ/T) − 1)]
 //! ```
 //!
 //! with q̇ᶜ cold-wall convective and q̇ʳ radiative heat flux in W/m², h in J/kg, T in K, V in m/s, ε the emissivity,
-//! σ = 5.670374419e-8 W/(m² K⁴), R in J/(kg K), xᵢ and θᵢ mole fraction and vibrational temperature (K) of N₂ and O₂.
+//! σ = 5.670374419e-8 W/(m² K⁴), R in J/(kg K), c₀ the heat capacity of the rigid molecules over R, xᵢ and θᵢ number a molecule and temperature (K)
+//! of each vibration of the planet's gas.
 //!
 //! # Valid
-//! Air that does not dissociate at the wall (below about 2500 K at an atmosphere; a hotter wall understates h_w, which
+//! A gas that does not dissociate at the wall (air below about 2500 K at an atmosphere; a hotter wall understates h_w, which
 //! is conservative). The wall emits all it receives: no conduction, no ablation. A flux below 0 (a wall hotter than
 //! the flow) is given as 0.
 //!
@@ -21,9 +22,6 @@ use serde::{Deserialize, Serialize};
 
 /// Stefan-Boltzmann constant, W/(m² K⁴).
 pub const STEFAN_BOLTZMANN_W_M2_K4: f64 = 5.670_374_419e-8;
-
-/// Free-stream temperature in the total enthalpy, K: within 60 K everywhere below 100 km, where heating occurs.
-const FREE_STREAM_TEMPERATURE_K: f64 = 250.0;
 
 /// Newton steps of the radiative-equilibrium temperature; each gains more than a factor of twenty.
 const STEPS: usize = 8;
@@ -47,28 +45,47 @@ pub enum Wall {
     },
 }
 
-/// The gas at the wall, from `heating/hot-wall.toml`.
+/// The file `heating/hot-wall.toml`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct WallGas {
-    /// Key of the reference.
-    pub source: String,
-    /// Place in it.
-    pub place: String,
-    /// What is doubtful about the numbers.
-    pub note: String,
-    /// Emissivity of the wall where none is given.
-    pub wall_emissivity: f64,
-    gas_constant_j_kg_k: f64,
-    nitrogen: Species,
-    oxygen: Species,
+struct File {
+    #[serde(rename = "source")]
+    _source: String,
+    #[serde(rename = "place")]
+    _place: String,
+    #[serde(rename = "note")]
+    _note: String,
+    wall_emissivity: f64,
+    gas: Vec<Gas>,
 }
 
+/// The gas at the wall, and before the shock, on some planets.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Gas {
+    planets: Vec<String>,
+    gas_constant_j_kg_k: f64,
+    /// Heat capacity at constant pressure without vibration over the gas constant.
+    rigid_heat_capacity_ratio: f64,
+    /// Temperature before the shock, K.
+    free_stream_temperature_k: f64,
+    vibration: Vec<Vibration>,
+}
+
+/// The gas at the wall of a planet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallGas {
+    /// Emissivity of the wall where none is given.
+    pub wall_emissivity: f64,
+    gas: Gas,
+}
+
+/// A vibration, as often in a mole of the gas as its fraction says.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Species {
-    mole_fraction: f64,
-    vibrational_temperature_k: f64,
+struct Vibration {
+    fraction: f64,
+    temperature_k: f64,
 }
 
 /// Stagnation-point heating on a cold wall.
@@ -91,26 +108,34 @@ pub fn radiating_temperature_k<S: Scalar>(heat_flux_w_m2: S, emissivity: f64) ->
 }
 
 impl WallGas {
-    /// Reads the gas from the text of `heating/hot-wall.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    /// Reads the gas of `planet` from the text of `heating/hot-wall.toml`.
+    pub fn parse(text: &str, planet: &str) -> Result<Self, String> {
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let gas = file.gas.into_iter();
+        let gas = { gas }.find(|gas| gas.planets.iter().any(|name| name == planet));
+        Ok(Self {
+            wall_emissivity: file.wall_emissivity,
+            gas: gas.ok_or_else(|| format!("no gas at the wall for planet `{planet}`"))?,
+        })
     }
 
     /// Enthalpy at a temperature in K, J/kg.
     #[inline]
     pub fn enthalpy_j_kg<S: Scalar>(&self, temperature_k: S) -> S {
         let t = temperature_k;
-        let vibration = |species: &Species| {
-            let theta = S::constant(species.vibrational_temperature_k);
-            theta * species.mole_fraction / ((theta / t).exp() - 1.0)
-        };
-        (t * 3.5 + vibration(&self.nitrogen) + vibration(&self.oxygen)) * self.gas_constant_j_kg_k
+        let mut sum = t * self.gas.rigid_heat_capacity_ratio;
+        for mode in &self.gas.vibration {
+            let theta = S::constant(mode.temperature_k);
+            sum = sum + theta * mode.fraction / ((theta / t).exp() - 1.0);
+        }
+        sum * self.gas.gas_constant_j_kg_k
     }
 
     /// Total enthalpy of the flow at a speed in m/s, J/kg.
     #[inline]
     pub fn total_enthalpy_j_kg<S: Scalar>(&self, speed_m_s: S) -> S {
-        speed_m_s * speed_m_s * 0.5 + self.enthalpy_j_kg(S::constant(FREE_STREAM_TEMPERATURE_K))
+        speed_m_s * speed_m_s * 0.5
+            + self.enthalpy_j_kg(S::constant(self.gas.free_stream_temperature_k))
     }
 
     /// Temperature of a wall that radiates what it receives, K; 1 K where it receives nothing.
@@ -127,12 +152,15 @@ impl WallGas {
         let h_0 = self.total_enthalpy_j_kg(speed_m_s);
         let emission = emissivity * STEFAN_BOLTZMANN_W_M2_K4;
         let floor = S::constant(1.0);
+        let vibrations: f64 = self.gas.vibration.iter().map(|mode| mode.fraction).sum();
+        let most = self.gas.rigid_heat_capacity_ratio + vibrations;
         let mut t = radiating_temperature_k(q_c + q_r, emissivity).max(floor);
         for _ in 0..STEPS {
-            // F(T) = ε σ T⁴ + q̇ᶜ h_w/h₀ − q̇ᶜ − q̇ʳ, with 9/2 R ≥ dh/dT for its slope: descends to the root from above
+            // F(T) = ε σ T⁴ + q̇ᶜ h_w/h₀ − q̇ᶜ − q̇ʳ, with R (c₀ + Σ xᵢ) ≥ dh/dT for its slope: descends to the root from above
             let cubed = t * t * t;
             let excess = cubed * t * emission + q_c * (self.enthalpy_j_kg(t) / h_0) - q_c - q_r;
-            let slope = cubed * (4.0 * emission) + q_c * (4.5 * self.gas_constant_j_kg_k) / h_0;
+            let slope =
+                cubed * (4.0 * emission) + q_c * (most * self.gas.gas_constant_j_kg_k) / h_0;
             t = (t - excess / slope).max(floor);
         }
         t
@@ -159,7 +187,7 @@ mod tests {
     use super::*;
 
     fn air() -> WallGas {
-        WallGas::parse(include_str!("../../data/heating/hot-wall.toml")).unwrap()
+        WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "earth").unwrap()
     }
 
     #[test]
@@ -174,6 +202,22 @@ mod tests {
             let ours: f64 = air().enthalpy_j_kg(t);
             assert!((ours / h - 1.0).abs() < 5e-3, "{t} K: {ours} against {h}");
         }
+    }
+
+    #[test]
+    fn enthalpy_of_carbon_dioxide_and_of_hydrogen_is_that_of_the_gas_tables() {
+        // A harmonic oscillator is within 1 %. JANAF, h(1000 K) − h(298.15 K): CO2 33.397 kJ/mol, N2 21.463; H2 20.680; He 5/2 R 701.85 K = 14.588.
+        // Venus: (0.965 · 33.397 + 0.035 · 21.463)/43.45 g; Saturn: (0.94 · 20.680 + 0.06 · 14.588)/2.1352 g
+        for (planet, rise_mj_kg) in [("venus", 0.759_0), ("saturn", 9.514)] {
+            let text = include_str!("../../data/heating/hot-wall.toml");
+            let gas = WallGas::parse(text, planet).unwrap();
+            let rise: f64 = gas.enthalpy_j_kg(1000.0) - gas.enthalpy_j_kg(298.15);
+            assert!(
+                (rise / 1e6 / rise_mj_kg - 1.0).abs() < 1e-2,
+                "{planet}: {rise}"
+            );
+        }
+        assert!(WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "pluto").is_err());
     }
 
     #[test]

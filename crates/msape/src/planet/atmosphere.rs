@@ -1,10 +1,10 @@
 //! Density, pressure, temperature of the air against geometric altitude.
 //!
 //! ```text
-//! ρ, p, T, a, L of altitude, in smooth pieces
+//! ρ, p, T, a, γ, L of altitude, in smooth pieces
 //! ```
 //!
-//! with ρ in kg/m³, p in Pa, T in K, speed of sound a in m/s, mean free path L in m. An atmosphere is a row of pieces,
+//! with ρ in kg/m³, p in Pa, T in K, speed of sound a in m/s, ratio of the heat capacities γ, mean free path L in m. An atmosphere is a row of pieces,
 //! each smooth beyond its own ends, so that an integrator which ends its steps at the boundaries keeps its order.
 //!
 //! # Valid
@@ -18,6 +18,7 @@ pub mod piece;
 pub mod table;
 pub mod us_1976;
 
+use super::gas::Gas;
 use crate::finding::{Finding, Severity};
 use exponential::Exponential;
 use numerics::scalar::Scalar;
@@ -26,6 +27,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use table::Table;
 use us_1976::UsStandard1976;
+use us_1976::definition::Definition;
 use us_1976::temperature::StandardTemperature;
 
 /// The air at one altitude.
@@ -39,59 +41,77 @@ pub struct Air<S> {
     pub temperature_k: S,
     /// Speed of sound, m/s.
     pub speed_of_sound_m_s: S,
+    /// Ratio of the heat capacities.
+    pub heat_capacity_ratio: S,
     /// Mean free path, m.
     pub mean_free_path_m: S,
 }
 
-/// Air of the composition at sea level with the temperature of the U.S. Standard Atmosphere 1976: what models that
-/// bring a density only take for the rest.
+/// What an atmosphere lends to models of the same planet that bring less than density, pressure and temperature.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StandardAir {
-    /// Kinetic temperature by altitude.
-    pub temperature: StandardTemperature,
-    /// Ratio of the heat capacities.
-    pub heat_capacity_ratio: f64,
-    /// Gas constant of air, J/(kg K).
-    pub gas_constant_j_kg_k: f64,
-    /// Mean free path times density, kg/m².
-    pub mean_free_path_kg_m2: f64,
+pub struct PlanetAir {
+    /// Gas.
+    pub gas: Gas,
+    /// Temperature by altitude.
+    pub temperature: OwnTemperature,
 }
 
-impl StandardAir {
-    /// Air of a density, kg/m³, and a temperature, K; pressure by the gas law unless given, Pa.
+/// Temperature by altitude of a planet's own atmosphere.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OwnTemperature {
+    /// Of the U.S. Standard Atmosphere 1976.
+    Standard(StandardTemperature),
+    /// Of a table.
+    Table(Arc<Table>),
+}
+
+impl OwnTemperature {
+    /// Kinetic temperature, K, at an altitude, m.
     #[inline]
-    pub fn of<S: Scalar>(
-        &self,
-        density_kg_m3: S,
-        temperature_k: S,
-        pressure_pa: Option<S>,
-    ) -> Air<S> {
-        let r = self.gas_constant_j_kg_k;
-        Air {
-            density_kg_m3,
-            pressure_pa: pressure_pa.unwrap_or(density_kg_m3 * temperature_k * r),
-            temperature_k,
-            speed_of_sound_m_s: (temperature_k * (self.heat_capacity_ratio * r)).sqrt(),
-            mean_free_path_m: S::constant(self.mean_free_path_kg_m2) / density_kg_m3,
+    pub fn kinetic_k<S: Scalar>(&self, altitude_m: S) -> S {
+        match self {
+            Self::Standard(standard) => standard.kinetic_k(altitude_m),
+            Self::Table(table) => table.temperature_k(altitude_m),
         }
     }
 }
+
+/// A flight that ends at the first row may lie this far below it, m.
+const NEAR_M: f64 = 1.0;
 
 /// A model of the atmosphere.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Atmosphere {
     /// The U.S. Standard Atmosphere 1976.
     UsStandard1976(Arc<UsStandard1976>),
-    /// Rows that a user brings.
+    /// Rows, of a data file or of a user.
     Table(Arc<Table>),
     /// One scale height.
     Exponential(Arc<Exponential>),
 }
 
 impl Atmosphere {
-    /// The U.S. Standard Atmosphere 1976 of its data file.
-    pub fn us_1976(text: &str) -> Result<Self, String> {
-        Ok(Self::UsStandard1976(Arc::new(UsStandard1976::parse(text)?)))
+    /// Title and atmosphere of a data file: a table, or else the definition of the U.S. Standard Atmosphere 1976.
+    pub fn parse(text: &str) -> Result<(String, Self), String> {
+        if text.contains("\n[table]\n") {
+            let (title, table) = Table::parse(text)?;
+            return Ok((title, Self::Table(Arc::new(table))));
+        }
+        let definition = Definition::parse(text)?;
+        let standard = UsStandard1976::new(&definition);
+        Ok((definition.title, Self::UsStandard1976(Arc::new(standard))))
+    }
+
+    /// What it lends to models of the same planet that bring less.
+    pub fn planet_air(&self) -> PlanetAir {
+        match self {
+            Self::UsStandard1976(us) => us.planet_air(),
+            Self::Table(table) => PlanetAir {
+                gas: table.gas().clone(),
+                temperature: OwnTemperature::Table(table.clone()),
+            },
+            Self::Exponential(exponential) => exponential.planet_air().clone(),
+        }
     }
 
     /// Geometric altitudes between the smooth pieces, m, ascending; one fewer than pieces.
@@ -119,37 +139,37 @@ impl Atmosphere {
         }
     }
 
-    /// A remark when altitudes from `lowest_m` to `highest_m` leave the range of the model.
-    pub fn finding(&self, lowest_m: f64, highest_m: f64) -> Option<Finding> {
+    /// Remarks when altitudes from `lowest_m` to `highest_m` leave the range of the model.
+    pub fn findings(&self, lowest_m: f64, highest_m: f64) -> Vec<Finding> {
         let (bottom_m, top_m) = self.valid_m();
-        let value = if highest_m > top_m {
-            highest_m
-        } else {
-            lowest_m
+        let [below, above] = match self {
+            Self::Table(table) => table.is_held(),
+            _ => [false; 2],
         };
-        if (bottom_m..=top_m).contains(&value) {
-            return None;
-        }
-        let (model, source) = match self {
-            Self::UsStandard1976(_) => ("us-1976", "NASA-TM-X-74335"),
-            Self::Table(_) => ("atmosphere table", "the rows given"),
-            Self::Exponential(_) => ("exponential atmosphere", "its definition"),
-        };
-        Some(Finding {
-            severity: Severity::Extrapolated,
-            model: model.to_string(),
-            key: "altitude_m".to_string(),
-            value: Some(value),
-            valid: (Some(bottom_m), Some(top_m)),
-            message: format!(
-                "Density was extrapolated to {} km; the atmosphere covers {} to {} km.",
-                value / 1000.0,
-                bottom_m / 1000.0,
-                top_m / 1000.0
-            ),
-            source: source.to_string(),
-            field: Some("entry.atmosphere".to_string()),
+        let ends = [
+            ("entry.altitude_m", highest_m, highest_m - top_m, above),
+            ("stop.altitude_m", lowest_m, bottom_m - lowest_m, below),
+        ];
+        let left = ends
+            .into_iter()
+            .filter(|(_, _, beyond_m, _)| *beyond_m > NEAR_M);
+        left.map(|(key, value, _, is_held)| {
+            let rule = match is_held {
+                true => "density is held, for it grows with height in the last rows",
+                false => "density goes on with its last slope",
+            };
+            Finding {
+                severity: Severity::Extrapolated,
+                model: "atmosphere".to_string(),
+                key: key.to_string(),
+                value: Some(value),
+                valid: (Some(bottom_m), Some(top_m)),
+                message: format!("The flight reaches {value:.0} m, the atmosphere is given from {bottom_m:.0} to {top_m:.0} m; beyond, {rule}."),
+                source: "convention of this program".to_string(),
+                field: Some(key.to_string()),
+            }
         })
+        .collect()
     }
 
     /// The piece with an index, for [`Atmosphere::density_in`] and the like.
@@ -185,7 +205,7 @@ impl Atmosphere {
     pub fn speed_of_sound_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
         match self {
             Self::UsStandard1976(us) => us.speed_of_sound_in(piece, altitude_m),
-            Self::Table(table) => table.air_in(piece, altitude_m).speed_of_sound_m_s,
+            Self::Table(table) => table.speed_of_sound_in(piece, altitude_m),
             Self::Exponential(exponential) => exponential.air(altitude_m).speed_of_sound_m_s,
         }
     }
@@ -207,14 +227,16 @@ mod tests {
 
     #[test]
     fn leaving_the_range_is_a_finding() {
-        let air = Atmosphere::us_1976(include_str!("../../data/atmospheres/us-1976.toml")).unwrap();
-        assert_eq!(air.finding(0.0, 125e3), None);
-        assert_eq!(air.finding(-10e3, 125e3).unwrap().value, Some(-10e3));
-        assert!(
-            air.finding(0.0, 2e6)
-                .unwrap()
-                .message
-                .contains("to 2000 km; the atmosphere covers -5 to 1000 km")
-        );
+        let air = Atmosphere::parse(include_str!("../../data/atmospheres/us-1976.toml"))
+            .unwrap()
+            .1;
+        assert_eq!(air.findings(0.0, 125e3), []);
+        assert_eq!(air.findings(-10e3, 125e3)[0].value, Some(-10e3));
+        let [above] = &air.findings(0.0, 2e6)[..] else {
+            panic!("one finding")
+        };
+        let expected = "reaches 2000000 m, the atmosphere is given from -5000 to 1000000 m; beyond, density goes on";
+        assert!(above.message.contains(expected), "{}", above.message);
+        assert_eq!(air.findings(-10e3, 2e6).len(), 2);
     }
 }

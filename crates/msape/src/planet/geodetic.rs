@@ -169,28 +169,10 @@ struct Foot<S> {
     z_up: S,
 }
 
-/// Radius of the sphere on which downrange is measured, m.
-pub const DOWNRANGE_SPHERE_RADIUS_M: f64 = 6_371_000.0;
-
-/// Great-circle distance of two positions on a sphere of 6371 km, m, latitudes taken as they are.
-///
-/// ```text
-/// d = R atan2(|u × v|, u · v)
-/// ```
-pub fn great_circle_m<S: Scalar>(from: &Geodetic<S>, to: &Geodetic<S>) -> S {
-    let (sin_1, cos_1) = (from.latitude_rad.sin(), from.latitude_rad.cos());
-    let (sin_2, cos_2) = (to.latitude_rad.sin(), to.latitude_rad.cos());
-    let turn_rad = to.longitude_rad - from.longitude_rad;
-    let (sin_d, cos_d) = (turn_rad.sin(), turn_rad.cos());
-    let (east, north) = (cos_2 * sin_d, cos_1 * sin_2 - sin_1 * cos_2 * cos_d);
-    let across = (east * east + north * north).sqrt();
-    across.atan2(sin_1 * sin_2 + cos_1 * cos_2 * cos_d) * DOWNRANGE_SPHERE_RADIUS_M
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use numerics::math::{self, FRAC_PI_2, PI, RADIANS_PER_DEGREE};
+    use numerics::math::{self, FRAC_PI_2, PI};
 
     const WGS84: Ellipsoid = Ellipsoid::new(6_378_137.0, 6_356_752.314_2);
     const SATURN: Ellipsoid = Ellipsoid::new(60_268_000.0, 54_364_000.0);
@@ -292,19 +274,5 @@ mod tests {
         // 13 000 000 − 6 051 800; two units in the last place of the distance
         assert!((local.altitude_m - 6_948_200.0).abs() < 4e-9);
         assert!((local.up[2] - 12.0 / 13.0).abs() < 2e-16);
-    }
-
-    #[test]
-    fn a_degree_of_latitude_is_111_195_m_on_the_sphere() {
-        let at = |latitude_deg: f64, longitude_deg: f64| Geodetic {
-            altitude_m: 0.0,
-            latitude_rad: latitude_deg * RADIANS_PER_DEGREE,
-            longitude_rad: longitude_deg * RADIANS_PER_DEGREE,
-        };
-        // 6 371 000 π / 180 = 111 194.927; the quarter circle 10 007 543.398
-        assert!((great_circle_m(&at(30.0, 5.0), &at(31.0, 5.0)) - 111_194.927).abs() < 1e-3);
-        assert!((great_circle_m(&at(0.0, 0.0), &at(90.0, 77.0)) - 10_007_543.398).abs() < 1e-3);
-        // across the date line
-        assert!((great_circle_m(&at(0.0, 179.5), &at(0.0, -179.5)) - 111_194.927).abs() < 1e-3);
     }
 }

@@ -81,6 +81,20 @@ pub enum RowFault {
         /// Unit.
         unit: &'static str,
     },
+    /// Density, temperature and pressure of no gas.
+    #[error(
+        "row {row}: density, temperature and pressure make a gas of {molar_mass_kg_kmol:.4} kg/kmol, must be {lightest} to {heaviest} kg/kmol; are density in kg/m³, temperature in K and pressure in Pa?"
+    )]
+    ImpossibleGas {
+        /// Row.
+        row: usize,
+        /// Molar mass, kg/kmol.
+        molar_mass_kg_kmol: f64,
+        /// Least molar mass, kg/kmol.
+        lightest: f64,
+        /// Largest molar mass, kg/kmol.
+        heaviest: f64,
+    },
     /// Not above the row before.
     #[error(
         "row {row}: {column}: got {value} {unit}, must be above {before} {unit} of the row before"

@@ -4,6 +4,7 @@ use super::DesignProblem;
 use super::freedom::one_row;
 use super::heating::choice;
 use super::outline::rigid_body;
+use super::planet::{atmosphere, planet};
 use crate::aero::Drag;
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
@@ -12,11 +13,49 @@ use crate::aero::standard::AeroBody;
 use crate::aero::table::{Content, Extrapolation, Given, Grid, Row};
 use crate::case::{Case, InputError, Reader};
 use crate::flight::Request;
+use crate::flight::mission::Mission;
 use crate::library::{Library, named};
+use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
 
 const TABLE: &str = "vehicle.aerodynamics.table";
 const DAMPING_TABLE: &str = "vehicle.aerodynamics.damping_table";
+
+/// The air for which coefficients are.
+pub(super) struct Medium {
+    atmosphere: Atmosphere,
+    /// Ratio of its heat capacities where the vehicle is slowed.
+    pub heat_capacity_ratio: f64,
+}
+
+impl Medium {
+    /// The air of a mission; that of the default planet where the mission is at fault, so that the vehicle is checked all the same.
+    pub fn of(mission: Option<&Mission>, library: &Library) -> Option<Medium> {
+        if let Some(mission) = mission {
+            return Some(Medium {
+                atmosphere: mission.atmosphere.clone(),
+                heat_capacity_ratio: mission.heat_capacity_ratio(),
+            });
+        }
+        let (_, planet) = library.planets.first()?;
+        let (_, atmosphere) = named(&library.atmospheres, &planet.atmosphere)?;
+        Some(Medium::through(planet, atmosphere.clone()))
+    }
+
+    /// The air of the planet of a case.
+    fn of_case(reader: &mut Reader, library: &Library) -> Option<Medium> {
+        let planet = planet(reader, library).map(|(planet, _)| planet);
+        let atmosphere = atmosphere(reader, library, planet.as_ref())?;
+        Some(Medium::through(&planet?, atmosphere))
+    }
+
+    fn through(planet: &Planet, atmosphere: Atmosphere) -> Medium {
+        Medium {
+            heat_capacity_ratio: planet.heat_capacity_ratio(&atmosphere),
+            atmosphere,
+        }
+    }
+}
 
 /// A body and its database, from a case with an outline or from a design.
 ///
@@ -35,9 +74,13 @@ pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<
         }
     };
     let drag = named_drag(&mut reader, library);
-    let database = body
-        .as_ref()
-        .and_then(|body| database(&mut reader, library, body, drag.as_ref()));
+    // What is wrong with the planet, the check of a design has said before.
+    let medium = match reader.faults.is_empty() {
+        true => Medium::of_case(&mut reader, library),
+        false => None,
+    };
+    let database = (body.as_ref().zip(medium))
+        .and_then(|(body, medium)| database(&mut reader, library, &medium, body, drag.as_ref()));
     match body.zip(database) {
         Some(found) if reader.faults.is_empty() => Ok(found),
         _ => Err(reader.faults),
@@ -97,6 +140,7 @@ fn named_drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
 pub(super) fn database(
     reader: &mut Reader,
     library: &Library,
+    medium: &Medium,
     body: &AeroBody,
     drag: Option<&Drag>,
 ) -> Option<Database> {
@@ -107,12 +151,13 @@ pub(super) fn database(
     let wall = reader.number("vehicle.aerodynamics.wall_temperature_ratio");
     let accommodation = reader.number("vehicle.aerodynamics.accommodation");
     if reader.given(TABLE) {
-        return table_database(reader, library, diameter_m);
+        return table_database(reader, library, medium, diameter_m);
     }
     if reader.faults.len() > before {
         return None;
     }
-    let mut options = body.options(&library.aero_standard(), drag);
+    let standard = library.aero_standard().in_gas(medium.heat_capacity_ratio);
+    let mut options = body.options(&standard, drag);
     options.damping = damping?;
     options.bridging = match bridging? {
         "error-function" => Bridging::ErrorFunction,
@@ -127,11 +172,12 @@ pub(super) fn database(
 pub(super) fn table_database(
     reader: &mut Reader,
     library: &Library,
+    medium: &Medium,
     diameter_m: f64,
 ) -> Option<Database> {
     let before = reader.faults.len();
     let damping = damping(reader, library);
-    let table = table(reader, library, diameter_m);
+    let table = table(reader, medium, diameter_m);
     if reader.faults.len() > before {
         return None;
     }
@@ -153,8 +199,8 @@ pub(super) fn table_database(
 }
 
 /// Drag at zero angle of attack of a table of the case; `None` where it has none, or a faulty one.
-pub(super) fn table_drag(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Drag> {
-    let grid = table(reader, library, diameter_m)?;
+pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Drag> {
+    let grid = table(reader, medium, diameter_m)?;
     let rows = grid.axial_force_rows();
     match crate::aero::DragTable::try_new(&rows) {
         Ok(table) => Some(Drag::Table(table)),
@@ -176,7 +222,7 @@ fn extrapolation(reader: &mut Reader) -> Extrapolation {
 }
 
 /// The table of static coefficients of the case.
-fn table(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Grid> {
+fn table(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Grid> {
     if reader.given("vehicle.aerodynamics.file") {
         let message = "was not read; give its rows as vehicle.aerodynamics.table";
         reader.fault("vehicle.aerodynamics.file", message);
@@ -192,7 +238,7 @@ fn table(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Grid
         .map(|(cells, line)| Row::of_cells(cells, line))
         .map(|row| Row {
             knudsen: row.altitude_m.map_or(row.knudsen, |altitude_m| {
-                let air = Atmosphere::UsStandard1976(library.us_1976.clone()).air(altitude_m);
+                let air = medium.atmosphere.air(altitude_m);
                 Some(air.mean_free_path_m / diameter_m)
             }),
             ..row

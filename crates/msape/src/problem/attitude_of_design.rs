@@ -1,5 +1,6 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
+use super::aerodynamics::{Medium, database};
 use super::freedom::{TOLERANCE_DATABASE, one_row};
 use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;
@@ -51,7 +52,9 @@ pub fn attitude_of_design(
     }
     let axial_force = input.as_ref().map(|input| input.drag.of(vehicle));
     let drag = axial_force.clone().map(Drag::Table);
-    let database = super::aerodynamics::database(&mut reader, library, &shape, drag.as_ref());
+    let medium = Medium::of(input.as_ref().map(|input| &input.mission), library);
+    let database =
+        medium.and_then(|medium| database(&mut reader, library, &medium, &shape, drag.as_ref()));
     let mass = &vehicle.mass;
     let inertia = Inertia::try_new([
         [mass.ixx_kg_m2, 0.0, 0.0],

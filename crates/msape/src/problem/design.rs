@@ -162,6 +162,9 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         foam_grades: library.vehicle.foam.clone(),
         rules: library.vehicle.rules().ok()?,
     };
+    let heat_capacity_ratio = mission
+        .as_ref()
+        .map(|mission| mission.heat_capacity_ratio());
     Some(DesignInput {
         mission: mission?,
         vehicle,
@@ -174,7 +177,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         judged_at: judged_at?,
         drag: match aero_name? {
             OWN_OUTLINE => DesignDrag::Outline {
-                forces: library.axial_forces(),
+                forces: library.axial_forces().in_gas(heat_capacity_ratio?),
                 subsonic: terminal_drag?,
             },
             name => {

@@ -1,10 +1,10 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{database, table_database, table_drag};
+use super::aerodynamics::{Medium, database, table_database, table_drag};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
-use super::planet::{atmosphere, planet, wind};
+use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable};
 use crate::case::Reader;
@@ -30,14 +30,17 @@ pub(super) enum Angle {
 /// Everything about a flight but the vehicle.
 pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> Option<Mission> {
     let planet = planet(reader, library);
-    let atmosphere = atmosphere(reader, library);
+    let named = planet.as_ref().map(|(planet, _)| planet);
+    let atmosphere = atmosphere(reader, library, named);
+    let planet = planet.map(|(planet, name)| (reaching(planet, atmosphere.as_ref()), name));
+    let known = planet.as_ref().map(|(planet, _)| planet);
     let wind = wind(reader);
-    let start = start(reader, planet.as_ref().map(|(planet, _)| planet), angle);
+    let start = start(reader, known, angle);
+    let stop = stop(reader, known);
     let heating_planet = planet
         .as_ref()
         .map_or("earth-msape", |(_, name)| name.as_str());
     let heating = heating(reader, library, heating_planet);
-    let stop = stop(reader);
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
     Some(Mission {
@@ -87,11 +90,11 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         (None, Some(radius_m)) => altitude_at(planet, radius_m, latitude_rad),
         (None, None) => return None,
     };
-    if radius && altitude_m < LOWEST_START_M {
-        let message =
-            format!("gives an altitude of {altitude_m:.0} m, must be at least {LOWEST_START_M} m");
-        reader.fault("entry.radius_m", message);
-    }
+    let key = match radius {
+        true => "entry.radius_m",
+        false => "entry.altitude_m",
+    };
+    deep_enough(reader, key, altitude_m, planet);
     let place = Geodetic {
         altitude_m,
         latitude_rad,
@@ -116,9 +119,6 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
     })
 }
 
-/// Lowest start, m; that of the altitude's range.
-const LOWEST_START_M: f64 = -5_000.0;
-
 /// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
 fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
     let excess = |altitude_m: f64| {
@@ -135,8 +135,11 @@ fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
     root::brent(excess, guess_m - reach_m, guess_m + reach_m, 1e-9).unwrap_or(guess_m)
 }
 
-fn stop(reader: &mut Reader) -> Stop {
+fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
     let altitude_m = reader.number("stop.altitude_m");
+    if let (Some(altitude_m), Some(planet)) = (altitude_m, planet) {
+        deep_enough(reader, "stop.altitude_m", altitude_m, planet);
+    }
     let time_s = reader.number("stop.time_s");
     let nothing_given = !reader.given("stop.altitude_m") && !reader.given("stop.time_s");
     Stop {
@@ -198,7 +201,8 @@ pub(super) fn body(
         ),
         _ => {}
     }
-    let mut drag = drag(reader, library, degrees, outline);
+    let medium = Medium::of(mission, library);
+    let mut drag = drag(reader, library, medium.as_ref(), degrees, outline);
     let mut database = None;
     let at_trim = reader.flag("vehicle.trim") == Some(true) && degrees == Some(Degrees::Three);
     if at_trim && !by_database(reader, outline) {
@@ -206,7 +210,14 @@ pub(super) fn body(
         reader.fault("vehicle.trim", message);
     }
     if (degrees == Some(Degrees::Six) || at_trim) && by_database(reader, outline) {
-        database = of_outline(reader, library, outline, drag.as_ref(), diameter_m);
+        database = of_outline(
+            reader,
+            library,
+            medium.as_ref(),
+            outline,
+            drag.as_ref(),
+            diameter_m,
+        );
         // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
         drag = match (drag, &database) {
             (Some(Drag::Table(table)), Some(_)) => Some(Drag::Constant(table.at(25.0))),
@@ -250,6 +261,7 @@ fn by_database(reader: &Reader, outline: &Outline) -> bool {
 fn of_outline(
     reader: &mut Reader,
     library: &Library,
+    medium: Option<&Medium>,
     outline: &Outline,
     drag: Option<&Drag>,
     diameter_m: Option<f64>,
@@ -258,12 +270,13 @@ fn of_outline(
         Outline::Body(body) => database(
             reader,
             library,
+            medium?,
             &AeroBody::of_rigid(body, None),
             Some(drag?),
         ),
         Outline::Faulty => None,
         Outline::Absent if reader.given("vehicle.aerodynamics.table") => {
-            table_database(reader, library, diameter_m?)
+            table_database(reader, library, medium?, diameter_m?)
         }
         Outline::Absent => {
             reader.fault("vehicle.aerodynamics", "has axial force alone; with vehicle.dof = 6 give an [outline] from which the rest is computed, or constants in [vehicle.aerodynamics]");
@@ -282,6 +295,7 @@ fn of_outline(
 fn drag(
     reader: &mut Reader,
     library: &Library,
+    medium: Option<&Medium>,
     degrees: Option<Degrees>,
     outline: &Outline,
 ) -> Option<Drag> {
@@ -299,6 +313,7 @@ fn drag(
             Outline::Body(body) => Some(Drag::Table(
                 library
                     .axial_forces()
+                    .in_gas(medium?.heat_capacity_ratio)
                     .of_outline(&AeroBody::of_rigid(body, None)),
             )),
             Outline::Faulty => None,
@@ -323,7 +338,7 @@ fn drag(
                 Outline::Body(body) => body.diameter_m,
                 _ => reader.number("vehicle.diameter_m").unwrap_or(1.0),
             };
-            table_drag(reader, library, diameter_m)
+            table_drag(reader, medium?, diameter_m)
         }
         [only] if *only == keys[1] => {
             let rows: Vec<(f64, f64)> = reader

@@ -61,7 +61,7 @@ pub(super) fn heating(
         options,
         radiative: radiative?,
         radiative_margin: radiative_margin?,
-        gas: models.wall_gas.clone(),
+        gas: named(&models.wall_gas, planet)?.clone(),
         pressure: StagnationPressure {
             model: pressure?,
             fit: models.pressure_fit.clone(),

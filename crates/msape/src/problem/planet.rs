@@ -6,15 +6,17 @@ use crate::library::{Library, named};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::exponential::Exponential;
 use crate::planet::atmosphere::table::Table;
+use crate::planet::gas::{GAS_CONSTANT_J_KMOL_K, Gas, HeatCapacityRatio};
 use crate::planet::wind::{Wind, WindTable};
 use crate::planet::{Gravity, Planet};
-use crate::quantity::input::inputs;
+use crate::quantity::input::{OWN_ATMOSPHERE, inputs};
+use std::fmt::Display;
 use std::sync::Arc;
 
-/// Entry interface of a planet given in the case, m; that of the report.
-const ENTRY_INTERFACE_M: f64 = 125_000.0;
+/// Molar mass of a table over that of the planet's gas within which it is not remarked on, either way.
+const SAME_GAS: f64 = 1.05;
 
-/// The planet, and the name under which its heating relations are found.
+/// The planet, and the name of the one of the library whose heating relations are taken.
 pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, String)> {
     let names: Vec<&str> = library
         .planets
@@ -22,18 +24,105 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
         .map(|(name, _)| name.as_str())
         .collect();
     let name = reader.choice("entry.planet", &names);
-    if !section_given(reader, "planet.") {
+    if !is_own(reader) {
         let name = name?;
         return Some((named(&library.planets, name)?.clone(), name.to_string()));
     }
     if reader.given("entry.planet") {
-        overridden(reader, "entry.planet", "planet");
+        let message = "The case brings its own [planet]; of the one named only the atmosphere, the gas, the limits and the heating relations are used.";
+        remark(reader, "entry.planet", message.to_string());
     }
     let equatorial_radius_m = reader.required_number("planet.equatorial_radius_m");
     let polar_radius_m = reader
         .number("planet.polar_radius_m")
         .or(equatorial_radius_m);
     let rotation_rate_rad_s = reader.number("planet.rotation_rate_rad_s").unwrap_or(0.0);
+    let gravity = gravity(reader, equatorial_radius_m);
+    let (base_name, base) = base(reader, library, name)?;
+    let planet = Planet {
+        name: "case".to_string(),
+        title: "Planet of the case".to_string(),
+        source: String::new(),
+        place: String::new(),
+        gravity_source: String::new(),
+        note: String::new(),
+        equatorial_radius_m: equatorial_radius_m?,
+        polar_radius_m: polar_radius_m?,
+        rotation_rate_rad_s,
+        gravity: gravity?,
+        downrange_sphere_radius_m: None,
+        kml_target: base
+            .kml_target
+            .clone()
+            .filter(|_| reader.given("entry.planet")),
+        ..base.clone()
+    };
+    let faults = planet.check();
+    for fault in &faults {
+        reader.fault("planet", fault.to_string());
+    }
+    faults.is_empty().then(|| (planet, base_name.clone()))
+}
+
+/// The planet, whose flights may end as deep as a table of the case reaches.
+pub(super) fn reaching(planet: Planet, atmosphere: Option<&Atmosphere>) -> Planet {
+    let deepest_m = match atmosphere {
+        Some(Atmosphere::Table(table)) => table.valid_m().0,
+        _ => f64::INFINITY,
+    };
+    Planet {
+        lowest_altitude_m: planet.lowest_altitude_m.min(deepest_m),
+        ..planet
+    }
+}
+
+/// A fault of an altitude below the lowest of the planet.
+pub(super) fn deep_enough(reader: &mut Reader, key: &str, altitude_m: f64, planet: &Planet) {
+    let (lowest_m, title) = (planet.lowest_altitude_m, &planet.title);
+    if altitude_m < lowest_m {
+        let message = format!(
+            "got an altitude of {altitude_m} m, must be at least {lowest_m} m, the lowest of {title}"
+        );
+        reader.fault(key, message);
+    }
+}
+
+/// Whether the case brings a planet of its own.
+fn is_own(reader: &Reader) -> bool {
+    section_given(reader, "planet.")
+}
+
+/// The planet of the library that lends its air to one of the case: the one named, else the one whose atmosphere is named, else the
+/// default.
+fn base<'l>(
+    reader: &Reader,
+    library: &'l Library,
+    name: Option<&str>,
+) -> Option<&'l (String, Planet)> {
+    let named = library
+        .planets
+        .iter()
+        .find(|(known, _)| Some(known.as_str()) == name)?;
+    if reader.given("entry.planet") {
+        return Some(named);
+    }
+    let atmosphere = reader.text("entry.atmosphere");
+    let owns = |planet: &Planet| {
+        atmosphere
+            .as_ref()
+            .is_none_or(|wanted| planet.atmosphere == *wanted)
+    };
+    if owns(&named.1) {
+        return Some(named);
+    }
+    library
+        .planets
+        .iter()
+        .find(|(_, planet)| owns(planet))
+        .or(Some(named))
+}
+
+fn gravity(reader: &mut Reader, equatorial_radius_m: Option<f64>) -> Option<Gravity> {
     let mu_m3_s2 = reader.number("planet.mu_m3_s2");
     let uniform_m_s2 = reader.number("planet.uniform_gravity_m_s2");
     let zonal =
@@ -41,7 +130,7 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
     let reference_radius_m = reader
         .number("planet.j_reference_radius_m")
         .or(equatorial_radius_m);
-    let gravity = match (mu_m3_s2, uniform_m_s2) {
+    match (mu_m3_s2, uniform_m_s2) {
         (Some(_), Some(_)) => {
             reader.fault(
                 "planet.uniform_gravity_m_s2",
@@ -66,44 +155,35 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
             }
             None
         }
-    };
-    let planet = Planet {
-        name: "case".to_string(),
-        title: "Planet of the case".to_string(),
-        source: String::new(),
-        place: String::new(),
-        gravity_source: String::new(),
-        note: String::new(),
-        equatorial_radius_m: equatorial_radius_m?,
-        polar_radius_m: polar_radius_m?,
-        rotation_rate_rad_s,
-        entry_interface_m: ENTRY_INTERFACE_M,
-        gravity: gravity?,
-    };
-    let faults = planet.check();
-    for fault in &faults {
-        reader.fault("planet", fault.to_string());
     }
-    faults
-        .is_empty()
-        .then(|| (planet, "earth-msape".to_string()))
 }
 
-/// The atmosphere.
-pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmosphere> {
-    let names: Vec<&str> = library
-        .atmospheres
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
+/// The atmosphere: the planet's own, or one that the case brings.
+pub(super) fn atmosphere(
+    reader: &mut Reader,
+    library: &Library,
+    planet: Option<&Planet>,
+) -> Option<Atmosphere> {
+    let known = library.atmospheres.iter().map(|(name, _)| name.as_str());
+    let names: Vec<&str> = [OWN_ATMOSPHERE].into_iter().chain(known).collect();
     let name = reader.choice("entry.atmosphere", &names);
     let [table, file] = ["atmosphere.table", "atmosphere.file"].map(|key| reader.given(key));
     let exponential = section_given(reader, "atmosphere.exponential.");
     if !(table || file || exponential) {
-        return named(&library.atmospheres, name?).map(|(_, atmosphere)| atmosphere.clone());
+        for key in GAS {
+            if reader.given(key) {
+                reader.fault(
+                    key,
+                    "is for an atmosphere of the case; the named one has its gas",
+                );
+            }
+        }
+        return own_atmosphere(reader, library, planet?, name?);
     }
     if reader.given("entry.atmosphere") {
-        overridden(reader, "entry.atmosphere", "atmosphere");
+        let message =
+            "The case brings its own [atmosphere], which is used in place of the one named.";
+        remark(reader, "entry.atmosphere", message.to_string());
     }
     if usize::from(table) + usize::from(file) + usize::from(exponential) > 1 {
         reader.fault(
@@ -112,7 +192,6 @@ pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmos
         );
         return None;
     }
-    let standard = library.us_1976.standard_air();
     if file {
         reader.fault(
             "atmosphere.file",
@@ -120,26 +199,135 @@ pub(super) fn atmosphere(reader: &mut Reader, library: &Library) -> Option<Atmos
         );
         return None;
     }
-    if exponential {
+    let default = library.planets.iter().map(|(_, planet)| planet);
+    // The rows of a case whose planet is at fault are checked all the same.
+    let lender = planet.or_else(|| default.into_iter().next())?;
+    let (title, own) = named(&library.atmospheres, &lender.atmosphere)?;
+    let mut air = own.planet_air();
+    given_gas(reader, &mut air.gas)?;
+    let model = if exponential {
         let density = reader.required_number("atmosphere.exponential.density_kg_m3");
         let height = reader.required_number("atmosphere.exponential.scale_height_m");
-        return match Exponential::try_new(density?, height?, standard) {
-            Ok(model) => Some(Atmosphere::Exponential(Arc::new(model))),
-            Err(faults) => {
-                faults
-                    .iter()
-                    .for_each(|fault| reader.fault("atmosphere.exponential", fault.to_string()));
-                None
-            }
-        };
+        let model = Exponential::try_new(density?, height?, air.clone());
+        all_faults(reader, "atmosphere.exponential", model)
+            .map(|model| Atmosphere::Exponential(Arc::new(model)))
+    } else {
+        let rows = reader.rows("atmosphere.table")?;
+        let model = Table::try_new(&rows, air.clone());
+        all_faults(reader, "atmosphere.table", model)
+            .map(|model| Atmosphere::Table(Arc::new(model)))
+    }?;
+    let key = match exponential {
+        true => "atmosphere.exponential.density_kg_m3",
+        false => "atmosphere.table",
+    };
+    for message in assumed(reader, &model, &air.gas, lender, title) {
+        remark(reader, key, message);
     }
-    let rows = reader.rows("atmosphere.table")?;
-    match Table::try_new(&rows, standard) {
-        Ok(model) => Some(Atmosphere::Table(Arc::new(model))),
+    Some(model)
+}
+
+/// Inputs of the gas of an atmosphere that the case brings.
+const GAS: [&str; 2] = [
+    "atmosphere.molar_mass_kg_kmol",
+    "atmosphere.heat_capacity_ratio",
+];
+
+/// The planet's own atmosphere by its name, or as that of the planet.
+fn own_atmosphere(
+    reader: &mut Reader,
+    library: &Library,
+    planet: &Planet,
+    name: &str,
+) -> Option<Atmosphere> {
+    let own = planet.atmosphere.as_str();
+    if name != OWN_ATMOSPHERE && name != own {
+        let owners = library
+            .planets
+            .iter()
+            .filter(|(_, other)| other.atmosphere == name);
+        let owners: Vec<&str> = owners.map(|(name, _)| name.as_str()).collect();
+        let message = format!(
+            "got \"{name}\", the air of {}, not of {}; must be \"{OWN_ATMOSPHERE}\" or \"{own}\", or a table of the case",
+            owners.join(" and "),
+            planet.title
+        );
+        reader.fault("entry.atmosphere", message);
+        return None;
+    }
+    named(&library.atmospheres, own).map(|(_, atmosphere)| atmosphere.clone())
+}
+
+/// The gas with what the case says of it; `None` at a fault.
+fn given_gas(reader: &mut Reader, gas: &mut Gas) -> Option<()> {
+    let [molar_mass, ratio] = GAS.map(|key| (reader.given(key), reader.number(key)));
+    if let (true, mass) = molar_mass {
+        gas.gas_constant_j_kg_k = GAS_CONSTANT_J_KMOL_K / mass?;
+    }
+    if let (true, ratio) = ratio {
+        gas.heat_capacity_ratio = HeatCapacityRatio::Constant(ratio?);
+    }
+    Some(())
+}
+
+/// What is not the case's own in an atmosphere that it brings, and a gas that is not the planet's.
+fn assumed(
+    reader: &Reader,
+    model: &Atmosphere,
+    gas: &Gas,
+    planet: &Planet,
+    title: &str,
+) -> Vec<String> {
+    let mut messages = Vec::new();
+    let unnamed = is_own(reader) && !reader.given("entry.planet");
+    let gas_given = GAS.iter().all(|key| reader.given(key));
+    let has_temperature = match model {
+        Atmosphere::Table(table) => table.has_temperature(),
+        _ => false,
+    };
+    let taken = match (has_temperature, gas_given) {
+        (false, true) => "Temperature is",
+        (false, false) => "Temperature and gas are",
+        (true, _) => "The gas is",
+    };
+    if !has_temperature || (unnamed && !gas_given) {
+        let mass = gas.molar_mass_kg_kmol();
+        let why = match unnamed {
+            true => "; with entry.planet it takes those of another planet",
+            false => "",
+        };
+        messages.push(format!(
+            "{taken} assumed: of {title}, {mass:.2} kg/kmol; the case brings none{why}."
+        ));
+    }
+    let masses = match model {
+        Atmosphere::Table(table) => table.molar_masses_kg_kmol(),
+        _ => None,
+    };
+    if let Some([least, most]) = masses {
+        let mass = gas.molar_mass_kg_kmol();
+        if least * SAME_GAS < mass || most > mass * SAME_GAS {
+            messages.push(format!(
+                "Density, temperature and pressure make a gas of {least:.2} to {most:.2} kg/kmol, that of {} has {mass:.2}: the table's is used for the speed of sound, the ratio of heat capacities and the mean free path are the planet's.",
+                planet.title
+            ));
+        }
+    }
+    messages
+}
+
+/// A model, or `None` with all its faults noted.
+fn all_faults<T, F: Display>(
+    reader: &mut Reader,
+    key: &str,
+    model: Result<T, Vec<F>>,
+) -> Option<T> {
+    match model {
+        Ok(model) => Some(model),
         Err(faults) => {
-            faults
-                .iter()
-                .for_each(|fault| reader.fault("atmosphere.table", fault.to_string()));
+            for fault in faults {
+                reader.fault(key, fault.to_string());
+            }
             None
         }
     }
@@ -167,32 +355,21 @@ pub(super) fn wind(reader: &mut Reader) -> Option<Wind> {
         return None;
     }
     let rows = reader.rows("wind.table")?;
-    match WindTable::try_new(&rows) {
-        Ok(table) => Some(Wind::Table(table)),
-        Err(faults) => {
-            faults
-                .iter()
-                .for_each(|fault| reader.fault("wind.table", fault.to_string()));
-            None
-        }
-    }
+    all_faults(reader, "wind.table", WindTable::try_new(&rows)).map(Wind::Table)
 }
 
 fn section_given(reader: &Reader, prefix: &str) -> bool {
     inputs().any(|input| input.key.starts_with(prefix) && reader.given(input.key))
 }
 
-/// What the case itself brings stands before what it names.
-fn overridden(reader: &mut Reader, key: &str, section: &str) {
+fn remark(reader: &mut Reader, key: &str, message: String) {
     reader.findings.push(Finding {
         severity: Severity::Note,
         model: "input".to_string(),
         key: key.to_string(),
         value: None,
         valid: (None, None),
-        message: format!(
-            "The case brings its own [{section}], which is used in place of the one named."
-        ),
+        message,
         source: "convention of this program".to_string(),
         field: Some(key.to_string()),
     });

@@ -110,6 +110,9 @@ impl Range {
 /// Name, in a case, of the drag of the outline itself.
 pub const OWN_OUTLINE: &str = "outline";
 
+/// Name, in a case, of the planet's own atmosphere.
+pub const OWN_ATMOSPHERE: &str = "planet";
+
 /// Where the choices of a nominal input come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choices {
@@ -117,7 +120,7 @@ pub enum Choices {
     Fixed(&'static [(&'static str, &'static str)]),
     /// Planets of the library.
     Planets,
-    /// Atmospheres of the library.
+    /// The planet's own atmosphere, then those of the library by name.
     Atmospheres,
     /// Forebody concepts of the library.
     ForebodyConcepts,

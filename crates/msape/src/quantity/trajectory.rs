@@ -126,7 +126,7 @@ static COLUMNS: &[Column] = &[
         "Downrange",
         Dimension::Length,
         "km",
-        "Great circle from the start on a sphere of 6371 km.",
+        "Distance from the start over the figure of the planet: on Earth the great circle on a sphere of 6371 km, elsewhere the shortest line on the ellipsoid.",
     ),
     column(
         "mach",

@@ -1,13 +1,13 @@
 //! A trajectory as KML 2.2: a track with times and a placemark for each event.
 //!
 //! Altitudes are geodetic; a viewer takes `absolute` for heights above mean sea level, which on Earth differ by at most
-//! about 110 m (the undulation of the geoid).
+//! about 110 m (the undulation of the geoid). Another body than the Earth is said, with the hint \[kml-reference\] where viewers know it.
 
 mod instant;
 
 pub use instant::Instant;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, PlanetNames};
 use crate::flight::{Flight, Trajectory};
 use crate::units::number::{rounded, shortest};
 use std::fmt::Write;
@@ -24,16 +24,16 @@ struct Place {
 pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
     let flight = answer.flight.as_ref()?;
     let track = Track::of(flight.trajectory.as_ref()?)?;
-    let mut text = String::from(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <kml xmlns=\"http://www.opengis.net/kml/2.2\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n",
-    );
+    let Body { hint, remark } = Body::of(&answer.planet);
     let name = escaped(&answer.name);
+    let mut text = String::new();
     // Writing into a String cannot fail.
     let _ = write!(
         text,
-        "<name>{name}</name>\n\
-         <description>Starts at {}. Altitudes are geodetic, above the reference ellipsoid.</description>\n\
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <kml xmlns=\"http://www.opengis.net/kml/2.2\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\"{hint}>\n<Document>\n\
+         <name>{name}</name>\n\
+         <description>Starts at {}. Altitudes are geodetic, above the reference ellipsoid.{remark}</description>\n\
          <Style id=\"track\"><LineStyle><color>ff1478ff</color><width>3</width></LineStyle></Style>\n\
          <Placemark>\n<name>{name}</name>\n<styleUrl>#track</styleUrl>\n\
          <gx:Track>\n<altitudeMode>absolute</altitudeMode>\n",
@@ -59,6 +59,37 @@ pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
     text.push_str("</Document>\n</kml>\n");
     Some(text)
 }
+
+/// How a file says over which body the track is; a viewer takes the Earth where nothing is said.
+struct Body {
+    hint: String,
+    remark: String,
+}
+
+impl Body {
+    fn of(planet: &PlanetNames) -> Body {
+        let title = escaped(&planet.title);
+        match planet.kml_target.as_deref() {
+            Some(EARTH) => Body {
+                hint: String::new(),
+                remark: String::new(),
+            },
+            Some(target) => Body {
+                hint: format!(" hint=\"target={}\"", escaped(target)),
+                remark: format!(" The body is {title}."),
+            },
+            None => Body {
+                hint: String::new(),
+                remark: format!(
+                    " The body is {title}: a viewer that knows only others draws the track over one of them."
+                ),
+            },
+        }
+    }
+}
+
+/// The body over which viewers draw when nothing is said.
+const EARTH: &str = "earth";
 
 struct Event {
     name: &'static str,

@@ -52,6 +52,7 @@ fn options() -> Options {
             data,
             reading: Reading::Corrected,
         },
+        heat_capacity_ratio: GAMMA,
     }
 }
 

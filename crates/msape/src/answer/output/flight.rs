@@ -50,7 +50,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .report(),
     Output::new("downrange_m", "Downrange", Module::Flight, |a| flight(a, |f| f.downrange_m))
         .unit(Dimension::Length, "km")
-        .help("Great circle from start to end on a sphere of 6371 km.", "NASA/TM-2014-218507, section 3.2")
+        .help("Distance from start to end over the figure of the planet: on Earth the great circle on a sphere of 6371 km, elsewhere the shortest line on the ellipsoid.", "NASA/TM-2014-218507, section 3.2")
         .report(),
     Output::new("final_altitude_m", "Final Altitude", Module::Flight, |a| flight(a, |f| f.final_altitude_m))
         .unit(Dimension::Length, "m")

@@ -15,7 +15,7 @@
 //! - Own convention.
 
 use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
-use super::marks::{DEEPEST_M, Marks};
+use super::marks::Marks;
 use super::node::{Node, Place};
 use super::{Keep, Leg, Record};
 use crate::flight::motion::Motion;
@@ -313,7 +313,10 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Some(_) => (Outcome::Landed, None),
             None => (
                 Outcome::Landed,
-                Some(format!("fell to {DEEPEST_M} m, below any ground")),
+                Some(format!(
+                    "fell to {} m, below any ground",
+                    self.marks.ground_m
+                )),
             ),
         };
         (self.record.outcome, self.record.reason) = (outcome, reason);

@@ -21,8 +21,6 @@ use numerics::scalar::Single;
 const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 /// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
 const KINKS_FROM_MACH: f64 = 3.0;
-/// Nothing falls deeper, m.
-pub(super) const DEEPEST_M: f64 = -5_000.0;
 
 /// What flights through the same air may run into.
 #[derive(Clone, Debug)]
@@ -57,7 +55,10 @@ impl Marks {
                 .map(|(mach, _)| mach)
                 .filter(|mach| *mach >= KINKS_FROM_MACH)
                 .collect(),
-            ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
+            ground_m: mission
+                .stop
+                .altitude_m
+                .unwrap_or(mission.planet.lowest_altitude_m),
             end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
             keep,
         }

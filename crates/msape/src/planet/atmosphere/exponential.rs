@@ -4,15 +4,15 @@
 //! ρ = ρ₀ exp(−h/H)
 //! ```
 //!
-//! with ρ in kg/m³ and h, H in m. Temperature is that of the U.S. Standard Atmosphere 1976, p = ρ R T.
+//! with ρ in kg/m³ and h, H in m. Temperature and gas are those of the planet's own atmosphere, p = ρ R T.
 //!
 //! # Valid
 //! Everywhere by definition; as a model of the Earth, within tens of per cent between 0 and 100 km.
 //!
 //! # References
-//! - \[allen-eggers-1958\]; temperature \[coesa-1976\].
+//! - \[allen-eggers-1958\].
 
-use super::{Air, StandardAir};
+use super::{Air, PlanetAir};
 use numerics::scalar::Scalar;
 use thiserror::Error;
 
@@ -21,7 +21,7 @@ use thiserror::Error;
 pub struct Exponential {
     surface_density_kg_m3: f64,
     scale_height_m: f64,
-    standard: StandardAir,
+    air: PlanetAir,
 }
 
 /// What is wrong with the two numbers.
@@ -46,7 +46,7 @@ impl Exponential {
     pub fn try_new(
         surface_density_kg_m3: f64,
         scale_height_m: f64,
-        standard: StandardAir,
+        air: PlanetAir,
     ) -> Result<Self, Vec<ExponentialFault>> {
         let mut faults = Vec::new();
         if !(surface_density_kg_m3 > 0.0 && surface_density_kg_m3.is_finite()) {
@@ -63,7 +63,7 @@ impl Exponential {
             Ok(Self {
                 surface_density_kg_m3,
                 scale_height_m,
-                standard,
+                air,
             })
         } else {
             Err(faults)
@@ -84,9 +84,13 @@ impl Exponential {
     /// Everything at an altitude, m.
     #[inline]
     pub fn air<S: Scalar>(&self, altitude_m: S) -> Air<S> {
-        let temperature_k = self.standard.temperature.kinetic_k(altitude_m);
-        self.standard
-            .of(self.density_kg_m3(altitude_m), temperature_k, None)
+        let temperature_k = self.air.temperature.kinetic_k(altitude_m);
+        (self.air.gas).air(self.density_kg_m3(altitude_m), temperature_k, None, None)
+    }
+
+    /// The planet's own air, of which temperature and gas are.
+    pub fn planet_air(&self) -> &PlanetAir {
+        &self.air
     }
 }
 
@@ -95,10 +99,10 @@ mod tests {
     use super::*;
     use crate::planet::atmosphere::us_1976::UsStandard1976;
 
-    fn standard() -> StandardAir {
+    fn standard() -> PlanetAir {
         UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
             .unwrap()
-            .standard_air()
+            .planet_air()
     }
 
     #[test]

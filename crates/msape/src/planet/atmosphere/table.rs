@@ -1,24 +1,29 @@
-//! Atmosphere that a user brings as a table.
+//! Atmosphere as a table: of a data file, or of a user.
 //!
 //! ```text
-//! ln ρ = ln ρᵢ + (z − zᵢ) (ln ρᵢ₊₁ − ln ρᵢ)/(zᵢ₊₁ − zᵢ)        ln p the same, T linear in z
-//! p = ρ R T                                                    where no pressure is given
+//! ln ρ = ln ρᵢ + (z − zᵢ) (ln ρᵢ₊₁ − ln ρᵢ)/(zᵢ₊₁ − zᵢ)        ln (p/ρ) the same, T and γ linear in z
+//! p = ρ R T, γ = γ(T)                                           where none is given; R and γ of the planet's gas
 //! ```
 //!
-//! with ρ in kg/m³, p in Pa, T in K, z in m, R of air in J/(kg K).
-//! Beyond the ends ln ρ and ln p go on with their last slope, T is held. Without temperatures those of the
-//! U.S. Standard Atmosphere 1976 are taken.
+//! with ρ in kg/m³, p in Pa, T in K, z in m, R in J/(kg K), γ the ratio of the heat capacities.
+//! Beyond the ends ln ρ goes on with its last slope, but is held where density would grow with height; p/ρ, T and γ are held.
+//! Without temperatures those of the planet's own atmosphere are taken.
 //!
 //! # Valid
-//! Between the first and the last altitude. Speed of sound and mean free path are those of air at sea level.
+//! Between the first and the last altitude. Mean free path, and γ where it is not given, are those of the planet's gas.
 //!
 //! # References
-//! - Own convention; temperature \[coesa-1976\].
+//! - Own convention; each data file names its own.
 
-use super::{Air, Piece, StandardAir};
+mod file;
+mod row;
+
+use super::{Air, OwnTemperature, Piece, PlanetAir};
+use crate::planet::gas::{GAS_CONSTANT_J_KMOL_K, Gas};
 use crate::planet::rows::{self, Column, RowFault};
 use numerics::math;
 use numerics::scalar::Scalar;
+use row::Row;
 
 /// Columns of a row, in order; a table has the first two, three or four.
 pub const COLUMNS: [Column; 4] = [
@@ -44,13 +49,22 @@ pub const COLUMNS: [Column; 4] = [
     },
 ];
 
+/// Molar masses that a gas can have, kg/kmol: atomic hydrogen and beyond the heaviest gas of an atmosphere.
+const POSSIBLE_KG_KMOL: [f64; 2] = [1.0, 200.0];
+
 /// The atmosphere; each interval of the table is a piece of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     intervals: Vec<Interval>,
     boundaries_m: Vec<f64>,
     valid_m: (f64, f64),
-    standard: StandardAir,
+    /// Whether density is held below and above.
+    held: [bool; 2],
+    gas: Gas,
+    /// Where no temperature is given.
+    temperature: Option<OwnTemperature>,
+    /// Altitude, m, and standard deviation of density over density, where the source gives it.
+    density_sigma: Vec<[f64; 2]>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +72,8 @@ struct Interval {
     from_m: f64,
     ln_density: Line,
     temperature_k: Option<Line>,
-    ln_pressure: Option<Line>,
+    ln_pressure_over_density: Option<Line>,
+    heat_capacity_ratio: Option<Line>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +83,7 @@ struct Line {
 }
 
 impl Line {
-    fn new(dz: f64, from: f64, to: f64) -> Self {
+    fn between(dz: f64, from: f64, to: f64) -> Self {
         Self {
             value: from,
             slope_per_m: (to - from) / dz,
@@ -77,44 +92,87 @@ impl Line {
 }
 
 impl Table {
-    /// The atmosphere of rows of altitude, m, density, kg/m³, temperature, K (optional), pressure, Pa (optional); or
-    /// all that is wrong with them.
-    pub fn try_new(rows: &[Vec<f64>], standard: StandardAir) -> Result<Self, Vec<RowFault>> {
-        rows::check(
-            rows,
-            &COLUMNS,
-            rows::Shape {
-                fewest_rows: 2,
-                fewest_columns: 2,
-            },
-        )?;
-        let column = |row: &[f64], i: usize| row.get(i).copied();
-        let logarithm = |row: &[f64], i: usize| column(row, i).map(math::ln);
-        let line = |dz: f64, a: Option<f64>, b: Option<f64>| Some(Line::new(dz, a?, b?));
-        let mut intervals = Vec::with_capacity(rows.len());
-        for pair in rows.windows(2) {
-            let [a, b] = pair else { continue };
-            let (Some(from_m), Some(to_m)) = (column(a, 0), column(b, 0)) else {
-                continue;
-            };
-            let dz = to_m - from_m;
-            let Some(ln_density) = line(dz, logarithm(a, 1), logarithm(b, 1)) else {
-                continue;
-            };
-            intervals.push(Interval {
-                from_m,
-                ln_density,
-                temperature_k: line(dz, column(a, 2), column(b, 2)),
-                ln_pressure: line(dz, logarithm(a, 3), logarithm(b, 3)),
-            });
+    /// The atmosphere of rows of altitude, m, density, kg/m³, temperature, K, pressure, Pa, the last two optional, with the air of
+    /// the planet for what is not given; or all that is wrong with them. Of density, temperature and pressure one may be 0 in
+    /// every row: it is that of the other two in the planet's gas.
+    pub fn try_new(rows: &[Vec<f64>], air: PlanetAir) -> Result<Self, Vec<RowFault>> {
+        let given = |column: usize| {
+            rows.iter()
+                .any(|row| row.get(column).is_some_and(|x| *x != 0.0))
+        };
+        let given = [given(1), given(2), given(3)];
+        let mut columns = COLUMNS;
+        let two = given.iter().filter(|given| **given).count() >= 2;
+        for (column, given) in columns.iter_mut().skip(1).zip(given) {
+            if !given && two {
+                column.rule = rows::Rule::Finite;
+            }
         }
-        let altitude = |row: Option<&Vec<f64>>| row.and_then(|r| column(r, 0)).unwrap_or(0.0);
-        Ok(Self {
-            boundaries_m: intervals.iter().skip(1).map(|i| i.from_m).collect(),
+        let shape = rows::Shape {
+            fewest_rows: 2,
+            fewest_columns: 2,
+        };
+        rows::check(rows, &columns, shape)?;
+        let PlanetAir { gas, temperature } = air;
+        let rows: Vec<Row> = rows
+            .iter()
+            .filter_map(|cells| Row::of_cells(cells, given, gas.gas_constant_j_kg_k))
+            .collect();
+        let molar_masses = rows.iter().map(Row::molar_mass_kg_kmol).enumerate();
+        let [lightest, heaviest] = POSSIBLE_KG_KMOL;
+        let faults: Vec<RowFault> = molar_masses
+            .filter_map(|(index, mass)| {
+                let molar_mass_kg_kmol = mass.filter(|m| !(lightest..=heaviest).contains(m))?;
+                Some(RowFault::ImpossibleGas {
+                    row: index + 1,
+                    molar_mass_kg_kmol,
+                    lightest,
+                    heaviest,
+                })
+            })
+            .take(rows::MOST_FAULTS)
+            .collect();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Self::of_rows(&rows, gas, Some(temperature)))
+    }
+
+    fn of_rows(rows: &[Row], gas: Gas, temperature: Option<OwnTemperature>) -> Self {
+        let mut intervals: Vec<Interval> = rows
+            .windows(2)
+            .filter_map(|pair| match pair {
+                [a, b] => Some(Interval::between(a, b)),
+                _ => None,
+            })
+            .collect();
+        let valid_m = match rows {
+            [first, .., last] => (first.altitude_m, last.altitude_m),
+            _ => (0.0, 0.0),
+        };
+        let rises = |interval: Option<&Interval>| {
+            interval.is_some_and(|interval| interval.ln_density.slope_per_m > 0.0)
+        };
+        let held = [rises(intervals.first()), rises(intervals.last())];
+        // Beyond the ends of a table that rises there, a level interval of its own.
+        if let (true, Some(last), Some(row)) = (held[1], intervals.last().cloned(), rows.last()) {
+            intervals.push(last.level_at(row));
+        }
+        let mut boundaries_m: Vec<f64> = intervals.iter().skip(1).map(|i| i.from_m).collect();
+        if let (true, Some(first), Some(row)) = (held[0], intervals.first().cloned(), rows.first())
+        {
+            intervals.insert(0, first.level_at(row));
+            boundaries_m.insert(0, row.altitude_m);
+        }
+        Self {
+            boundaries_m,
             intervals,
-            valid_m: (altitude(rows.first()), altitude(rows.last())),
-            standard,
-        })
+            valid_m,
+            held,
+            gas,
+            temperature,
+            density_sigma: Vec::new(),
+        }
     }
 
     /// Altitudes of the rows within, m.
@@ -125,6 +183,50 @@ impl Table {
     /// First and last altitude of the table, m.
     pub fn valid_m(&self) -> (f64, f64) {
         self.valid_m
+    }
+
+    /// Whether density is held below and above the table, where it would else grow with height.
+    pub fn is_held(&self) -> [bool; 2] {
+        self.held
+    }
+
+    /// The gas of what the rows leave open.
+    pub fn gas(&self) -> &Gas {
+        &self.gas
+    }
+
+    /// Whether the rows bring the temperature.
+    pub fn has_temperature(&self) -> bool {
+        self.intervals.iter().all(|i| i.temperature_k.is_some())
+    }
+
+    /// Least and largest molar mass that density, temperature and pressure make, kg/kmol; `None` where one is not given.
+    pub fn molar_masses_kg_kmol(&self) -> Option<[f64; 2]> {
+        let of = |interval: &Interval| {
+            let quotient = math::exp(interval.ln_pressure_over_density?.value);
+            Some(GAS_CONSTANT_J_KMOL_K * interval.temperature_k?.value / quotient)
+        };
+        let all: Option<Vec<f64>> = self.intervals.iter().map(of).collect();
+        let all = all?;
+        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+        Some([least, all.iter().copied().fold(0.0, f64::max)])
+    }
+
+    /// Standard deviation of density over density at an altitude, m, linear between rows and held beyond them; `None` where the
+    /// source gives none.
+    pub fn density_sigma(&self, altitude_m: f64) -> Option<f64> {
+        let rows = &self.density_sigma;
+        let above = rows.partition_point(|[z, _]| *z <= altitude_m);
+        match (
+            above.checked_sub(1).and_then(|n| rows.get(n)),
+            rows.get(above),
+        ) {
+            (Some([z_a, a]), Some([z_b, b])) => {
+                Some(a + (altitude_m - z_a) / (z_b - z_a) * (b - a))
+            }
+            (Some([_, only]), None) | (None, Some([_, only])) => Some(*only),
+            (None, None) => None,
+        }
     }
 
     /// A number of the interval in which each lane is.
@@ -152,28 +254,105 @@ impl Table {
         ((altitude_m - from_m) * slope_per_m + value).exp()
     }
 
+    /// An altitude, m, kept within the table.
+    #[inline]
+    fn held_m<S: Scalar>(&self, altitude_m: S) -> S {
+        let (first_m, last_m) = self.valid_m;
+        altitude_m
+            .max(S::constant(first_m))
+            .min(S::constant(last_m))
+    }
+
+    /// A column of one interval at an altitude within the table, m; all rows have the same columns.
+    #[inline]
+    fn line_at<S: Scalar>(
+        &self,
+        piece: &Piece<S::Value>,
+        held_m: S,
+        of: fn(&Interval) -> Option<Line>,
+    ) -> Option<S> {
+        self.intervals.first().and_then(of)?;
+        let [from_m, value, slope_per_m]: [S; 3] = self.of_interval(piece, |i| {
+            let [value, slope] = of(i).map_or([0.0; 2], |l| [l.value, l.slope_per_m]);
+            [i.from_m, value, slope]
+        });
+        Some((held_m - from_m) * slope_per_m + value)
+    }
+
     /// Everything of one interval.
     #[inline]
     pub fn air_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> Air<S> {
-        let density_kg_m3 = self.density_in(piece, altitude_m);
-        let (first_m, last_m) = self.valid_m;
-        let held_m = altitude_m
-            .max(S::constant(first_m))
-            .min(S::constant(last_m));
-        // All rows have the same columns.
-        let first = self.intervals.first();
-        let line_at = |of: fn(&Interval) -> Option<Line>, altitude_m: S| {
-            first.and_then(of)?;
-            let [from_m, value, slope_per_m]: [S; 3] = self.of_interval(piece, |i| {
-                let [value, slope] = of(i).map_or([0.0; 2], |l| [l.value, l.slope_per_m]);
-                [i.from_m, value, slope]
-            });
-            Some((altitude_m - from_m) * slope_per_m + value)
+        let held_m = self.held_m(altitude_m);
+        let line = |of| self.line_at(piece, held_m, of);
+        let temperature_k = line(|i| i.temperature_k).unwrap_or_else(|| self.lent_k(altitude_m));
+        self.gas.air(
+            self.density_in(piece, altitude_m),
+            temperature_k,
+            line(|i| i.ln_pressure_over_density).map(S::exp),
+            line(|i| i.heat_capacity_ratio),
+        )
+    }
+
+    /// Speed of sound of one interval, m/s.
+    #[inline]
+    pub fn speed_of_sound_in<S: Scalar>(&self, piece: &Piece<S::Value>, altitude_m: S) -> S {
+        self.air_in(piece, altitude_m).speed_of_sound_m_s
+    }
+
+    /// Temperature of the planet's own atmosphere, K, where the rows bring none.
+    #[inline]
+    fn lent_k<S: Scalar>(&self, altitude_m: S) -> S {
+        match &self.temperature {
+            Some(own) => own.kinetic_k(altitude_m),
+            None => S::constant(0.0),
+        }
+    }
+
+    /// Temperature at an altitude, m, the interval chosen by it, in K.
+    pub fn temperature_k<S: Scalar>(&self, altitude_m: S) -> S {
+        if !self.has_temperature() {
+            return self.lent_k(altitude_m);
+        }
+        let held_m = self.held_m(altitude_m);
+        let [from_m, value, slope_per_m] = held_m.lookup(|z| {
+            let layer = self.boundaries_m.partition_point(|boundary| *boundary <= z);
+            let interval = self.intervals.get(layer).or(self.intervals.last());
+            let line = interval.and_then(|i| Some((i.from_m, i.temperature_k?)));
+            line.map_or([0.0; 3], |(from_m, line)| {
+                [from_m, line.value, line.slope_per_m]
+            })
+        });
+        (held_m - from_m) * slope_per_m + value
+    }
+}
+
+impl Interval {
+    fn between(a: &Row, b: &Row) -> Self {
+        let dz = b.altitude_m - a.altitude_m;
+        let line = |a: Option<f64>, b: Option<f64>| Some(Line::between(dz, a?, b?));
+        let quotient = |row: &Row| Some(math::ln(row.pressure_pa?) - math::ln(row.density_kg_m3));
+        Self {
+            from_m: a.altitude_m,
+            ln_density: Line::between(dz, math::ln(a.density_kg_m3), math::ln(b.density_kg_m3)),
+            temperature_k: line(a.temperature_k, b.temperature_k),
+            ln_pressure_over_density: line(quotient(a), quotient(b)),
+            heat_capacity_ratio: line(a.heat_capacity_ratio, b.heat_capacity_ratio),
+        }
+    }
+
+    /// The same columns at one row, at every altitude.
+    fn level_at(&self, row: &Row) -> Self {
+        let level = |line: Line| Line {
+            value: line.value + (row.altitude_m - self.from_m) * line.slope_per_m,
+            slope_per_m: 0.0,
         };
-        let temperature_k = line_at(|i| i.temperature_k, held_m)
-            .unwrap_or_else(|| self.standard.temperature.kinetic_k(altitude_m));
-        let pressure_pa = line_at(|i| i.ln_pressure, altitude_m).map(S::exp);
-        self.standard.of(density_kg_m3, temperature_k, pressure_pa)
+        Self {
+            from_m: row.altitude_m,
+            ln_density: level(self.ln_density),
+            temperature_k: self.temperature_k.map(level),
+            ln_pressure_over_density: self.ln_pressure_over_density.map(level),
+            heat_capacity_ratio: self.heat_capacity_ratio.map(level),
+        }
     }
 }
 
@@ -183,10 +362,10 @@ mod tests {
     use crate::planet::atmosphere::{Atmosphere, us_1976::UsStandard1976};
     use std::sync::Arc;
 
-    fn standard() -> StandardAir {
+    fn standard() -> PlanetAir {
         UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
             .unwrap()
-            .standard_air()
+            .planet_air()
     }
 
     fn table(rows: &[&[f64]]) -> Result<Atmosphere, Vec<RowFault>> {

@@ -28,6 +28,7 @@ mod stratum;
 pub mod temperature;
 
 use super::{Air, Piece};
+use crate::planet::gas::{FreePath, HeatCapacityRatio};
 use definition::Definition;
 use hermite::Cubic;
 use heterosphere::{Heterosphere, SPANS};
@@ -135,15 +136,18 @@ impl UsStandard1976 {
         }
     }
 
-    /// Temperature of this atmosphere by altitude, for models that bring a density only.
-    pub fn standard_air(&self) -> super::StandardAir {
-        super::StandardAir {
-            temperature: self.temperature.clone(),
-            heat_capacity_ratio: self.gas.heat_capacity_ratio,
-            gas_constant_j_kg_k: self.gas.gas_constant_j_kmol_k
-                / self.gas.sea_level_molar_mass_kg_kmol,
-            mean_free_path_kg_m2: self.gas.mean_free_path_constant
-                * self.gas.sea_level_molar_mass_kg_kmol,
+    /// Air of the composition at sea level with the temperature of this atmosphere, for models that bring less.
+    pub fn planet_air(&self) -> super::PlanetAir {
+        let molar_mass_kg_kmol = self.gas.sea_level_molar_mass_kg_kmol;
+        super::PlanetAir {
+            temperature: super::OwnTemperature::Standard(self.temperature.clone()),
+            gas: crate::planet::gas::Gas {
+                heat_capacity_ratio: HeatCapacityRatio::Constant(self.gas.heat_capacity_ratio),
+                gas_constant_j_kg_k: self.gas.gas_constant_j_kmol_k / molar_mass_kg_kmol,
+                free_path: FreePath::Diameter {
+                    times_density_kg_m2: self.gas.mean_free_path_constant * molar_mass_kg_kmol,
+                },
+            },
         }
     }
 
@@ -223,6 +227,7 @@ impl UsStandard1976 {
             pressure_pa: density_kg_m3,
             temperature_k: density_kg_m3,
             speed_of_sound_m_s: density_kg_m3,
+            heat_capacity_ratio: S::constant(self.gas.heat_capacity_ratio),
             mean_free_path_m: density_kg_m3,
         };
         for lane in 0..S::LANES {

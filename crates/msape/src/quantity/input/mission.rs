@@ -1,6 +1,6 @@
 //! Inputs of the mission: planet, atmosphere, wind, entry state, heating, end of the flight, integration.
 
-use super::{Choices, Column, Group, Input, Kind, Need, Preset, Range};
+use super::{Choices, Column, Group, Input, Kind, Need, OWN_ATMOSPHERE, Preset, Range};
 use crate::units::Dimension;
 
 const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
@@ -8,19 +8,21 @@ const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
 const CONVENTION: &str = "convention of this program";
 
 const POSITIVE: Range = Range::above(0.0, 1e30);
+/// Below any planet's lowest altitude, m; each has its own limit.
+const DEEPEST_M: f64 = -1e6;
 
 pub(super) const INPUTS: &[Input] = &[
     Input::new("entry.planet", "Planet", Group::Models, Kind::Choice(Choices::Planets))
         .preset(Preset::Name("earth-msape"))
         .help("Constants of shape, gravity and rotation.", REPORT_FLIGHT),
     Input::new("entry.atmosphere", "Atmosphere", Group::Models, Kind::Choice(Choices::Atmospheres))
-        .preset(Preset::Name("us-1976"))
-        .help("Density, temperature and pressure against altitude.", REPORT_FLIGHT),
-    Input::number("entry.altitude_m", "Entry Altitude", Group::Mission, Dimension::Length, Range::closed(-5e3, 1e9))
+        .preset(Preset::Name(OWN_ATMOSPHERE))
+        .help("Density, temperature and pressure against altitude: the planet's own; another planet's is refused.", REPORT_FLIGHT),
+    Input::number("entry.altitude_m", "Entry Altitude", Group::Mission, Dimension::Length, Range::closed(DEEPEST_M, 1e9))
         .unit("km")
         .usual(80e3, 200e3)
         .preset(Preset::Number(125_000.0))
-        .help("Geodetic altitude at which the flight starts.", REPORT_FLIGHT),
+        .help("Geodetic altitude at which the flight starts; not below the lowest of the planet.", REPORT_FLIGHT),
     Input::number("entry.radius_m", "Entry Radius", Group::Mission, Dimension::Length, Range::above(0.0, 1e10))
         .unit("km")
         .help("Distance from the centre of the planet at the start, instead of the altitude.", CONVENTION),
@@ -102,9 +104,14 @@ pub(super) const INPUTS: &[Input] = &[
             Column { name: "pressure_Pa", required: false },
         ]),
     )
-    .help("Rows of altitude, density and, if known, temperature and pressure; density is interpolated in its logarithm.", CONVENTION),
+    .help("Rows of altitude, density and, if known, temperature and pressure; density is interpolated in its logarithm. Where two of the three are given, the third may be 0 in every row: it is that of the planet's gas.", CONVENTION),
     Input::new("atmosphere.file", "Atmosphere File", Group::Models, Kind::Text)
         .help("Name of a CSV file with the rows of the atmosphere table.", CONVENTION),
+    Input::number("atmosphere.molar_mass_kg_kmol", "Molar Mass of the Gas", Group::Models, Dimension::MolarMass, Range::closed(1.0, 200.0))
+        .unit("kg/kmol")
+        .help("Molar mass of the gas of an atmosphere given in the case; that of the planet's gas when absent.", CONVENTION),
+    Input::number("atmosphere.heat_capacity_ratio", "Ratio of Heat Capacities", Group::Models, Dimension::One, Range::above(1.0, 1.7))
+        .help("Ratio of the heat capacities of the gas of an atmosphere given in the case; that of the planet's gas when absent.", CONVENTION),
     Input::number("atmosphere.exponential.density_kg_m3", "Exponential Atmosphere Density", Group::Models, Dimension::Density, POSITIVE)
         .unit("kg/m^3")
         .help("Density at altitude zero of an exponential atmosphere.", CONVENTION),
@@ -195,10 +202,10 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .preset(Preset::Name("hottest-point"))
     .help("Where heat flux and heat load are taken for the thickness of the forebody's heat shield and for its limits; the report's relations took those of the stagnation point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
-    Input::number("stop.altitude_m", "Final Altitude", Group::Mission, Dimension::Length, Range::closed(-5e3, 1e6))
+    Input::number("stop.altitude_m", "Final Altitude", Group::Mission, Dimension::Length, Range::closed(DEEPEST_M, 1e7))
         .unit("m")
         .usual(-500.0, 5_000.0)
-        .help("Geodetic altitude at which a falling vehicle ends its flight; 0 m when nothing else ends it.", CONVENTION),
+        .help("Geodetic altitude at which a falling vehicle ends its flight, not below the lowest of the planet; 0 m when nothing else ends it.", CONVENTION),
     Input::number("stop.time_s", "Final Time", Group::Mission, Dimension::Time, Range::above(0.0, 1e7))
         .unit("s")
         .help("Time after the start at which the flight ends.", CONVENTION),

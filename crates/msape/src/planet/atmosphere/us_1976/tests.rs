@@ -6,7 +6,8 @@ const COMPUTED: &str = include_str!("../../../../../../tests/data/us_1976_0_200_
 const PRINTED: &str = include_str!("../../../../../../tests/data/us_1976_printed.csv");
 
 fn us_1976() -> Atmosphere {
-    Atmosphere::us_1976(include_str!("../../../../data/atmospheres/us-1976.toml")).unwrap()
+    let text = include_str!("../../../../data/atmospheres/us-1976.toml");
+    Atmosphere::parse(text).unwrap().1
 }
 
 fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
