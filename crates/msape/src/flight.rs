@@ -14,6 +14,8 @@ use crate::planet::horizon::Velocity;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};
 use numerics::scalar::Scalar;
+use phase::Begun;
+use reach::{Passed, Push};
 use serde::{Deserialize, Serialize};
 
 pub use six_dof::events::AttitudeEvents;
@@ -29,6 +31,8 @@ pub mod mission;
 pub mod motion;
 pub mod numbers;
 pub mod peaks;
+pub mod phase;
+pub mod reach;
 pub mod sample;
 pub mod six_dof;
 pub mod summary;
@@ -106,6 +110,16 @@ pub struct Flight<S = f64> {
     pub mach_times_s: [Option<S>; 4],
     /// Time history, where one was asked for.
     pub trajectory: Option<Trajectory>,
+    /// Ends of tables of the case that it passed.
+    pub passed: Vec<Passed>,
+    /// Where the air pushed the vehicle, as no air does.
+    pub pushed: Option<Push>,
+    /// Lowest and highest altitude between two steps, m.
+    pub altitudes_m: [f64; 2],
+    /// Phases that began.
+    pub phases: Vec<Begun<S>>,
+    /// Number of times it left the atmosphere.
+    pub exits: u32,
     /// Attitude along the flight, in six degrees of freedom.
     pub attitude: Option<AttitudeEvents>,
     /// Evaluations of the right-hand side.
@@ -150,19 +164,38 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }
+    findings.extend(flight.passed.iter().map(Passed::finding));
+    findings.extend(flight.pushed.as_ref().map(Push::finding));
+    findings.extend(beyond_atmosphere(mission, flight));
+    findings
+}
+
+/// Distance from an altitude at which a flight is there, m.
+pub const LANDED_WITHIN_M: f64 = 1e-3;
+
+/// What is said where a flight begins or goes above or below the atmosphere.
+fn beyond_atmosphere(mission: &Mission, flight: &Flight) -> Option<Finding> {
     let (lowest_m, highest_m) = mission.atmosphere.valid_m();
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
-    if !(lowest_m..=highest_m).contains(&start_m) {
-        findings.push(Finding {
-            severity: Severity::Extrapolated,
-            model: "atmosphere".to_string(),
-            key: "entry.altitude_m".to_string(),
-            value: Some(start_m),
-            valid: (Some(lowest_m), Some(highest_m)),
-            message: format!("The flight starts at {start_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
-            source: "convention of this program".to_string(),
-            field: Some("entry.altitude_m".to_string()),
-        });
-    }
-    findings
+    let [least_m, greatest_m] = flight.altitudes_m;
+    let valid = |altitude_m: f64| {
+        (lowest_m - LANDED_WITHIN_M..=highest_m + LANDED_WITHIN_M).contains(&altitude_m)
+    };
+    let outside = [start_m, least_m, greatest_m].into_iter().find(|altitude_m| !valid(*altitude_m));
+    let altitude_m = outside?;
+    let how = match altitude_m == start_m {
+        true => "starts at",
+        false if altitude_m < lowest_m => "goes down to",
+        false => "goes up to",
+    };
+    Some(Finding {
+        severity: Severity::Extrapolated,
+        model: "atmosphere".to_string(),
+        key: "entry.altitude_m".to_string(),
+        value: Some(altitude_m),
+        valid: (Some(lowest_m), Some(highest_m)),
+        message: format!("The flight {how} {altitude_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
+        source: "convention of this program".to_string(),
+        field: Some("entry.altitude_m".to_string()),
+    })
 }

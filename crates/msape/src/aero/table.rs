@@ -18,8 +18,10 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
 use serde::{Deserialize, Serialize};
 
 mod check;
+mod push;
 mod row;
 
+pub use push::in_radians;
 pub use row::Row;
 
 /// What holds beyond a table.
@@ -31,7 +33,7 @@ pub enum Extrapolation {
     Hold,
     /// The straight line with the last slope.
     Extend,
-    /// Nothing: a place beyond the table is a fault.
+    /// Nothing: a place beyond the table is a fault, and a flight ends there.
     Refuse,
 }
 
@@ -208,6 +210,20 @@ impl Grid {
     /// Mach numbers of the table.
     pub fn mach(&self) -> &[f64] {
         &self.mach
+    }
+
+    /// Ends of the Mach numbers, of the angles, rad, and of the Knudsen numbers, where there is more than one of them.
+    pub fn ends(&self) -> [Option<[f64; 2]>; 3] {
+        let ends = |axis: &[f64]| match axis {
+            [first, .., last] => Some([*first, *last]),
+            _ => None,
+        };
+        let knudsen = ends(&self.log_knudsen);
+        [
+            ends(&self.mach),
+            ends(&self.alpha_rad),
+            knudsen.map(|ends| ends.map(|log| numerics::math::pow(10.0, log))),
+        ]
     }
 
     /// Largest angle of the table, rad.

@@ -334,6 +334,11 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
+            passed: Vec::new(),
+            pushed: None,
+            altitudes_m: [place.altitude_m, self.place.altitude_m],
+            phases: Vec::new(),
+            exits: 0,
             attitude: None,
             evaluations: 0,
         }

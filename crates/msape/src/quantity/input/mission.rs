@@ -201,7 +201,10 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Geodetic altitude at which a falling vehicle ends its flight; 0 m when nothing else ends it.", CONVENTION),
     Input::number("stop.time_s", "Final Time", Group::Mission, Dimension::Time, Range::above(0.0, 1e7))
         .unit("s")
-        .help("Time after the start at which the flight ends.", CONVENTION),
+        .help("Time after the start at which the flight ends; a vehicle that leaves the atmosphere on a bound orbit flies on until then.", CONVENTION),
+    Input::number("stop.passes", "Passes", Group::Mission, Dimension::One, Range::closed(1.0, 1000.0))
+        .whole()
+        .help("Number of passes through the atmosphere after which leaving it ends the flight; when absent the first, or with a final time none: a vehicle on a bound orbit flies on to its next entry.", CONVENTION),
     Input::number("solver.tolerance", "Integration Tolerance", Group::Solver, Dimension::One, Range::closed(1e-13, 1e-2))
         .help("Relative error allowed in one step; when absent, chosen so that peak deceleration and heat load are good to 1e-5.", CONVENTION),
     Input::new(
