@@ -166,6 +166,13 @@ impl DragTable {
         self.own
     }
 
+    /// Whether its first two and its last two rows are alike.
+    pub fn level(&self) -> [bool; 2] {
+        let alike = |pair: Option<&[f64]>| matches!(pair, Some([a, b]) if a == b);
+        [self.coefficient.first_chunk::<2>(), self.coefficient.last_chunk::<2>()]
+            .map(|pair| alike(pair.map(<[f64; 2]>::as_slice)))
+    }
+
     /// First and last Mach number.
     pub fn ends(&self) -> [f64; 2] {
         let [first, last] = [self.mach.first(), self.mach.last()];

@@ -24,6 +24,7 @@ pub use trajectory::{Request, Trajectory};
 pub mod allen_eggers;
 pub mod batch;
 pub mod equations;
+pub mod fixed_step;
 pub mod freedom;
 pub mod integration;
 pub mod lift;
@@ -136,19 +137,53 @@ impl<S: Scalar> Flight<S> {
 
 /// Flies a vehicle: the flight, how it ended, and why.
 pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome, Option<String>) {
-    if mission.solver.model == Model::AllenEggers {
-        return (
-            allen_eggers::fly(mission, body, request),
-            Outcome::Landed,
-            None,
-        );
+    let (flight, outcome, reason) = match &body.freedom {
+        _ if mission.solver.model == Model::AllenEggers => {
+            let flight = allen_eggers::fly(mission, body, request);
+            let (outcome, reason) = allen_eggers::ending(mission, &flight);
+            (flight, outcome, reason)
+        }
+        Freedom::Rigid(rigid) => six_dof::fly(mission, body, rigid, request),
+        Freedom::Ballistic | Freedom::Lifting(_) => {
+            let record = three_dof::integrate(mission, body);
+            let flight = summary::summarize(three_dof::motion(mission, body), &record, request);
+            (flight, record.outcome, record.reason)
+        }
+    };
+    match flight.not_finite() {
+        Some(name) => {
+            let reason = format!("the {name} is not a finite number");
+            (flight, Outcome::GaveUp, Some(reason))
+        }
+        None => (flight, outcome, reason),
     }
-    if let Freedom::Rigid(rigid) = &body.freedom {
-        return six_dof::fly(mission, body, rigid, request);
+}
+
+impl Flight {
+    /// A result that is not a finite number, by its name; such a flight is not to be used.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let peak = |name: &'static str, peak: &Peak| {
+            let values = [peak.value, peak.time_s, peak.altitude_m, peak.speed_m_s];
+            (name, values.iter().sum::<f64>())
+        };
+        let named = [
+            peak("peak deceleration", &self.peak_deceleration_earth_g),
+            peak("peak dynamic pressure", &self.peak_dynamic_pressure_pa),
+            peak("peak stagnation pressure", &self.peak_stagnation_pressure_pa),
+            peak("peak heat flux", &self.peak_total_margined_heat_flux_w_m2),
+            ("convective heat load", self.convective_heat_load_j_m2),
+            ("radiative heat load", self.radiative_heat_load_j_m2),
+            ("peak wall temperature", self.peak_wall_temperature_k),
+            ("time of flight", self.time_of_flight_s),
+            ("final altitude", self.final_altitude_m),
+            ("final speed", self.final_speed_m_s),
+            ("final latitude", self.final_latitude_rad),
+            ("final longitude", self.final_longitude_rad),
+            ("downrange", self.downrange_m),
+        ];
+        let mut wild = named.into_iter().filter(|(_, value)| !value.is_finite());
+        wild.next().map(|(name, _)| name)
     }
-    let record = three_dof::integrate(mission, body);
-    let flight = summary::summarize(three_dof::motion(mission, body), &record, request);
-    (flight, record.outcome, record.reason)
 }
 
 /// What a reader of a flight must know: ranges of the heating models and of the atmosphere.
@@ -167,6 +202,9 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     findings.extend(flight.passed.iter().map(Passed::finding));
     findings.extend(flight.pushed.as_ref().map(Push::finding));
     findings.extend(beyond_atmosphere(mission, flight));
+    findings.extend(flight.trajectory.as_ref().and_then(Trajectory::finding));
+    findings.extend(phase::findings(mission, flight.phases.len()));
+    findings.extend(fixed_step::finding(mission, body, flight));
     findings
 }
 

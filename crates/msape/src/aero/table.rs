@@ -226,6 +226,32 @@ impl Grid {
         ]
     }
 
+    /// Whether, at the ends of the same axes, the last two nodes have the same coefficients at every place of the others.
+    pub fn level(&self) -> [[bool; 2]; 3] {
+        let counts = [self.mach.len(), self.log_knudsen.len(), self.alpha_rad.len()];
+        let value = |[mach, knudsen, alpha]: [usize; 3]| {
+            let [_, of_knudsen, of_alpha] = counts;
+            self.values.get((mach * of_knudsen + knudsen) * of_alpha + alpha)
+        };
+        let alike = |axis: usize, pair: [usize; 2]| {
+            let mut others = counts;
+            others[axis] = 1;
+            let [machs, knudsens, alphas] = others;
+            (0..machs * knudsens * alphas).all(|n| {
+                let mut place = [n / (knudsens * alphas), n / alphas % knudsens, n % alphas];
+                let [a, b] = pair.map(|node| {
+                    place[axis] = node;
+                    value(place).map(|[coefficients, _]| coefficients)
+                });
+                a == b
+            })
+        };
+        [0, 2, 1].map(|axis| match counts[axis] {
+            0 | 1 => [false; 2],
+            count => [alike(axis, [0, 1]), alike(axis, [count - 2, count - 1])],
+        })
+    }
+
     /// Largest angle of the table, rad.
     pub fn alpha_max_rad(&self) -> f64 {
         self.alpha_rad.last().copied().unwrap_or(PI)

@@ -39,6 +39,8 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
+/// Faulty cells of a table that are listed.
+const ROW_FAULTS_MAX: usize = 100;
 /// Unknown keys that get a hint at the nearest known one; a file with more of them is no case.
 const HINTS_MAX: usize = 100;
 
@@ -284,16 +286,19 @@ impl<'a> Reader<'a> {
                 self.fault(key, message);
             }
             for (cell, column) in row.iter().zip(columns) {
-                if !cell.is_finite() {
-                    self.fault(
-                        key,
-                        format!(
-                            "row {}, {}: got {cell}, must be a finite number",
-                            i + 1,
-                            column.name
-                        ),
-                    );
+                let allowed = input::range_of_column(column.name);
+                let wrong = if !cell.is_finite() {
+                    "must be a finite number".to_string()
+                } else if !allowed.contains(*cell) {
+                    must_be(&allowed, "")
+                } else {
+                    continue;
+                };
+                if self.faults.len() >= before + ROW_FAULTS_MAX {
+                    return None;
                 }
+                let message = format!("row {}, {}: got {cell}, {wrong}", i + 1, column.name);
+                self.fault(key, message);
             }
         }
         (self.faults.len() == before).then_some(rows)

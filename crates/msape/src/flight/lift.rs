@@ -214,7 +214,7 @@ mod tests {
             let [x, y, z] = direction(&u, &[1.0, 0.0, 0.0], bank, NORTH);
             (x * x + y * y + z * z).sqrt()
         };
-        assert_eq!(size(FADING, pi), 1.0);
+        assert!((size(FADING, pi) - 1.0).abs() < 1e-15);
         // x = 1/2: ½ (3 − ¼)/2 = 0.6875
         assert!((size(0.5 * FADING, pi) - 0.6875).abs() < 1e-12);
         // at 90 deg over half the width

@@ -93,6 +93,8 @@ pub struct Axis {
     pub ends: [f64; 2],
     /// What holds beyond.
     pub rule: Extrapolation,
+    /// Whether the table is level at each end: its last two rows are alike, so that every rule goes on with them.
+    pub level: [bool; 2],
 }
 
 /// Part of the length of an axis by which rounding may leave it.
@@ -105,18 +107,21 @@ impl Axis {
             argument,
             ends,
             rule: Extrapolation::Hold,
+            level: [false; 2],
         }
-    }
-
-    /// How far a value is beyond the ends, in its unit; zero or less within.
-    pub fn excess(&self, value: f64) -> f64 {
-        let [first, last] = self.ends;
-        (first - value).max(value - last) - SLACK * (last - first)
     }
 
     /// Whether a flight ends where it leaves the table.
     pub fn refuses(&self) -> bool {
-        self.rule == Extrapolation::Refuse
+        self.rule == Extrapolation::Refuse && self.level != [true; 2]
+    }
+
+    /// How far a value is beyond an end that is not level, in its unit; zero or less where it is not.
+    pub fn refused_excess(&self, value: f64) -> f64 {
+        let ([first, last], [level_first, level_last]) = (self.ends, self.level);
+        let beyond = |level: bool, excess: f64| if level { f64::NEG_INFINITY } else { excess };
+        beyond(level_first, first - value).max(beyond(level_last, value - last))
+            - SLACK * (last - first)
     }
 
     /// The sentence of a flight that ends where it leaves the table.
@@ -172,7 +177,9 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
             Aerodynamics::Constants(_) => {}
             Aerodynamics::Database(of) => {
                 axes.extend(of_database(&of.database));
-                of_drag_table(of.axial_force.as_ref(), &mut axes);
+                if of.database.table().is_none() {
+                    of_drag_table(of.axial_force.as_ref(), &mut axes);
+                }
             }
         },
     }
@@ -186,10 +193,11 @@ fn of_drag(drag: &Drag, axes: &mut Vec<Axis>) {
 }
 
 fn of_drag_table(table: Option<&DragTable>, axes: &mut Vec<Axis>) {
-    let own = table.and_then(|table| Some((table.own()?, table.ends())));
-    axes.extend(own.map(|(own, ends)| Axis {
+    let own = table.and_then(|table| Some((table.own()?, table)));
+    axes.extend(own.map(|(own, table)| Axis {
         rule: own.extrapolation,
-        ..Axis::held(own.key, Argument::Mach, ends)
+        level: table.level(),
+        ..Axis::held(own.key, Argument::Mach, table.ends())
     }));
 }
 
@@ -198,10 +206,15 @@ pub fn of_database(database: &Database) -> Vec<Axis> {
     let grid = |key: &'static str, grid: &Grid| {
         let rule = grid.extrapolation;
         let arguments = [Argument::Mach, Argument::TotalAlpha, Argument::Knudsen];
-        let ends = arguments.into_iter().zip(grid.ends());
-        let axis = move |(argument, ends): (Argument, Option<[f64; 2]>)| {
+        let level = grid.level();
+        let ends = arguments.into_iter().zip(grid.ends()).zip(level);
+        let axis = move |((argument, ends), level): ((Argument, Option<[f64; 2]>), [bool; 2])| {
             let held = Axis::held(key, argument, ends?);
-            Some(Axis { rule, ..held })
+            Some(Axis {
+                rule,
+                level,
+                ..held
+            })
         };
         ends.filter_map(axis).collect::<Vec<Axis>>()
     };
@@ -261,14 +274,20 @@ pub struct Passed {
 /// The ends that were passed.
 pub fn passed(axes: &[Axis], spans: &[Span]) -> Vec<Passed> {
     let both = axes.iter().zip(spans).flat_map(|(axis, span)| {
-        let beyond = [span.least, span.greatest].into_iter();
-        let beyond = beyond.filter(|[value, _]| value.is_finite() && axis.excess(*value) > 0.0);
-        beyond.map(|farthest| Passed {
+        let [first, last] = axis.ends;
+        let slack = SLACK * (last - first);
+        let beyond = [
+            (span.least, first - span.least[0]),
+            (span.greatest, span.greatest[0] - last),
+        ];
+        let beyond = beyond.into_iter().zip(axis.level);
+        let beyond = beyond.filter(move |((_, by), _)| *by > slack && by.is_finite());
+        beyond.map(|((farthest, _), level)| Passed {
             key: axis.key.to_string(),
             argument: axis.argument,
             ends: axis.ends,
             farthest,
-            rule: axis.rule,
+            rule: if level { Extrapolation::Hold } else { axis.rule },
         })
     });
     both.collect()
@@ -374,7 +393,25 @@ mod tests {
         argument: Argument::Mach,
         ends: [0.5, 25.0],
         rule: Extrapolation::Hold,
+        level: [false; 2],
     };
+
+    #[test]
+    fn a_table_that_is_level_at_its_end_is_not_refused_there() {
+        let axis = Axis {
+            rule: Extrapolation::Refuse,
+            level: [false, true],
+            ..MACH
+        };
+        assert!(axis.refuses() && axis.refused_excess(40.0) < 0.0);
+        assert!((axis.refused_excess(0.4) - 0.1).abs() < 1e-6);
+        let mut span = Span::EMPTY;
+        span.take(40.0, 1.0);
+        let [passed] = &passed(&[axis], &[span])[..] else {
+            unreachable!("one end is passed")
+        };
+        assert!(passed.finding().message.ends_with("the end is held."));
+    }
 
     #[test]
     fn both_ends_may_be_passed_and_each_is_said_with_the_farthest_value() {

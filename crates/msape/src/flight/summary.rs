@@ -223,6 +223,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         let mission = self.motion.point().mission;
         let start = sample::position(mission, &head(&self.record.start));
         let mut history = Trajectory::new();
+        let mut coarsened_s = None;
         let mut add = |t: S, y: &[S; N], stage: &Stage<S>| {
             sample::record(&mut history, &self.motion.in_stage(stage), t, y, &start);
         };
@@ -237,7 +238,10 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
             }
             Request::Uniform(step_s) => {
                 let (t_end, y_end, stage_end) = self.end();
-                let rows = (t_end.value() / step_s).min(MOST_ROWS) as u64;
+                let asked_s = step_s;
+                let step_s = asked_s.max(t_end.value() / MOST_ROWS);
+                coarsened_s = (step_s > asked_s).then_some([asked_s, step_s]);
+                let rows = (t_end.value() / step_s) as u64;
                 for i in 0..=rows {
                     let t = i as f64 * step_s;
                     if t < t_end.value() {
@@ -249,6 +253,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
                 add(t_end, &y_end, &stage_end);
             }
         }
+        history.coarsened_s = coarsened_s;
         Some(history)
     }
 }

@@ -1,5 +1,7 @@
 //! The time history of a flight: one column a quantity, columns as in [`crate::quantity::trajectory`].
 
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
 use crate::quantity::trajectory::{Column, columns};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +35,8 @@ pub enum Request {
 pub struct Trajectory {
     /// Values by column.
     pub values: Vec<Vec<f64>>,
+    /// Uniform step that was asked for and the longer one that was taken, s, where there would have been too many rows.
+    pub coarsened_s: Option<[f64; 2]>,
 }
 
 impl Trajectory {
@@ -40,7 +44,27 @@ impl Trajectory {
     pub fn new() -> Trajectory {
         Trajectory {
             values: vec![Vec::new(); columns().len()],
+            coarsened_s: None,
         }
+    }
+
+    /// What is said of a history whose step was made longer.
+    pub fn finding(&self) -> Option<Finding> {
+        let [asked_s, taken_s] = self.coarsened_s?;
+        Some(Finding {
+            severity: Severity::Note,
+            model: "time history".to_string(),
+            key: "time_s".to_string(),
+            value: Some(taken_s),
+            valid: (None, None),
+            message: format!(
+                "At a step of {} s the history would have more than a million rows; its step is {} s.",
+                short(asked_s),
+                short(taken_s)
+            ),
+            source: "convention of this program".to_string(),
+            field: None,
+        })
     }
 
     /// Number of rows.

@@ -40,6 +40,9 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let stop = stop(reader);
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
+    if let (Some(start), Some(solver)) = (&start, &solver) {
+        descends(reader, start, solver, angle);
+    }
     Some(Mission {
         planet: planet?.0,
         atmosphere: atmosphere?,
@@ -51,6 +54,30 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         stop,
         solver: solver?,
     })
+}
+
+/// Faults of a start from which the closed form does not come down: it flies the early passes of a design, too.
+fn descends(reader: &mut Reader, start: &Start, solver: &Solver, angle: Angle) {
+    let who = match (angle, solver.model) {
+        (Angle::Descending, _) => "a design enters",
+        (Angle::Any, Model::AllenEggers) => "the closed form enters",
+        (Angle::Any, _) => return,
+    };
+    let Velocity {
+        speed_m_s,
+        flight_path_angle_rad,
+        ..
+    } = start.relative;
+    if speed_m_s == 0.0 {
+        let message = format!("got 0 m/s relative to the planet, must be above 0 m/s: {who}");
+        reader.fault("entry.speed_m_s", message);
+    } else if flight_path_angle_rad >= 0.0 && angle == Angle::Any {
+        let message = format!(
+            "got {:.3} deg relative to the planet, must be below 0 deg: {who}",
+            flight_path_angle_rad / RADIANS_PER_DEGREE
+        );
+        reader.fault("entry.flight_path_angle_deg", message);
+    }
 }
 
 fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<Start> {

@@ -87,7 +87,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
         let arguments = self.motion.arguments(t, y).map(S::value);
         let beyond = |axis: &Axis| {
-            axis.refuses() && axis.excess(arguments[axis.argument as usize]) > 0.0
+            axis.refuses() && axis.refused_excess(arguments[axis.argument as usize]) > 0.0
         };
         self.marks.axes.iter().position(beyond)
     }
@@ -105,7 +105,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
                 let excess = |t: f64| {
                     let t = step.time(t);
                     let arguments = self.motion.arguments(t, &step.at(t));
-                    axis.excess(arguments[axis.argument as usize].value())
+                    axis.refused_excess(arguments[axis.argument as usize].value())
                 };
                 let (from, to) = (before.value(), t.value());
                 let tolerance = TOLERANCE * (step.t1 - step.t0).value();
