@@ -86,6 +86,7 @@ pub fn flight() -> Answer {
             trajectory: Some(Trajectory {
                 values,
                 coarsened_s: None,
+                phases: Vec::new(),
             }),
             passed: Vec::new(),
             pushed: None,

@@ -61,7 +61,8 @@ impl<'a> Reader<'a> {
             faults: Vec::new(),
             findings: case.version_note().into_iter().collect(),
         };
-        for key in case.values.keys().filter(|key| input::find(key).is_none()) {
+        let known = |key: &str| input::find(key).is_some() && !input::phase::is_repeated(key);
+        for key in case.values.keys().filter(|key| !known(key)) {
             let message = if reader.faults.len() < HINTS_MAX {
                 unknown_key(key)
             } else {
@@ -83,6 +84,18 @@ impl<'a> Reader<'a> {
     /// Whether the case gives this key.
     pub fn given(&self, key: &str) -> bool {
         self.case.values.contains_key(key)
+    }
+
+    /// The largest number of a phase in the case.
+    pub fn phases(&self) -> usize {
+        let most = input::phase::MOST;
+        let mut numbers = (1..=most).rev();
+        let given = |number: &usize| {
+            let section = format!("{}.{number}.", input::phase::SECTION);
+            let mut after = self.case.values.range(section.clone()..);
+            after.next().is_some_and(|(key, _)| key.starts_with(&section))
+        };
+        numbers.find(given).unwrap_or(0)
     }
 
     /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.

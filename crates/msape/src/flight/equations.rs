@@ -68,6 +68,8 @@ pub struct Equations<'a, S: Scalar = f64> {
     numbers: Numbers<S>,
     /// What the phases so far have changed besides.
     changed: Changed<S>,
+    /// Number of phases so far, of one lane.
+    phase: usize,
     /// A/(2 m), m²/kg.
     half_area_over_mass: S,
 }
@@ -95,6 +97,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
             radiation: Radiation::exact(),
             half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
             changed: Changed::nothing(),
+            phase: 0,
             numbers,
         }
     }
@@ -131,6 +134,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
 
     /// A phase that begins at a time, s.
     pub fn change(&mut self, change: &Change, t: S) {
+        self.phase += 1;
         let numbers = &mut self.numbers;
         let replace = |number: &mut S, by: Option<f64>| {
             if let Some(by) = by {
@@ -156,6 +160,11 @@ impl<'a, S: Scalar> Equations<'a, S> {
     #[inline]
     pub fn changed(&self) -> &Changed<S> {
         &self.changed
+    }
+
+    /// Number of phases so far.
+    pub fn phase(&self) -> usize {
+        self.phase
     }
 
     /// Whether there are phases.

@@ -254,6 +254,10 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
             }
         }
         history.coarsened_s = coarsened_s;
+        if !mission.phases.is_empty() {
+            let names = mission.phases.iter().map(|phase| phase.name.clone());
+            history.phases = core::iter::once("entry".to_string()).chain(names).collect();
+        }
         Some(history)
     }
 }

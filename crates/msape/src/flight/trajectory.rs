@@ -2,7 +2,7 @@
 
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::quantity::trajectory::{Column, columns};
+use crate::quantity::trajectory::{Column, PHASE, columns};
 use serde::{Deserialize, Serialize};
 
 /// Which time history is wanted.
@@ -37,6 +37,8 @@ pub struct Trajectory {
     pub values: Vec<Vec<f64>>,
     /// Uniform step that was asked for and the longer one that was taken, s, where there would have been too many rows.
     pub coarsened_s: Option<[f64; 2]>,
+    /// Names of the phases, by the numbers of their column: entry, then those of the case.
+    pub phases: Vec<String>,
 }
 
 impl Trajectory {
@@ -45,6 +47,7 @@ impl Trajectory {
         Trajectory {
             values: vec![Vec::new(); columns().len()],
             coarsened_s: None,
+            phases: Vec::new(),
         }
     }
 
@@ -65,6 +68,13 @@ impl Trajectory {
             source: "convention of this program".to_string(),
             field: None,
         })
+    }
+
+    /// The name for which a number of a column stands, where it stands for one.
+    pub fn name(&self, column: &Column, value: f64) -> Option<&str> {
+        let of_phase = column.key == PHASE;
+        let name = of_phase.then(|| self.phases.get(value as usize)).flatten();
+        name.map(String::as_str)
     }
 
     /// Number of rows.

@@ -5,6 +5,7 @@ mod attitude;
 mod design;
 mod mission;
 mod outline;
+pub mod phase;
 mod vehicle;
 
 use crate::units::{Dimension, Unit, canonical};
@@ -352,11 +353,25 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .chain(outline::INPUTS)
         .chain(attitude::INPUTS)
         .chain(aerodynamics::INPUTS)
+        .chain(phase::INPUTS)
 }
 
-/// The input with this key or alias.
+/// The input with this key or alias; of a key of one phase, such as `phase.2.mach`, the one that stands for all.
 pub fn find(key: &str) -> Option<&'static Input> {
+    let numbered = phase::numbered(key);
+    let key = numbered.as_ref().map_or(key, |(_, key)| key);
     inputs().find(|input| input.key == key || input.aliases.contains(&key))
+}
+
+/// The key under which a case keeps an input: aliases give way to it, a phase without number is the first.
+pub fn canonical_key(key: &str) -> String {
+    match (find(key), phase::numbered(key)) {
+        (Some(_), Some(_)) | (None, _) => key.to_string(),
+        (Some(input), None) => match input.key.strip_prefix("phase.") {
+            Some(name) => format!("{}.1.{name}", phase::SECTION),
+            None => input.key.to_string(),
+        },
+    }
 }
 
 #[cfg(test)]

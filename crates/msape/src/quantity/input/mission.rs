@@ -8,8 +8,8 @@ const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
 const CONVENTION: &str = "convention of this program";
 
 const POSITIVE: Range = Range::above(0.0, 1e30);
-/// From an asteroid to beyond the Sun, m: altitudes keep a micrometre.
-const RADIUS: Range = Range::closed(100.0, 1e9);
+/// From an asteroid to a plane, m: altitudes keep two millimetres.
+const RADIUS: Range = Range::closed(100.0, 1e13);
 
 pub(super) const INPUTS: &[Input] = &[
     Input::new("entry.planet", "Planet", Group::Models, Kind::Choice(Choices::Planets))
@@ -63,7 +63,7 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .preset(Preset::Name("relative"))
     .help("Whether speed, angle and azimuth are relative to the rotating planet or inertial, both in the local geodetic horizon.", CONVENTION),
-    Input::number("planet.mu_m3_s2", "Gravitational Parameter", Group::Models, Dimension::GravitationalParameter, Range::above(0.0, 1e21))
+    Input::number("planet.mu_m3_s2", "Gravitational Parameter", Group::Models, Dimension::GravitationalParameter, Range::above(0.0, 1e28))
         .unit("m^3/s^2")
         .aliases(&["planet.mu_m3s2", "planet.gravitational_parameter_m3_s2"])
         .help("Gravitational parameter of a planet given in the case itself.", CONVENTION),
