@@ -21,10 +21,10 @@ use serde::{Deserialize, Serialize};
 pub use six_dof::events::AttitudeEvents;
 pub use trajectory::{Request, Trajectory};
 
+pub mod accuracy;
 pub mod allen_eggers;
 pub mod batch;
 pub mod equations;
-pub mod fixed_step;
 pub mod freedom;
 pub mod integration;
 pub mod lift;
@@ -119,7 +119,7 @@ pub struct Flight<S = f64> {
     pub altitudes_m: [f64; 2],
     /// Phases that began.
     pub phases: Vec<Begun<S>>,
-    /// Number of times it left the atmosphere.
+    /// Number of times it left the atmosphere and flew on.
     pub exits: u32,
     /// Attitude along the flight, in six degrees of freedom.
     pub attitude: Option<AttitudeEvents>,
@@ -203,13 +203,30 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     findings.extend(flight.pushed.as_ref().map(Push::finding));
     findings.extend(beyond_atmosphere(mission, flight));
     findings.extend(flight.trajectory.as_ref().and_then(Trajectory::finding));
+    findings.extend(came_back(flight));
     findings.extend(phase::findings(mission, flight.phases.len()));
-    findings.extend(fixed_step::finding(mission, body, flight));
+    findings.extend(accuracy::finding(mission, body, flight));
     findings
 }
 
 /// Distance from an altitude at which a flight is there, m.
 pub const LANDED_WITHIN_M: f64 = 1e-3;
+
+/// What is said of a flight that left the atmosphere on the way.
+fn came_back(flight: &Flight) -> Option<Finding> {
+    let exits = flight.exits;
+    let times = if exits == 1 { "once" } else { "more than once" };
+    (exits > 0).then(|| Finding {
+        severity: Severity::Note,
+        model: "passes".to_string(),
+        key: "stop.passes".to_string(),
+        value: Some(f64::from(exits)),
+        valid: (None, None),
+        message: format!("The vehicle left the atmosphere {times}; peaks and loads are over all its passes."),
+        source: "convention of this program".to_string(),
+        field: Some("stop.passes".to_string()),
+    })
+}
 
 /// What is said where a flight begins or goes above or below the atmosphere.
 fn beyond_atmosphere(mission: &Mission, flight: &Flight) -> Option<Finding> {

@@ -74,7 +74,7 @@ pub struct Record<const N: usize, S = f64> {
     pub pushed: Option<Push>,
     /// Times and states at which phases began, with the stage that began.
     pub begun: Vec<(S, [S; N], Stage<S>)>,
-    /// Number of times the vehicle has left the atmosphere.
+    /// Number of times the vehicle has left the atmosphere and flown on.
     pub exits: u32,
     /// How it ended.
     pub outcome: Outcome,

@@ -8,9 +8,10 @@
 //! with a in m/s², q the dynamic pressure in Pa, A in m², m in kg, û the direction of flight relative to the air, ẑ the
 //! geodetic vertical and σ the angle of bank in rad, positive when the lift leans to the right.
 //!
-//! Where û is vertical, b̂ has no direction. Lift at a bank beyond 90 deg drives û into the vertical and holds it there: near it
-//! the lift fades, a = q A/m C_L f(s/ε) …, with s = |û × ẑ|, f(x) = x (3 − x²)/2 below 1, ε = E (1 − cos σ)/2, so that û stays.
-//! Upright lift drives û away and does not fade; exactly at the vertical b̂ is that of the azimuth at the start.
+//! Where û is vertical, b̂ has no direction. In a fall lift that points down, at a bank beyond 90 deg, drives û into the vertical and
+//! holds it there, in a climb lift that points up: near it the lift fades, a = q A/m C_L f(s/ε) …, with s = |û × ẑ|,
+//! f(x) = x (3 − x²)/2 below 1, ε = E (1 ∓ cos σ)/2, so that û stays. The other way lift drives û away and does not fade; exactly at
+//! the vertical b̂ is that of the azimuth at the start.
 //!
 //! # Valid
 //! E is assumed: a flight held vertical leans by a small part of it.
@@ -120,7 +121,7 @@ impl Lift {
             Horizon::new(around.up).vector([-sin, cos, S::constant(0.0)])
         };
         let bank_rad = self.bank_rad(t, v);
-        let [nx, ny, nz] = direction(&around.air_velocity_m_s, &around.up, bank_rad, held);
+        let [nx, ny, nz] = direction(&around.air_velocity_m_s, &around.up, [bank_rad, lift], held);
         let (along, across) = (-rate * drag, rate * v * lift);
         [
             along * ux + across * nx,
@@ -130,11 +131,12 @@ impl Lift {
     }
 }
 
-/// Direction of lift, a unit vector across the velocity, shorter where it fades; to the right is `held` at the vertical.
+/// Direction of lift of a bank, rad, and a sign: a unit vector across the velocity, shorter where it fades; to the right is
+/// `held` at the vertical.
 fn direction<S: Scalar>(
     velocity_m_s: &[S; 3],
     up: &[S; 3],
-    bank_rad: S,
+    [bank_rad, lift]: [S; 2],
     held: impl Fn() -> [S; 3],
 ) -> [S; 3] {
     let speed = length(velocity_m_s).max(S::constant(f64::MIN_POSITIVE));
@@ -152,7 +154,11 @@ fn direction<S: Scalar>(
     let (sin, cos) = (bank_rad.sin(), bank_rad.cos());
     let near = upright.less(S::constant(FADING));
     if near.any() {
-        let width = ((one - cos) * (0.5 * FADING)).max(S::constant(f64::MIN_POSITIVE));
+        let zero = S::constant(0.0);
+        let climbs = zero.less(u[0] * up[0] + u[1] * up[1] + u[2] * up[2]);
+        let away = S::select(climbs, -cos, cos);
+        let away = S::select(lift.less(zero), -away, away);
+        let width = ((one - away) * (0.5 * FADING)).max(S::constant(f64::MIN_POSITIVE));
         let part = (upright.max(S::constant(UPRIGHT)) / width).min(one);
         let fading = part * (S::constant(3.0) - part * part) * 0.5;
         let fading = S::select(near, fading, one);
@@ -182,16 +188,16 @@ mod tests {
     #[test]
     fn eastward_over_the_equator_lift_is_up_and_banked_right_it_is_south() {
         // x up, y east, z north
-        let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], 0.0, NORTH);
+        let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert_eq!(level, [1.0, 0.0, 0.0]);
-        let banked = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], FRAC_PI_2, NORTH);
+        let banked = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], [FRAC_PI_2, 1.0], NORTH);
         assert!((banked[2] + 1.0).abs() < 1e-15 && banked[0].abs() < 1e-15);
     }
 
     #[test]
     fn at_3_4_5_lift_is_across_the_velocity() {
         // climbing 4 of 5, going 3 of 5 eastward: lift leans back, (up, east) = (0.6, -0.8)
-        let [up, east, north] = direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], 0.0, NORTH);
+        let [up, east, north] = direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert!((up - 0.6).abs() < 1e-15 && (east + 0.8).abs() < 1e-15 && north == 0.0);
     }
 
@@ -200,7 +206,7 @@ mod tests {
     #[test]
     fn straight_down_lift_has_the_direction_of_the_start_and_none_where_it_points_down() {
         // right is north, so that ahead is west: x up, y east, z north
-        let of = |bank: f64| direction(&[-5.0_f64, 0.0, 0.0], &[1.0, 0.0, 0.0], bank, NORTH);
+        let of = |bank: f64| direction(&[-5.0_f64, 0.0, 0.0], &[1.0, 0.0, 0.0], [bank, 1.0], NORTH);
         assert_eq!(of(0.0), [0.0, -1.0, 0.0]);
         let down = of(core::f64::consts::PI);
         assert!(down.iter().all(|part| part.abs() < 1e-7), "{down:?}");
@@ -209,16 +215,21 @@ mod tests {
     #[test]
     fn lift_down_fades_evenly_into_the_vertical() {
         let pi = core::f64::consts::PI;
-        let size = |sine: f64, bank: f64| {
-            let u = [-(1.0 - sine * sine).sqrt(), sine, 0.0];
-            let [x, y, z] = direction(&u, &[1.0, 0.0, 0.0], bank, NORTH);
+        let of = |down: f64, sine: f64, bank: f64, lift: f64| {
+            let u = [-down * (1.0 - sine * sine).sqrt(), sine, 0.0];
+            let [x, y, z] = direction(&u, &[1.0, 0.0, 0.0], [bank, lift], NORTH);
             (x * x + y * y + z * z).sqrt()
         };
+        let size = |sine: f64, bank: f64| of(1.0, sine, bank, 1.0);
         assert!((size(FADING, pi) - 1.0).abs() < 1e-15);
         // x = 1/2: ½ (3 − ¼)/2 = 0.6875
         assert!((size(0.5 * FADING, pi) - 0.6875).abs() < 1e-12);
         // at 90 deg over half the width
         assert!((size(0.25 * FADING, FRAC_PI_2) - 0.6875).abs() < 1e-12);
         assert!((size(1e-6, 0.0) - 1.0).abs() < 1e-12);
+        // The other way round for lift below zero, and in a climb.
+        assert!((of(1.0, 0.5 * FADING, 0.0, -1.0) - 0.6875).abs() < 1e-12);
+        assert!((of(-1.0, 0.5 * FADING, 0.0, 1.0) - 0.6875).abs() < 1e-12);
+        assert!((of(-1.0, 1e-6, pi, 1.0) - 1.0).abs() < 1e-12);
     }
 }

@@ -12,7 +12,7 @@
 //! no mass of its own, and its drag area grows evenly while it inflates.
 //!
 //! # References
-//! - \[knacke-1991\] section 5.3 (drag area while inflating); the even growth is \[assumed\].
+//! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
 
 use super::mission::Mission;
 use crate::finding::range::short;

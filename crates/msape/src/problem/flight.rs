@@ -42,6 +42,9 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
         descends(reader, start, solver, angle);
+        if let (Angle::Descending, Some(planet)) = (angle, planet.as_ref().map(|(planet, _)| planet)) {
+            above_end(reader, planet, start, stop);
+        }
     }
     Some(Mission {
         planet: planet?.0,
@@ -54,6 +57,18 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         stop,
         solver: solver?,
     })
+}
+
+/// The fault of a design that begins below the altitude at which it ends.
+fn above_end(reader: &mut Reader, planet: &Planet, start: &Start, stop: Stop) {
+    let start_m = planet.local(start.position_m).altitude_m;
+    let ground_m = stop.altitude_m.unwrap_or(0.0);
+    if start_m <= ground_m {
+        let message = format!(
+            "got {start_m:.0} m, must be above the final altitude of {ground_m} m: a design enters"
+        );
+        reader.fault("entry.altitude_m", message);
+    }
 }
 
 /// Faults of a start from which the closed form does not come down: it flies the early passes of a design, too.

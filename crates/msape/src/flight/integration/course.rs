@@ -309,10 +309,10 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 return Next::Over;
             }
             Gate::Exit => {
-                self.record.exits += 1;
                 let bound = self.energy_j_kg(&self.now().1) < 0.0;
-                if bound && self.record.exits <= self.marks.exits {
+                if bound && self.record.exits < self.marks.exits {
                     // It comes back: the next way out is that after the next turn upwards.
+                    self.record.exits += 1;
                     self.turned_up = false;
                     return Next::On;
                 }
