@@ -65,7 +65,10 @@ pub fn answer(case: &Case, request: Request) -> Result<Answer, String> {
 
 /// The messages of all findings of a model.
 pub fn said(answer: &Answer, model: &str) -> Vec<String> {
-    let findings = answer.findings.iter().filter(|finding| finding.model == model);
+    let findings = answer
+        .findings
+        .iter()
+        .filter(|finding| finding.model == model);
     findings.map(|finding| finding.message.clone()).collect()
 }
 

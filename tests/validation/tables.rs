@@ -77,17 +77,24 @@ fn a_refused_table_ends_the_flight_where_it_is_left() {
     let (outcome, reason) = ended(&answer);
     assert_eq!(outcome, Outcome::Stopped);
     assert!(reason.contains("total angle of attack left"), "{reason}");
-    let largest = column(&answer, "total_alpha_deg").into_iter().fold(0.0, f64::max);
+    let largest = column(&answer, "total_alpha_deg")
+        .into_iter()
+        .fold(0.0, f64::max);
     assert!((largest - 30.0).abs() < 1e-3, "{largest}");
     // By the rates at which the whole table of 180 deg swings: first beyond 30 deg between 204 and 206 s.
     let end_s = output(&answer, "time_of_flight_s");
     assert!((204.0..206.0).contains(&end_s), "{end_s}");
     assert!(said(&answer, "aerodynamic coefficients").is_empty());
+    let told = said(&answer, "vehicle.aerodynamics.table").join("\n");
+    assert!(told.contains("there the flight was ended"), "{told}");
 }
 
 #[test]
 fn a_whole_table_is_not_left_and_nothing_pushes() {
-    let answer = flown(TUMBLING, &[("vehicle.aerodynamics.table", &own_table(180, 1.0))]);
+    let answer = flown(
+        TUMBLING,
+        &[("vehicle.aerodynamics.table", &own_table(180, 1.0))],
+    );
     let told = said(&answer, "vehicle.aerodynamics.table").join("\n");
     assert!(!told.contains("angle of attack"), "{told}");
     assert!(said(&answer, "aerodynamic coefficients").is_empty());
@@ -102,7 +109,10 @@ fn angles_in_radians_are_refused_with_their_rows() {
     assert!(faults.contains("the air would push the body"), "{faults}");
     // Up to a right angle nothing pushes: it is said.
     let radians = own_table(90, 1.0_f64.to_radians());
-    let answer = flown(TUMBLING, &[("vehicle.aerodynamics.table", radians.as_str())]);
+    let answer = flown(
+        TUMBLING,
+        &[("vehicle.aerodynamics.table", radians.as_str())],
+    );
     let told = said(&answer, "vehicle.aerodynamics.table").join("\n");
     assert!(told.contains("are its angles in rad?"), "{told}");
 }
@@ -111,11 +121,31 @@ fn angles_in_radians_are_refused_with_their_rows() {
 #[test]
 fn drag_lift_bank_and_wind_say_that_they_were_left() {
     for (key, rows, argument) in [
-        ("vehicle.drag_table", "[[2.0, 1.0], [10.0, 1.2]]", "Mach number"),
-        ("vehicle.lift_table", "[[2.0, 0.1], [10.0, 0.2]]", "Mach number"),
-        ("vehicle.bank_table_deg", "[[10.0, 0.0], [50.0, 30.0]]", "time"),
-        ("vehicle.bank_speed_table_deg", "[[500, 0.0], [6000.0, 30.0]]", "speed"),
-        ("wind.table", "[[10e3, 5.0, 0.0], [50e3, 9.0, 0.0]]", "altitude"),
+        (
+            "vehicle.drag_table",
+            "[[2.0, 1.0], [10.0, 1.2]]",
+            "Mach number",
+        ),
+        (
+            "vehicle.lift_table",
+            "[[2.0, 0.1], [10.0, 0.2]]",
+            "Mach number",
+        ),
+        (
+            "vehicle.bank_table_deg",
+            "[[10.0, 0.0], [50.0, 30.0]]",
+            "time",
+        ),
+        (
+            "vehicle.bank_speed_table_deg",
+            "[[500, 0.0], [6000.0, 30.0]]",
+            "speed",
+        ),
+        (
+            "wind.table",
+            "[[10e3, 5.0, 0.0], [50e3, 9.0, 0.0]]",
+            "altitude",
+        ),
     ] {
         let mut edits = vec![(key, rows)];
         if key == "vehicle.drag_table" {
@@ -165,12 +195,28 @@ fn a_drag_table_is_held_extended_or_refused() {
 #[test]
 fn rows_of_tables_have_ranges() {
     for (key, rows, said) in [
-        ("attitude.body_rates_deg_s", "[9e7, 0, 0]", "row 1, p_deg_s: got 90000000, must be -36000 to 36000"),
-        ("wind.table", "[[0, 1e6, 0]]", "row 1, eastward_m_s: got 1000000, must be -2000 to 2000"),
-        ("vehicle.lift_table", "[[0, 1], [1, 1e30]]", "row 2, lift_coefficient: got 1000000000000000000000000000000, must be -100 to 100"),
+        (
+            "attitude.body_rates_deg_s",
+            "[9e7, 0, 0]",
+            "row 1, p_deg_s: got 90000000, must be -36000 to 36000",
+        ),
+        (
+            "wind.table",
+            "[[0, 1e6, 0]]",
+            "row 1, eastward_m_s: got 1000000, must be -2000 to 2000",
+        ),
+        (
+            "vehicle.lift_table",
+            "[[0, 1], [1, 1e30]]",
+            "row 2, lift_coefficient: got 1000000000000000000000000000000, must be -100 to 100",
+        ),
         ("planet.equatorial_radius_m", "8e29", "must be 100 to"),
     ] {
-        let text = if key.starts_with("attitude") { TUMBLING } else { PLAIN };
+        let text = if key.starts_with("attitude") {
+            TUMBLING
+        } else {
+            PLAIN
+        };
         let faults = answer(&case(text, &[(key, rows)]), Request::Nothing).unwrap_err();
         assert!(faults.contains(said), "{faults}");
     }

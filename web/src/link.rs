@@ -82,7 +82,8 @@ fn set(case: &mut Case, key: &str, text: &str) {
                 .map(|row| row.split(',').map(|cell| cell.parse().ok()).collect())
                 .collect();
             if let Some(rows) = rows {
-                case.values.insert(input::canonical_key(key), Value::Rows(rows));
+                case.values
+                    .insert(input::canonical_key(key), Value::Rows(rows));
             }
         }
         None => case.set(key, text),

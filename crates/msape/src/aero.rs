@@ -169,8 +169,11 @@ impl DragTable {
     /// Whether its first two and its last two rows are alike.
     pub fn level(&self) -> [bool; 2] {
         let alike = |pair: Option<&[f64]>| matches!(pair, Some([a, b]) if a == b);
-        [self.coefficient.first_chunk::<2>(), self.coefficient.last_chunk::<2>()]
-            .map(|pair| alike(pair.map(<[f64; 2]>::as_slice)))
+        [
+            self.coefficient.first_chunk::<2>(),
+            self.coefficient.last_chunk::<2>(),
+        ]
+        .map(|pair| alike(pair.map(<[f64; 2]>::as_slice)))
     }
 
     /// First and last Mach number.
@@ -309,7 +312,10 @@ mod tests {
         let table = DragTable::try_new(&[(0.5, 1.0), (1.5, 2.0), (2.5, 4.0)])
             .unwrap()
             .of_case(own);
-        assert_eq!([table.at(0.0), table.at(2.0), table.at(3.0)], [0.5, 3.0, 5.0]);
+        assert_eq!(
+            [table.at(0.0), table.at(2.0), table.at(3.0)],
+            [0.5, 3.0, 5.0]
+        );
         assert_eq!(table.ends(), [0.5, 2.5]);
     }
 

@@ -169,7 +169,10 @@ impl Flight {
         let named = [
             peak("peak deceleration", &self.peak_deceleration_earth_g),
             peak("peak dynamic pressure", &self.peak_dynamic_pressure_pa),
-            peak("peak stagnation pressure", &self.peak_stagnation_pressure_pa),
+            peak(
+                "peak stagnation pressure",
+                &self.peak_stagnation_pressure_pa,
+            ),
             peak("peak heat flux", &self.peak_total_margined_heat_flux_w_m2),
             ("convective heat load", self.convective_heat_load_j_m2),
             ("radiative heat load", self.radiative_heat_load_j_m2),
@@ -222,7 +225,9 @@ fn came_back(flight: &Flight) -> Option<Finding> {
         key: "stop.passes".to_string(),
         value: Some(f64::from(exits)),
         valid: (None, None),
-        message: format!("The vehicle left the atmosphere {times}; peaks and loads are over all its passes."),
+        message: format!(
+            "The vehicle left the atmosphere {times}; peaks and loads are over all its passes."
+        ),
         source: "convention of this program".to_string(),
         field: Some("stop.passes".to_string()),
     })
@@ -236,7 +241,9 @@ fn beyond_atmosphere(mission: &Mission, flight: &Flight) -> Option<Finding> {
     let valid = |altitude_m: f64| {
         (lowest_m - LANDED_WITHIN_M..=highest_m + LANDED_WITHIN_M).contains(&altitude_m)
     };
-    let outside = [start_m, least_m, greatest_m].into_iter().find(|altitude_m| !valid(*altitude_m));
+    let outside = [start_m, least_m, greatest_m]
+        .into_iter()
+        .find(|altitude_m| !valid(*altitude_m));
     let altitude_m = outside?;
     let how = match altitude_m == start_m {
         true => "starts at",
@@ -249,7 +256,9 @@ fn beyond_atmosphere(mission: &Mission, flight: &Flight) -> Option<Finding> {
         key: "entry.altitude_m".to_string(),
         value: Some(altitude_m),
         valid: (Some(lowest_m), Some(highest_m)),
-        message: format!("The flight {how} {altitude_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
+        message: format!(
+            "The flight {how} {altitude_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."
+        ),
         source: "convention of this program".to_string(),
         field: Some("entry.altitude_m".to_string()),
     })

@@ -228,10 +228,15 @@ impl Grid {
 
     /// Whether, at the ends of the same axes, the last two nodes have the same coefficients at every place of the others.
     pub fn level(&self) -> [[bool; 2]; 3] {
-        let counts = [self.mach.len(), self.log_knudsen.len(), self.alpha_rad.len()];
+        let counts = [
+            self.mach.len(),
+            self.log_knudsen.len(),
+            self.alpha_rad.len(),
+        ];
         let value = |[mach, knudsen, alpha]: [usize; 3]| {
             let [_, of_knudsen, of_alpha] = counts;
-            self.values.get((mach * of_knudsen + knudsen) * of_alpha + alpha)
+            self.values
+                .get((mach * of_knudsen + knudsen) * of_alpha + alpha)
         };
         let alike = |axis: usize, pair: [usize; 2]| {
             let mut others = counts;

@@ -93,7 +93,9 @@ impl<'a> Reader<'a> {
         let given = |number: &usize| {
             let section = format!("{}.{number}.", input::phase::SECTION);
             let mut after = self.case.values.range(section.clone()..);
-            after.next().is_some_and(|(key, _)| key.starts_with(&section))
+            after
+                .next()
+                .is_some_and(|(key, _)| key.starts_with(&section))
         };
         numbers.find(given).unwrap_or(0)
     }

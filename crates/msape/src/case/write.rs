@@ -15,10 +15,13 @@ impl Case {
         let of_phase = |key: &str| find(key).is_some() && !is_known(key);
         let unknown = (self.values.iter()).filter(|(key, _)| !is_known(key) && !of_phase(key));
         let phases = (1..=MOST).flat_map(|number| {
-            inputs().filter(|input| is_repeated(input.key)).filter_map(move |input| {
-                let name = input.key.strip_prefix(SECTION)?;
-                self.values.get_key_value(&format!("{SECTION}.{number}{name}"))
-            })
+            inputs()
+                .filter(|input| is_repeated(input.key))
+                .filter_map(move |input| {
+                    let name = input.key.strip_prefix(SECTION)?;
+                    self.values
+                        .get_key_value(&format!("{SECTION}.{number}{name}"))
+                })
         });
         known
             .chain(unknown)
@@ -93,13 +96,16 @@ impl Case {
             insert(&mut root, &key, value);
         }
         if let Some(serde_json::Value::Object(numbered)) = root.get_mut(SECTION)
-            && (numbered.keys()).all(|number| phase_number(&format!("{SECTION}.{number}")).is_some())
+            && (numbered.keys())
+                .all(|number| phase_number(&format!("{SECTION}.{number}")).is_some())
         {
             let of = |number: usize| numbered.remove(&number.to_string());
             let mut phases: Vec<_> = (1..=MOST).map(of).collect();
             let last = phases.iter().rposition(Option::is_some);
             phases.truncate(last.map_or(0, |last| last + 1));
-            let phases = phases.into_iter().map(|phase| phase.unwrap_or_else(|| serde_json::json!({})));
+            let phases = phases
+                .into_iter()
+                .map(|phase| phase.unwrap_or_else(|| serde_json::json!({})));
             root.insert(SECTION.to_string(), phases.collect());
         }
         format!("{:#}\n", serde_json::Value::Object(root))
@@ -209,7 +215,9 @@ mod tests {
         case.set("phase.12.name", "main");
         case.set("phase.12.attachment_m", "[0.5, 0, 0]");
         let toml = case.to_toml();
-        assert!(toml.contains("\n[[phase]]\nname = \"drogue\"\naltitude_m = \"31 km\"\n\n[[phase]]\n"));
+        assert!(
+            toml.contains("\n[[phase]]\nname = \"drogue\"\naltitude_m = \"31 km\"\n\n[[phase]]\n")
+        );
         assert_eq!(toml.matches("[[phase]]").count(), 12);
         assert_eq!(Case::from_toml(&toml).unwrap(), case);
         assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);

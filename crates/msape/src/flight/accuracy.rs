@@ -119,7 +119,12 @@ fn largest_difference(flight: &Flight, other: &Flight) -> (f64, &'static str) {
             flight.final_speed_m_s,
         ]
     };
-    let names = ["peak deceleration", "heat load", "time of flight", "final speed"];
+    let names = [
+        "peak deceleration",
+        "heat load",
+        "time of flight",
+        "final speed",
+    ];
     let mut largest = (0.0, names[0]);
     let pairs = numbers(flight).into_iter().zip(numbers(other));
     for ((here, there), name) in pairs.zip(names) {

@@ -18,7 +18,7 @@
 
 use super::mission::{Body, Mission};
 use super::numbers::Numbers;
-use super::phase::{Change, Changed, LEAST_INFLATION_S};
+use super::phase::{Change, Changed};
 use super::reach::Arguments;
 use crate::aero::Drag;
 use crate::heating::{Flow, HeatFlux, Radiation};
@@ -149,8 +149,11 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
         if let Some(canopy) = change.canopy {
             self.changed.canopy_m2 = S::constant(canopy.drag_area_m2);
-            self.changed.canopy_since_s = t;
-            self.changed.inflation_s = S::constant(canopy.inflation_s.max(LEAST_INFLATION_S));
+            // At once is full by now.
+            (self.changed.canopy_since_s, self.changed.inflation_s) = match canopy.inflation_s {
+                0.0 => (t - 1.0, S::constant(1.0)),
+                inflation_s => (t, S::constant(inflation_s)),
+            };
             self.changed.attachment_m = canopy.attachment_m.map(S::constant);
         }
         self.half_area_over_mass = numbers.reference_area_m2 * 0.5 / numbers.mass_kg;

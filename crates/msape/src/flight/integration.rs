@@ -70,6 +70,8 @@ pub struct Record<const N: usize, S = f64> {
     pub altitudes_m: [f64; 2],
     /// What was looked up in each axis of the tables of the case.
     pub spans: Vec<Span>,
+    /// Axis of a table at whose end the flight was ended.
+    pub refused: Option<usize>,
     /// Where the air pushed the vehicle.
     pub pushed: Option<Push>,
     /// Times and states at which phases began, with the stage that began.

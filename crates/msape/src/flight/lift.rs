@@ -22,8 +22,8 @@
 use super::equations::{Equations, Surroundings};
 use super::trim::Trim;
 use crate::aero::table::Extrapolation;
-use numerics::interp::Table1;
 use crate::planet::horizon::Horizon;
+use numerics::interp::Table1;
 use numerics::scalar::{Mask, Scalar};
 
 /// Sine of the angle to the vertical within which lift has the direction of the start.
@@ -190,14 +190,20 @@ mod tests {
         // x up, y east, z north
         let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert_eq!(level, [1.0, 0.0, 0.0]);
-        let banked = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], [FRAC_PI_2, 1.0], NORTH);
+        let banked = direction(
+            &[0.0_f64, 5.0, 0.0],
+            &[1.0, 0.0, 0.0],
+            [FRAC_PI_2, 1.0],
+            NORTH,
+        );
         assert!((banked[2] + 1.0).abs() < 1e-15 && banked[0].abs() < 1e-15);
     }
 
     #[test]
     fn at_3_4_5_lift_is_across_the_velocity() {
         // climbing 4 of 5, going 3 of 5 eastward: lift leans back, (up, east) = (0.6, -0.8)
-        let [up, east, north] = direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
+        let [up, east, north] =
+            direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert!((up - 0.6).abs() < 1e-15 && (east + 0.8).abs() < 1e-15 && north == 0.0);
     }
 

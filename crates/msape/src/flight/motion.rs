@@ -82,7 +82,9 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         let mut motion = self.in_layer(stage.layer);
         let mission = motion.point().mission;
         for phase in mission.phases.iter().take(stage.phases) {
-            motion.point_mut().change(&phase.change, stage.canopy_since_s);
+            motion
+                .point_mut()
+                .change(&phase.change, stage.canopy_since_s);
         }
         motion
     }

@@ -118,9 +118,6 @@ pub struct Changed<S> {
     pub attachment_m: [S; 3],
 }
 
-/// Least time of inflation, s: a step in the force that no integration sees as one.
-pub const LEAST_INFLATION_S: f64 = 1e-9;
-
 impl<S: Scalar> Changed<S> {
     /// Nothing.
     pub fn nothing() -> Self {

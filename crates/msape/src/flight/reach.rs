@@ -271,25 +271,39 @@ pub struct Passed {
     pub rule: Extrapolation,
 }
 
-/// The ends that were passed.
-pub fn passed(axes: &[Axis], spans: &[Span]) -> Vec<Passed> {
-    let both = axes.iter().zip(spans).flat_map(|(axis, span)| {
-        let [first, last] = axis.ends;
-        let slack = SLACK * (last - first);
-        let beyond = [
-            (span.least, first - span.least[0]),
-            (span.greatest, span.greatest[0] - last),
-        ];
-        let beyond = beyond.into_iter().zip(axis.level);
-        let beyond = beyond.filter(move |((_, by), _)| *by > slack && by.is_finite());
-        beyond.map(|((farthest, _), level)| Passed {
-            key: axis.key.to_string(),
-            argument: axis.argument,
-            ends: axis.ends,
-            farthest,
-            rule: if level { Extrapolation::Hold } else { axis.rule },
-        })
-    });
+/// The ends that were passed; `refused` is the axis at whose end the flight was ended, which it passed by nothing.
+pub fn passed(axes: &[Axis], spans: &[Span], refused: Option<usize>) -> Vec<Passed> {
+    let both = axes
+        .iter()
+        .zip(spans)
+        .enumerate()
+        .flat_map(|(index, (axis, span))| {
+            let [first, last] = axis.ends;
+            let slack = SLACK * (last - first);
+            let beyond = [
+                (span.least, first - span.least[0]),
+                (span.greatest, span.greatest[0] - last),
+            ];
+            let most = if refused == Some(index) {
+                beyond[0].1.max(beyond[1].1)
+            } else {
+                f64::INFINITY
+            };
+            let beyond = beyond.into_iter().zip(axis.level);
+            let beyond =
+                beyond.filter(move |((_, by), _)| (*by > slack || *by >= most) && by.is_finite());
+            beyond.map(|((farthest, _), level)| Passed {
+                key: axis.key.to_string(),
+                argument: axis.argument,
+                ends: axis.ends,
+                farthest,
+                rule: if level {
+                    Extrapolation::Hold
+                } else {
+                    axis.rule
+                },
+            })
+        });
     both.collect()
 }
 
@@ -407,7 +421,7 @@ mod tests {
         assert!((axis.refused_excess(0.4) - 0.1).abs() < 1e-6);
         let mut span = Span::EMPTY;
         span.take(40.0, 1.0);
-        let [passed] = &passed(&[axis], &[span])[..] else {
+        let [passed] = &passed(&[axis], &[span], None)[..] else {
             unreachable!("one end is passed")
         };
         assert!(passed.finding().message.ends_with("the end is held."));
@@ -419,7 +433,7 @@ mod tests {
         for (value, time_s) in [(30.0, 0.0), (41.0, 20.0), (0.5, 200.0), (0.1, 300.0)] {
             span.take(value, time_s);
         }
-        let said: Vec<String> = passed(&[MACH], &[span])
+        let said: Vec<String> = passed(&[MACH], &[span], None)
             .iter()
             .map(|passed| passed.finding().message)
             .collect();
@@ -435,11 +449,19 @@ mod tests {
     #[test]
     fn nothing_is_said_within_and_where_nothing_was_looked_up() {
         let mut span = Span::EMPTY;
-        assert!(passed(&[MACH], &[span]).is_empty());
+        assert!(passed(&[MACH], &[span], None).is_empty());
         span.take(0.5, 0.0);
         span.take(f64::NAN, 1.0);
         span.take(25.0, 2.0);
-        assert!(passed(&[MACH], &[span]).is_empty());
+        assert!(passed(&[MACH], &[span], None).is_empty());
+        // Where the flight was ended at the end of the table, that is said.
+        let mut ended = Span::EMPTY;
+        ended.take(24.0, 0.0);
+        ended.take(25.0, 9.0);
+        let [passed] = &passed(&[MACH], &[ended], Some(0))[..] else {
+            unreachable!("the upper end is passed")
+        };
+        assert_eq!(passed.farthest, [25.0, 9.0]);
     }
 
     #[test]

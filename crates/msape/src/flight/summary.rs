@@ -67,7 +67,7 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
         downrange_m: great_circle_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s.value()),
         trajectory: flight.trajectory(request),
-        passed: passed(&axes(mission, point.body), &record.spans),
+        passed: passed(&axes(mission, point.body), &record.spans, record.refused),
         pushed: record.pushed,
         altitudes_m: record.altitudes_m,
         phases: flight.phases(),
@@ -166,10 +166,14 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
             let loads = motion.loads(*t, y);
             let name = point.mission.phases.get(i).map(|phase| phase.name.clone());
             let during = |leg: &&Leg<N, S>| leg.stage.phases == i + 1;
-            let largest = self.record.legs.iter().filter(during).fold(
-                loads.deceleration_earth_g,
-                |largest, leg| largest.max(leg.loads.deceleration_earth_g),
-            );
+            let largest = self
+                .record
+                .legs
+                .iter()
+                .filter(during)
+                .fold(loads.deceleration_earth_g, |largest, leg| {
+                    largest.max(leg.loads.deceleration_earth_g)
+                });
             Begun {
                 name: name.unwrap_or_default(),
                 time_s: *t,

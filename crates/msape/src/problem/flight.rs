@@ -42,7 +42,9 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
         descends(reader, start, solver, angle);
-        if let (Angle::Descending, Some(planet)) = (angle, planet.as_ref().map(|(planet, _)| planet)) {
+        if let (Angle::Descending, Some(planet)) =
+            (angle, planet.as_ref().map(|(planet, _)| planet))
+        {
             above_end(reader, planet, start, stop);
         }
     }

@@ -1,8 +1,8 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
+use super::aerodynamics::extrapolation;
 use super::outline::Outline;
 use super::{attitude, center};
-use super::aerodynamics::extrapolation;
 use crate::aero::Drag;
 use crate::aero::table::Extrapolation;
 use crate::case::Reader;

@@ -36,7 +36,10 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
         };
         let key = format!("phase.{number}");
         if found.iter().any(|other| other.name == phase.name) {
-            let message = format!("got \"{}\", which an earlier phase is called, too", phase.name);
+            let message = format!(
+                "got \"{}\", which an earlier phase is called, too",
+                phase.name
+            );
             reader.fault(&format!("{key}.name"), message);
         }
         if phase.begin.mark == Mark::Time {
@@ -57,7 +60,9 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
 fn phase(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
     let key = |name: &str| format!("phase.{number}.{name}");
     let name = match reader.given(&key("name")) {
-        true => reader.words(&key("name")).filter(|name| !name.trim().is_empty()),
+        true => reader
+            .words(&key("name"))
+            .filter(|name| !name.trim().is_empty()),
         false => None,
     };
     if name.is_none() {
@@ -74,7 +79,10 @@ fn phase(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
 
 fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
     let key = |name: &str| format!("phase.{number}.{name}");
-    let given: Vec<_> = MARKS.into_iter().filter(|(name, _)| reader.given(&key(name))).collect();
+    let given: Vec<_> = MARKS
+        .into_iter()
+        .filter(|(name, _)| reader.given(&key(name)))
+        .collect();
     let direction_given = reader.given(&key("direction"));
     let direction = match direction_given {
         true => choice(reader, &key("direction"))?,
@@ -83,7 +91,10 @@ fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
     match given.as_slice() {
         [(name, mark)] => {
             if *mark == Mark::Time && direction_given {
-                reader.fault(&key("direction"), "given together with time_s, which only rises; leave it away");
+                reader.fault(
+                    &key("direction"),
+                    "given together with time_s, which only rises; leave it away",
+                );
             }
             Some(Begin {
                 mark: *mark,
@@ -115,15 +126,21 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
         let key = key(name);
         reader.given(&key).then(|| reader.number(&key)).flatten()
     };
-    let (mass_kg, reference_area_m2, drag_coefficient) =
-        (value("mass_kg"), value("reference_area_m2"), value("drag_coefficient"));
+    let (mass_kg, reference_area_m2, drag_coefficient) = (
+        value("mass_kg"),
+        value("reference_area_m2"),
+        value("drag_coefficient"),
+    );
     let (drag_area_m2, inflation_s) = (value("drag_area_m2"), value("inflation_s"));
     let attachment = one_row::<3>(reader, &key("attachment_m")).flatten();
     let out = reader.given(&key("drag_area_m2"));
     if !out {
         for name in ["inflation_s", "attachment_m"] {
             if reader.given(&key(name)) {
-                reader.fault(&key(name), "given without drag_area_m2, to which it belongs");
+                reader.fault(
+                    &key(name),
+                    "given without drag_area_m2, to which it belongs",
+                );
             }
         }
     }
@@ -191,7 +208,11 @@ mod tests {
         let text = crate::library::data_file("cases/stardust.toml").unwrap();
         let case = Case::from_text(&format!("{text}{phases}")).unwrap();
         match FlightProblem::check(&case, &Library::builtin().unwrap()) {
-            Ok(problem) => problem.findings.into_iter().map(|finding| finding.message).collect(),
+            Ok(problem) => problem
+                .findings
+                .into_iter()
+                .map(|finding| finding.message)
+                .collect(),
             Err(faults) => {
                 let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
                 lines.join("\n")

@@ -85,12 +85,23 @@ mod tests {
             ]
         );
         let said = of(row(3.14159, -1.2, 0.0)).concat();
-        assert!(said.contains("the largest angle is 3.14159: are the angles in rad?"), "{said}");
+        assert!(
+            said.contains("the largest angle is 3.14159: are the angles in rad?"),
+            "{said}"
+        );
     }
 
     #[test]
     fn half_a_turn_and_its_parts_are_radians_and_round_degrees_are_not() {
-        assert!([3.1416, 1.5708, 0.5236, 0.785398].iter().all(|a| in_radians(*a)));
-        assert!(![3.0, 3.2, 1.5, 0.5, 1.0, 30.0, 180.0].iter().any(|a| in_radians(*a)));
+        assert!(
+            [3.1416, 1.5708, 0.5236, 0.785398]
+                .iter()
+                .all(|a| in_radians(*a))
+        );
+        assert!(
+            ![3.0, 3.2, 1.5, 0.5, 1.0, 30.0, 180.0]
+                .iter()
+                .any(|a| in_radians(*a))
+        );
     }
 }

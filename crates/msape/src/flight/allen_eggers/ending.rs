@@ -15,7 +15,8 @@ pub fn ending(mission: &Mission, flight: &Flight) -> (Outcome, Option<String>) {
         );
         return (Outcome::Stopped, Some(reason));
     }
-    let on_time = (mission.stop.time_s).is_some_and(|_| flight.final_altitude_m > ground_m + LANDED_WITHIN_M);
+    let on_time =
+        (mission.stop.time_s).is_some_and(|_| flight.final_altitude_m > ground_m + LANDED_WITHIN_M);
     match on_time || ground_m > 0.0 {
         true => (Outcome::Stopped, None),
         false => (Outcome::Landed, None),

@@ -111,6 +111,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 legs: Vec::with_capacity(USUAL_LEGS),
                 altitudes_m: [altitude_m; 2],
                 spans: vec![Span::EMPTY; marks.axes.len()],
+                refused: None,
                 pushed: None,
                 begun: Vec::new(),
                 exits: 0,
@@ -170,7 +171,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let end_s = step.t1.lane(lane).value();
         let (there, loads) = node.lane(lane);
         if self.marks.wind_energy_j_kg.is_some() && self.is_unstable(&step.lane(lane).y1) {
-            self.add(step.lane(lane), there, loads);
+            // The step is not kept: its numbers are no flight.
             return self.blow_up();
         }
         if let Some(gate) = self.awaited {
@@ -200,7 +201,13 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     }
 
     /// The flight at the end of a step that was taken again to end at a gate.
-    fn arrive(&mut self, gate: Gate, step: Step<N, S>, there: Place, loads: Loads<S>) -> Next<N, S> {
+    fn arrive(
+        &mut self,
+        gate: Gate,
+        step: Step<N, S>,
+        there: Place,
+        loads: Loads<S>,
+    ) -> Next<N, S> {
         let above_m = there.altitude_m - self.marks.ground_m;
         if gate != Gate::Ground || above_m.abs() <= LANDED_WITHIN_M {
             self.add(step, there, loads);
@@ -347,7 +354,10 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Some(floor_m) => floor_m.max(marks.ground_m),
             None => marks.ground_m,
         };
-        let ceiling_m = boundaries.get(self.stage.layer).copied().unwrap_or(f64::INFINITY);
+        let ceiling_m = boundaries
+            .get(self.stage.layer)
+            .copied()
+            .unwrap_or(f64::INFINITY);
         let ceiling_m = self
             .exit_m
             .map_or(ceiling_m, |exit_m| exit_m.min(ceiling_m));
@@ -377,7 +387,8 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     /// Where the integration stands.
     pub(super) fn now(&self) -> (S, [S; N]) {
         let zero = S::constant(0.0);
-        (self.record.legs.last()).map_or((zero, self.record.start), |leg| (leg.step.t1, leg.step.y1))
+        (self.record.legs.last())
+            .map_or((zero, self.record.start), |leg| (leg.step.t1, leg.step.y1))
     }
 }
 

@@ -63,6 +63,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     /// Ends a flight that leaves a table beyond which the case refuses to go on.
     pub(super) fn refuse(&mut self, axis: usize) {
         self.record.outcome = Outcome::Stopped;
+        self.record.refused = Some(axis);
         self.record.reason = self.marks.axes.get(axis).map(Axis::refusal);
     }
 
@@ -71,7 +72,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         let (t, _) = self.now();
         self.record.outcome = Outcome::GaveUp;
         self.record.reason = Some(format!(
-            "the fixed step is too long: at {:.1} s the energy has grown, as no air makes it; give a shorter solver.step_s or an adaptive method",
+            "the fixed step is too long: after {:.2} s the energy grows, as no air makes it; give a shorter solver.step_s or an adaptive method",
             t.value()
         ));
         Next::Over

@@ -89,9 +89,10 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         if phase.change.canopy.is_some() {
             self.stage.canopy_since_s = t;
         }
-        self.full_s = (phase.change.canopy)
-            .map(|canopy| t.value() + canopy.inflation_s)
-            .or(self.full_s);
+        if let Some(canopy) = phase.change.canopy {
+            let inflates = canopy.inflation_s > 0.0;
+            self.full_s = inflates.then(|| t.value() + canopy.inflation_s);
+        }
         self.motion.point_mut().change(&phase.change, t);
         self.record.begun.push((t, y, self.stage));
     }

@@ -204,7 +204,10 @@ mod tests {
             let q = Quaternion::of_yaw_pitch_roll([yaw, pitch, roll]);
             let back = yaw_pitch_roll_rad(&q.matrix());
             assert!((back[0] - expected).abs() < 1e-13, "{back:?}");
-            assert!((back[1] - pitch).abs() < 1e-15 && back[2] == 0.0, "{back:?}");
+            assert!(
+                (back[1] - pitch).abs() < 1e-15 && back[2] == 0.0,
+                "{back:?}"
+            );
         }
     }
 

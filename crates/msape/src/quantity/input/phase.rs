@@ -69,7 +69,10 @@ pub(super) const INPUTS: &[Input] = &[
 
 /// The number of the phase in a key, and the key that stands for it in the list; `None` where the key is of no phase.
 pub(super) fn numbered(key: &str) -> Option<(usize, String)> {
-    let (number, name) = key.strip_prefix(SECTION)?.strip_prefix('.')?.split_once('.')?;
+    let (number, name) = key
+        .strip_prefix(SECTION)?
+        .strip_prefix('.')?
+        .split_once('.')?;
     let index: usize = number.parse().ok()?;
     let plain = (1..=MOST).contains(&index) && number == index.to_string();
     plain.then(|| (index, format!("{SECTION}.{name}")))
@@ -77,5 +80,7 @@ pub(super) fn numbered(key: &str) -> Option<(usize, String)> {
 
 /// Whether a key of the list stands for that of every phase.
 pub fn is_repeated(key: &str) -> bool {
-    key.strip_prefix(SECTION).is_some_and(|rest| rest.starts_with('.')) && numbered(key).is_none()
+    key.strip_prefix(SECTION)
+        .is_some_and(|rest| rest.starts_with('.'))
+        && numbered(key).is_none()
 }
