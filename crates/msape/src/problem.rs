@@ -7,6 +7,7 @@ mod attitude;
 mod attitude_of_design;
 mod center;
 mod design;
+mod entering;
 mod flight;
 mod freedom;
 mod heating;

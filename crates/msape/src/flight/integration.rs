@@ -179,7 +179,7 @@ where
             {
                 let mut course = Course::new(&marks, motion, start);
                 if course.is_over() {
-                    let motion = course.motion;
+                    let motion = course.first;
                     done(index, &motion, course.into_record())?;
                 } else {
                     integrator.restart(lane, S::Lane::constant(0.0), &start);
@@ -203,7 +203,7 @@ where
                 if let Some((index, mut course)) = place.take() {
                     course.stop();
                     course.record.evaluations = integrator.statistics_of(lane).evaluations;
-                    let motion = course.motion;
+                    let motion = course.first;
                     done(index, &motion, course.into_record())?;
                 }
             }
@@ -239,7 +239,7 @@ where
                     course.record.evaluations = integrator.statistics_of(lane).evaluations;
                     let index = *index;
                     if let Some((_, course)) = place.take() {
-                        let motion = course.motion;
+                        let motion = course.first;
                         done(index, &motion, course.into_record())?;
                     }
                     continue;

@@ -1,4 +1,16 @@
 //! How a flight by the closed form ends.
+//!
+//! ```text
+//! h ≤ h_end   or   t ≥ t_end
+//! ```
+//!
+//! with h the altitude in m and t the time after the start in s.
+//!
+//! # Valid
+//! As [`super`].
+//!
+//! # References
+//! - Own convention.
 
 use crate::flight::mission::Mission;
 use crate::flight::{Flight, LANDED_WITHIN_M};

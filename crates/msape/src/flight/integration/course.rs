@@ -40,6 +40,8 @@ const USUAL_LEGS: usize = 256;
 /// A flight under way.
 pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) marks: &'m Marks,
+    /// The motion as it was before it began, with which its record is read.
+    pub first: M,
     /// The motion as it is now: in its piece of the atmosphere, with or without radiation.
     pub motion: M,
     /// What has been flown.
@@ -83,6 +85,7 @@ pub(super) enum Next<const N: usize, S> {
 impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S> {
     /// A flight that begins.
     pub fn new(marks: &'m Marks, mut motion: M, start: [S; N]) -> Self {
+        let first = motion;
         let point = motion.point();
         let mission = point.mission;
         let local = mission.planet.local([start[0], start[1], start[2]]);
@@ -103,6 +106,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let stage = Stage::of_layer(layer);
         let mut course = Self {
             marks,
+            first,
             motion,
             record: Record {
                 start,
