@@ -198,12 +198,6 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.stopped(step.lane(lane), there, loads)
     }
 
-    /// Whether each step is looked along for a phase or the end of a table.
-    #[inline]
-    fn is_watched(&self) -> bool {
-        self.marks.refuses || !self.motion.point().mission.phases.is_empty()
-    }
-
     /// The flight at the end of a step that was taken again to end at a gate.
     fn arrive(
         &mut self,
