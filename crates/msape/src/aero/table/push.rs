@@ -84,7 +84,8 @@ mod tests {
                 "line 3: CA 0.8 and CN 0 at 180 deg make a drag coefficient of -0.8, must be 0 or more: the air would push the body"
             ]
         );
-        let said = of(row(3.14159, -1.2, 0.0)).concat();
+        let printed = |text: &str| text.parse::<f64>().unwrap();
+        let said = of(row(printed("3.14159"), -1.2, 0.0)).concat();
         assert!(
             said.contains("the largest angle is 3.14159: are the angles in rad?"),
             "{said}"
@@ -94,9 +95,9 @@ mod tests {
     #[test]
     fn half_a_turn_and_its_parts_are_radians_and_round_degrees_are_not() {
         assert!(
-            [3.1416, 1.5708, 0.5236, 0.785398]
+            ["3.1416", "1.5708", "0.5236", "0.785398"]
                 .iter()
-                .all(|a| in_radians(*a))
+                .all(|text| in_radians(text.parse().unwrap()))
         );
         assert!(
             ![3.0, 3.2, 1.5, 0.5, 1.0, 30.0, 180.0]
