@@ -6,12 +6,18 @@
 //! - [`planets`]: atmospheres of the planets against measured ones and their sources.
 //! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
+//! - [`endings`]: ends that are met or not; [`tables`]: tables that are left; [`directions`]: singular directions.
+//! - [`phases`]: parachutes, and what else changes on the way.
 
 mod accuracy;
 mod aerodynamics;
+mod directions;
+mod endings;
 mod outcomes;
 mod outlines;
+mod phases;
 mod planets;
 mod published;
 mod shell;
 mod six_dof;
+mod tables;

@@ -109,9 +109,11 @@ pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
                     .columns()
                     .map(|(column, values)| {
                         let unit = Unit::find(column.unit);
-                        values
-                            .get(row)
-                            .map_or_else(String::new, |x| value(*x, unit))
+                        let cell = |x: &f64| match trajectory.name(column, *x) {
+                            Some(name) => name.to_string(),
+                            None => value(*x, unit),
+                        };
+                        values.get(row).map_or_else(String::new, cell)
                     })
                     .collect()
             })

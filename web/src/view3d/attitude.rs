@@ -259,6 +259,8 @@ mod tests {
         });
         Trajectory {
             values: values.collect(),
+            phases: Vec::new(),
+            coarsened_s: None,
         }
     }
 

@@ -7,7 +7,7 @@ use crate::answer::{landing, outputs, turning};
 use crate::quantity::Job;
 use serde_json::{Map, Value, json as value};
 
-/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
+/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, where some began `phases`, of a design
 /// `mass_tree`, `structure`, `stability` and, where it was flown, `reorientation` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let mut object = Map::new();
@@ -18,6 +18,10 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     object.insert("findings".to_string(), value!(answer.findings));
     object.insert("adjustments".to_string(), value!(answer.adjustments));
     object.insert("passes".to_string(), value!(answer.passes));
+    let begun = answer.flight.as_ref().map(|flight| &flight.phases);
+    if let Some(phases) = begun.filter(|phases| !phases.is_empty()) {
+        object.insert("phases".to_string(), value!(phases));
+    }
     if let Some(design) = &answer.design {
         let tree = design.vehicle.mass_tree();
         object.insert("mass_tree".to_string(), value!(tree));
@@ -36,7 +40,14 @@ pub fn json(answer: &Answer, job: Job) -> Value {
     if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
         let history = trajectory
             .columns()
-            .map(|(column, values)| (column.key.to_string(), value!(values)))
+            .map(|(column, values)| {
+                let named = values.iter().map(|x| trajectory.name(column, *x));
+                let values = match named.collect::<Option<Vec<&str>>>() {
+                    Some(names) if !names.is_empty() => value!(names),
+                    _ => value!(values),
+                };
+                (column.key.to_string(), values)
+            })
             .collect();
         object.insert("trajectory".to_string(), Value::Object(history));
         if let Some(design) = &answer.design {

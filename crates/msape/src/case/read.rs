@@ -1,6 +1,7 @@
 //! Reads a case from TOML or JSON: one model, two spellings.
 
 use super::{Case, InputError, SCHEMA, Value, Version};
+use crate::quantity::input::phase::SECTION;
 use crate::quantity::input::{self, Kind};
 
 /// A value of TOML or JSON.
@@ -11,6 +12,12 @@ enum Node {
     List(Vec<Node>),
     Map(Vec<(String, Node)>),
     Other(&'static str),
+}
+
+impl Node {
+    fn is_map(&self) -> bool {
+        matches!(self, Node::Map(_))
+    }
 }
 
 impl From<toml::Value> for Node {
@@ -137,6 +144,16 @@ impl Case {
     fn flatten(&mut self, key: String, node: Node) {
         let known = input::find(&key);
         let node = match node {
+            Node::List(list) if key == SECTION && list.iter().all(Node::is_map) => {
+                for (i, phase) in list.into_iter().enumerate() {
+                    if let Node::Map(map) = phase {
+                        for (part, child) in map {
+                            self.flatten(format!("{key}.{}.{part}", i + 1), child);
+                        }
+                    }
+                }
+                return;
+            }
             Node::Map(map) if !map.is_empty() => {
                 for (part, child) in map {
                     self.flatten(format!("{key}.{part}"), child);
@@ -150,7 +167,7 @@ impl Case {
             (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
                 "vehicle.drag_table".to_string()
             }
-            (_, Some(input)) => input.key.to_string(),
+            (_, Some(_)) => input::canonical_key(&key),
             _ => key,
         };
         let rows_expected =

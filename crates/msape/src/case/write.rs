@@ -1,7 +1,8 @@
 //! Writes a case as TOML or JSON, keys in the order of the quantity list.
 
 use super::{Case, SCHEMA, Value};
-use crate::quantity::input::inputs;
+use crate::quantity::input::phase::{MOST, SECTION, is_repeated};
+use crate::quantity::input::{find, inputs};
 use std::fmt::Write;
 
 impl Case {
@@ -10,12 +11,21 @@ impl Case {
     /// A name that shares its key with a section stands in the section: `vehicle.aerodynamics.name`.
     fn ordered(&self) -> Vec<(String, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
-        let unknown = self
-            .values
-            .iter()
-            .filter(|(key, _)| inputs().all(|input| input.key != key.as_str()));
+        let is_known = |key: &str| inputs().any(|input| input.key == key);
+        let of_phase = |key: &str| find(key).is_some() && !is_known(key);
+        let unknown = (self.values.iter()).filter(|(key, _)| !is_known(key) && !of_phase(key));
+        let phases = (1..=MOST).flat_map(|number| {
+            inputs()
+                .filter(|input| is_repeated(input.key))
+                .filter_map(move |input| {
+                    let name = input.key.strip_prefix(SECTION)?;
+                    self.values
+                        .get_key_value(&format!("{SECTION}.{number}{name}"))
+                })
+        });
         known
             .chain(unknown)
+            .chain(phases)
             .map(|(key, value)| (self.place(key), value))
             .collect()
     }
@@ -46,8 +56,19 @@ impl Case {
             }
         }
         // Writing into a String cannot fail.
+        let mut phases = 0;
         for section in sections {
-            let _ = write!(text, "\n[{section}]\n");
+            match phase_number(section) {
+                Some(number) => {
+                    // Phases that nothing is given for keep their place.
+                    let before = number.saturating_sub(phases);
+                    text.push_str(&format!("\n[[{SECTION}]]\n").repeat(before));
+                    phases = number;
+                }
+                None => {
+                    let _ = write!(text, "\n[{section}]\n");
+                }
+            }
             for (key, value) in &ordered {
                 if key.rsplit_once('.').map_or("", |(section, _)| section) == section {
                     let name = key.rsplit_once('.').map_or(key.as_str(), |(_, name)| name);
@@ -74,8 +95,28 @@ impl Case {
             };
             insert(&mut root, &key, value);
         }
+        if let Some(serde_json::Value::Object(numbered)) = root.get_mut(SECTION)
+            && (numbered.keys())
+                .all(|number| phase_number(&format!("{SECTION}.{number}")).is_some())
+        {
+            let of = |number: usize| numbered.remove(&number.to_string());
+            let mut phases: Vec<_> = (1..=MOST).map(of).collect();
+            let last = phases.iter().rposition(Option::is_some);
+            phases.truncate(last.map_or(0, |last| last + 1));
+            let phases = phases
+                .into_iter()
+                .map(|phase| phase.unwrap_or_else(|| serde_json::json!({})));
+            root.insert(SECTION.to_string(), phases.collect());
+        }
         format!("{:#}\n", serde_json::Value::Object(root))
     }
+}
+
+/// The number of the phase that a section is of.
+fn phase_number(section: &str) -> Option<usize> {
+    let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
+    let index: usize = number.parse().ok()?;
+    ((1..=MOST).contains(&index) && number == index.to_string()).then_some(index)
 }
 
 /// Puts a value under a dotted key.
@@ -163,6 +204,22 @@ mod tests {
             Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]),
         );
         assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+        assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
+    }
+
+    #[test]
+    fn phases_are_written_as_a_list_and_keep_their_places() {
+        let mut case = Case::run_page();
+        case.set("phase.name", "drogue");
+        case.set("phase.altitude_m", "31 km");
+        case.set("phase.12.name", "main");
+        case.set("phase.12.attachment_m", "[0.5, 0, 0]");
+        let toml = case.to_toml();
+        assert!(
+            toml.contains("\n[[phase]]\nname = \"drogue\"\naltitude_m = \"31 km\"\n\n[[phase]]\n")
+        );
+        assert_eq!(toml.matches("[[phase]]").count(), 12);
+        assert_eq!(Case::from_toml(&toml).unwrap(), case);
         assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
     }
 }

@@ -99,7 +99,12 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
             mass_distance_kg: distance_kg,
         });
         let high_fidelity = model == input.mission.solver.model;
-        if high_fidelity && matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured) {
+        if high_fidelity
+            && matches!(
+                flown.outcome,
+                Outcome::SkippedOut | Outcome::Captured | Outcome::GaveUp
+            )
+        {
             return departed(&input, request, &body, flown, passes);
         }
         let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
@@ -217,7 +222,7 @@ fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> S
     }
 }
 
-/// A flight that leaves the atmosphere: nothing can be sized for it.
+/// A flight that leaves the atmosphere or is given up: nothing can be sized for it.
 fn departed(
     input: &DesignInput,
     request: Request,
@@ -234,8 +239,12 @@ fn departed(
         value: Some(flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE),
         valid: (None, None),
         message: format!(
-            "A vehicle of {:.2} kg leaves the atmosphere again on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
-            body.mass_kg
+            "A vehicle of {:.2} kg {} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
+            body.mass_kg,
+            match flown.outcome {
+                Outcome::GaveUp => "was given up",
+                _ => "leaves the atmosphere again",
+            }
         ),
         source: "convention of this program".to_owned(),
         field: Some("entry.flight_path_angle_deg".to_owned()),
