@@ -17,6 +17,7 @@ pub mod csv;
 pub mod dxf;
 pub mod half_section;
 
+use crate::table::TableFault;
 use thiserror::Error;
 
 /// Faults are listed up to this number.
@@ -109,6 +110,9 @@ pub enum ImportFault {
     /// A heading that is not known, or comes twice, or is missing.
     #[error("header: {0}")]
     Header(String),
+    /// A fault of a table of points.
+    #[error("{0}")]
+    Table(TableFault),
     /// A line that cannot be read.
     #[error("line {line}: {reason}")]
     Unreadable {
@@ -158,7 +162,7 @@ pub fn read(
     match ending.as_str() {
         "dxf" => dxf::read(text, unit),
         "csv" if half_section::is_half_section(text) => half_section::read(text),
-        "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit),
+        "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit).map(|points| points.rows),
         _ => Err(vec![ImportFault::UnknownKind(shown(name))]),
     }
 }
