@@ -31,7 +31,7 @@ pub enum Value {
     Flag(bool),
     /// Rows of numbers.
     Rows(Vec<Vec<f64>>),
-    /// Something no input takes, described.
+    /// Something no input takes, as TOML spells it; null of JSON as `null`.
     Other(String),
 }
 

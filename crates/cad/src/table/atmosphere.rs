@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with z and H in m, r the radius of the planet in m (on the Earth r₀ = 6356766 m and R = R*/M₀ of the standard
-//! atmosphere), p in Pa, T in K, T̄ the mean of two rows, g₀ = 9.80665 m/s².
+//! atmosphere), p in Pa, T in K, T̄ the logarithmic mean of two rows, as of a temperature that is linear between them, g₀ = 9.80665 m/s².
 //!
 //! # Valid
 //! Density of dry air. Pressure altitude only on the Earth, where it is the geopotential altitude at which the standard
@@ -196,7 +196,12 @@ fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
             continue;
         };
         let height = below.map_or(*altitude, |[height, pressure_below, temperature_below]| {
-            let mean = 0.5 * (*temperature + temperature_below);
+            let warmer = *temperature - temperature_below;
+            let mean = if warmer == 0.0 {
+                *temperature
+            } else {
+                warmer / ln(*temperature / temperature_below)
+            };
             height + gas_constant * mean / G_0_M_S2 * ln(pressure_below / *pressure)
         });
         below = Some([height, *pressure, *temperature]);

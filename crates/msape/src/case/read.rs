@@ -2,6 +2,10 @@
 
 use super::{Case, InputError, SCHEMA, Value, Version};
 use crate::quantity::input::{self, Kind};
+use crate::units::cut;
+use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use std::collections::BTreeMap;
+use std::fmt;
 
 /// A value of TOML or JSON.
 enum Node {
@@ -10,7 +14,8 @@ enum Node {
     Flag(bool),
     List(Vec<Node>),
     Map(Vec<(String, Node)>),
-    Other(&'static str),
+    /// A date of TOML, as it is spelled, or null.
+    Other(String),
 }
 
 impl From<toml::Value> for Node {
@@ -24,27 +29,69 @@ impl From<toml::Value> for Node {
             toml::Value::Table(map) => {
                 Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
             }
-            toml::Value::Datetime(_) => Node::Other("a date"),
+            toml::Value::Datetime(date) => Node::Other(date.to_string()),
         }
     }
 }
 
-impl From<serde_json::Value> for Node {
-    fn from(value: serde_json::Value) -> Node {
-        match value {
-            serde_json::Value::Number(number) => number
-                .as_f64()
-                .map_or(Node::Other("a number too large"), Node::Number),
-            serde_json::Value::String(text) => Node::Text(text),
-            serde_json::Value::Bool(flag) => Node::Flag(flag),
-            serde_json::Value::Array(list) => {
-                Node::List(list.into_iter().map(Node::from).collect())
-            }
-            serde_json::Value::Object(map) => {
-                Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
-            }
-            serde_json::Value::Null => Node::Other("null"),
+/// JSON, every key of it: one that stands twice stands twice here.
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
+        deserializer.deserialize_any(NodeVisitor)
+    }
+}
+
+struct NodeVisitor;
+
+impl<'de> Visitor<'de> for NodeVisitor {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a value")
+    }
+
+    fn visit_bool<E>(self, flag: bool) -> Result<Node, E> {
+        Ok(Node::Flag(flag))
+    }
+
+    fn visit_i64<E>(self, number: i64) -> Result<Node, E> {
+        Ok(Node::Number(number as f64))
+    }
+
+    fn visit_u64<E>(self, number: u64) -> Result<Node, E> {
+        Ok(Node::Number(number as f64))
+    }
+
+    fn visit_f64<E>(self, number: f64) -> Result<Node, E> {
+        Ok(Node::Number(number))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Node, E> {
+        Ok(Node::Text(text.to_string()))
+    }
+
+    fn visit_string<E>(self, text: String) -> Result<Node, E> {
+        Ok(Node::Text(text))
+    }
+
+    fn visit_unit<E>(self) -> Result<Node, E> {
+        Ok(Node::Other("null".to_string()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node, A::Error> {
+        let mut list = Vec::new();
+        while let Some(item) = items.next_element()? {
+            list.push(item);
         }
+        Ok(Node::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Node, A::Error> {
+        let mut map = Vec::new();
+        while let Some(entry) = entries.next_entry()? {
+            map.push(entry);
+        }
+        Ok(Node::Map(map))
     }
 }
 
@@ -97,9 +144,9 @@ impl Case {
     /// As [`Case::from_text`].
     pub fn from_json(text: &str) -> Result<Case, Vec<InputError>> {
         let text = text.trim_start_matches('\u{feff}');
-        let value: serde_json::Value =
+        let node: Node =
             serde_json::from_str(text).map_err(|e| syntax_error("JSON", &e.to_string()))?;
-        Case::from_node(value.into())
+        Case::from_node(node)
     }
 
     fn from_node(node: Node) -> Result<Case, Vec<InputError>> {
@@ -118,92 +165,180 @@ impl Case {
             ..Case::default()
         };
         let mut schema = None;
+        let mut taken = Taken::default();
         for (key, node) in map {
+            if ["schema", "name", "version"].contains(&key.as_str()) {
+                taken.take(&key, &key);
+            }
             match (key.as_str(), node) {
                 ("schema", Node::Text(text)) => schema = Some(text),
                 ("schema", other) => return Err(schema_error(&describe(&other))),
                 ("name", Node::Text(text)) => case.name = text,
+                ("name", other) => {
+                    return Err(vec![InputError {
+                        key,
+                        message: format!("got {}, must be text", describe(&other)),
+                    }]);
+                }
                 ("version", node) => case.version = version(&node)?,
-                (_, node) => case.flatten(key, node),
+                (_, node) => case.flatten(key, node, &mut taken),
             }
         }
         match schema.as_deref() {
-            Some(SCHEMA) => Ok(case),
-            Some(other) => Err(schema_error(&format!("\"{other}\""))),
+            Some(SCHEMA) if taken.twice.is_empty() => Ok(case),
+            Some(SCHEMA) => Err(taken.twice),
+            Some(other) => Err(schema_error(&format!("\"{}\"", cut(other)))),
             None => Err(schema_error("nothing")),
         }
     }
 
-    fn flatten(&mut self, key: String, node: Node) {
-        let known = input::find(&key);
+    fn flatten(&mut self, key: String, node: Node, taken: &mut Taken) {
         let node = match node {
             Node::Map(map) if !map.is_empty() => {
                 for (part, child) in map {
-                    self.flatten(format!("{key}.{part}"), child);
+                    self.flatten(format!("{key}.{part}"), child, taken);
                 }
                 return;
             }
             other => other,
         };
+        let known = input::find(&key);
         // A table given where a database is named is a drag table.
-        let key = match (&node, known) {
+        let known = match (&node, known) {
             (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
-                "vehicle.drag_table".to_string()
+                input::find("vehicle.drag_table")
             }
-            (_, Some(input)) => input.key.to_string(),
-            _ => key,
+            _ => known,
         };
-        let rows_expected =
-            input::find(&key).is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
+        let rows_expected = known.is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
         let value = match node {
             Node::Number(number) => Value::Number(number),
             Node::Text(text) => Value::Text(text),
             Node::Flag(flag) => Value::Flag(flag),
-            Node::List(list) if rows_expected => rows(list),
-            other => Value::Other(describe(&other)),
+            other => match rows_expected.then(|| rows(&other)) {
+                Some(Ok(rows)) => Value::Rows(rows),
+                _ => Value::Other(spelled(&other)),
+            },
         };
-        self.values.insert(key, value);
+        let place = known.map_or(key.as_str(), |input| input.key);
+        taken.take(place, &key);
+        self.values.insert(place.to_string(), value);
+    }
+}
+
+/// Most keys that stand twice and are told.
+const TWICE_MAX: usize = 100;
+
+/// Keys that have been given, each with its spelling, and faults of those given twice.
+#[derive(Default)]
+struct Taken {
+    spellings: BTreeMap<String, String>,
+    twice: Vec<InputError>,
+}
+
+impl Taken {
+    fn take(&mut self, key: &str, spelling: &str) {
+        let Some(first) = self.spellings.insert(key.to_string(), spelling.to_string()) else {
+            return;
+        };
+        if self.twice.len() < TWICE_MAX {
+            let message = if first == spelling {
+                "stands twice; give it once".to_string()
+            } else {
+                format!(
+                    "stands twice, as {} and as {}; give one of them",
+                    cut(&first),
+                    cut(spelling)
+                )
+            };
+            self.twice.push(InputError {
+                key: cut(key),
+                message,
+            });
+        }
     }
 }
 
 /// Rows of numbers typed as text in brackets; `None` where the text is nothing of the kind.
 pub(super) fn rows_of_text(text: &str) -> Option<Value> {
-    let mut table: toml::Table = toml::from_str(&format!("rows = {text}")).ok()?;
-    match Node::from(table.remove("rows")?) {
-        Node::List(list) if table.is_empty() => Some(rows(list)),
+    match node_of(text)? {
+        list @ Node::List(_) => {
+            Some(rows(&list).map_or(Value::Other(text.to_string()), Value::Rows))
+        }
         _ => None,
     }
 }
 
-fn rows(list: Vec<Node>) -> Value {
-    // Numbers without brackets of their own are one row.
-    let is_row = !list.is_empty() && list.iter().all(|node| matches!(node, Node::Number(_)));
-    let list = if is_row { vec![Node::List(list)] } else { list };
-    let mut rows = Vec::with_capacity(list.len());
-    for (i, row) in list.into_iter().enumerate() {
-        let Node::List(cells) = row else {
-            return Value::Other(format!("row {} that is not a list of numbers", i + 1));
-        };
-        let mut numbers = Vec::with_capacity(cells.len());
-        for cell in cells {
-            let Node::Number(number) = cell else {
-                return Value::Other(format!("row {} with {}", i + 1, describe(&cell)));
-            };
-            numbers.push(number);
+/// What a value is that no input takes, of its spelling in TOML; of rows, which of them is at fault.
+pub(super) fn described(spelling: &str, rows_expected: bool) -> String {
+    match node_of(spelling) {
+        Some(list @ Node::List(_)) if rows_expected => {
+            rows(&list).err().unwrap_or_else(|| describe(&list))
         }
-        rows.push(numbers);
+        Some(node) => describe(&node),
+        None => cut(spelling),
     }
-    Value::Rows(rows)
+}
+
+fn node_of(spelling: &str) -> Option<Node> {
+    let mut table: toml::Table = toml::from_str(&format!("value = {spelling}")).ok()?;
+    let node = Node::from(table.remove("value")?);
+    table.is_empty().then_some(node)
+}
+
+/// The numbers of rows, or which row is none.
+fn rows(node: &Node) -> Result<Vec<Vec<f64>>, String> {
+    let Node::List(list) = node else {
+        return Err(describe(node));
+    };
+    let number = |node: &Node| match node {
+        Node::Number(number) => Ok(*number),
+        other => Err(describe(other)),
+    };
+    // Numbers without brackets of their own are one row.
+    if !list.is_empty() && list.iter().all(|node| matches!(node, Node::Number(_))) {
+        return Ok(vec![
+            list.iter().filter_map(|node| number(node).ok()).collect(),
+        ]);
+    }
+    let row = |(i, row): (usize, &Node)| match row {
+        Node::List(cells) => {
+            let cells: Result<Vec<f64>, String> = cells.iter().map(number).collect();
+            cells.map_err(|cell| format!("row {} with {cell}", i + 1))
+        }
+        _ => Err(format!("row {} that is not a list of numbers", i + 1)),
+    };
+    list.iter().enumerate().map(row).collect()
 }
 
 fn describe(node: &Node) -> String {
     match node {
         Node::Number(number) => number.to_string(),
-        Node::Text(text) => format!("\"{text}\""),
+        Node::Text(text) => format!("\"{}\"", cut(text)),
         Node::Flag(flag) => flag.to_string(),
         Node::List(_) => "a list".to_string(),
         Node::Map(_) => "an empty table".to_string(),
-        Node::Other(what) => (*what).to_string(),
+        Node::Other(what) if what == "null" => what.clone(),
+        Node::Other(_) => "a date".to_string(),
+    }
+}
+
+/// A value as TOML spells it; null, which TOML has not, by its name.
+fn spelled(node: &Node) -> String {
+    let listed = |parts: Vec<String>| parts.join(", ");
+    match node {
+        Node::Number(number) => toml::Value::Float(*number).to_string(),
+        Node::Text(text) => toml::Value::String(text.clone()).to_string(),
+        Node::Flag(flag) => flag.to_string(),
+        Node::List(list) => format!("[{}]", listed(list.iter().map(spelled).collect())),
+        Node::Map(map) => {
+            let entry = |(key, node): &(String, Node)| {
+                let key = toml::Value::String(key.clone());
+                format!("{key} = {}", spelled(node))
+            };
+            format!("{{{}}}", listed(map.iter().map(entry).collect()))
+        }
+        Node::Other(what) => what.clone(),
     }
 }
 
@@ -287,6 +422,72 @@ mod tests {
         assert!(error("schema = \"msape/1\"\nname = ").contains("line 2"));
         assert!(error("{\"schema\": ").contains("JSON"));
         assert!(error(&"\u{1}garbage ".repeat(100_000)).len() < 500);
+    }
+
+    #[test]
+    fn a_key_stands_once_whatever_its_spelling() {
+        let twice = |text: &str| {
+            let faults = Case::from_text(text).unwrap_err();
+            faults[0].to_string()
+        };
+        let told = "entry.speed_m_s: stands twice; give it once";
+        for entries in [
+            r#""entry":{"speed_m_s":1,"speed_m_s":2}"#,
+            r#""entry":{"speed_m_s":1},"entry.speed_m_s":2"#,
+            r#""entry":{"speed_m_s":1},"entry":{"speed_m_s":2}"#,
+            r#""entry.speed_m_s":1,"entry.speed_m_s":2"#,
+        ] {
+            assert_eq!(
+                twice(&format!("{{\"schema\":\"msape/1\",{entries}}}")),
+                told
+            );
+        }
+        assert_eq!(
+            twice("schema='msape/1'\n\"entry.speed_m_s\"=1\n[entry]\nspeed_m_s=2\n"),
+            told
+        );
+        let spellings = twice(
+            "schema='msape/1'\n[planet]\nradius_m=1.0\nequatorial_radius_m=2.0\nr_equatorial_m=3.0\n",
+        );
+        assert!(
+            spellings.starts_with("planet.equatorial_radius_m: stands twice, as planet."),
+            "{spellings}"
+        );
+        let drag = twice(
+            "schema='msape/1'\n[vehicle]\naerodynamics=[[0.0,1.0]]\ndrag_table=[[0.0,1.0]]\n",
+        );
+        assert_eq!(
+            drag,
+            "vehicle.drag_table: stands twice, as vehicle.aerodynamics and as vehicle.drag_table; give one of them"
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","schema":"msape/1"}"#).starts_with("schema: stands twice")
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","a":{"b":1},"a.b":2}"#).starts_with("a.b: stands twice")
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","name":"a","name":"b"}"#)
+                .starts_with("name: stands twice")
+        );
+        assert!(twice("schema='msape/1'\n[entry]\nspeed_m_s=1\nspeed_m_s=2\n").contains("TOML"));
+        assert!(twice("schema='msape/1'\nname=3\n").contains("must be text"));
+    }
+
+    #[test]
+    fn what_no_input_takes_is_kept_as_it_was_spelled() {
+        let case = Case::from_toml("schema='msape/1'\nwhen=1979-05-27\nlist=[1,'a',[],{b=2}]\n[atmosphere]\ntable=[[0,1.2],[1,'x']]\n").unwrap();
+        assert_eq!(case.values["when"], Value::Other("1979-05-27".to_string()));
+        assert_eq!(described("1979-05-27", false), "a date");
+        let Value::Other(table) = &case.values["atmosphere.table"] else {
+            unreachable!()
+        };
+        assert_eq!(described(table, true), "row 2 with \"x\"");
+        assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+        assert_eq!(
+            Case::from_json(&case.to_json()).unwrap().values["list"],
+            case.values["list"]
+        );
     }
 
     #[test]

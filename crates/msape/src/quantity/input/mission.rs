@@ -104,7 +104,7 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .help("Rows of altitude, density and, if known, temperature and pressure; density is interpolated in its logarithm.", CONVENTION),
     Input::new("atmosphere.file", "Atmosphere File", Group::Models, Kind::Text)
-        .help("Name of a CSV file with the rows of the atmosphere table.", CONVENTION),
+        .help("Name of a text file with the atmosphere: altitude (geometric, geopotential or of pressure), density or pressure and temperature, in columns with names and units.", CONVENTION),
     Input::number("atmosphere.exponential.density_kg_m3", "Exponential Atmosphere Density", Group::Models, Dimension::Density, POSITIVE)
         .unit("kg/m^3")
         .help("Density at altitude zero of an exponential atmosphere.", CONVENTION),
@@ -122,6 +122,8 @@ pub(super) const INPUTS: &[Input] = &[
         ]),
     )
     .help("Rows of altitude and the velocity of the air towards east and north.", CONVENTION),
+    Input::new("wind.file", "Wind File", Group::Models, Kind::Text)
+        .help("Name of a text file with the wind: altitude, eastward and northward, or speed and the direction from which it blows.", CONVENTION),
     Input::number("wind.eastward_m_s", "Wind towards East", Group::Models, Dimension::Speed, Range::closed(-500.0, 500.0))
         .unit("m/s")
         .help("Velocity of the air towards the east at every altitude.", CONVENTION),
