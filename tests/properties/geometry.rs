@@ -322,8 +322,8 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
         .chars()
         .collect();
     for (name, text) in [("a.csv", csv), ("a.dxf", dxf)] {
-        let whole = cad::outline::read(name, text, None).unwrap();
-        assert!(vehicle::body::from_rows(name, &whole).is_ok());
+        let whole = cad::outline::read(name, text.as_bytes(), None).unwrap();
+        assert!(vehicle::body::from_rows(name, &whole.rows).is_ok());
         for _ in 0..3_000 {
             let mut spoiled: Vec<char> = text.chars().collect();
             for _ in 0..=(3.0 * sequence.next()) as usize {
@@ -336,8 +336,8 @@ fn spoiled_files_of_outlines_give_rows_or_faults() {
                 }
             }
             let spoiled: String = spoiled.into_iter().collect();
-            match cad::outline::read(name, &spoiled, None) {
-                Ok(rows) => drop(vehicle::body::from_rows(name, &rows)),
+            match cad::outline::read(name, spoiled.as_bytes(), None) {
+                Ok(read) => drop(vehicle::body::from_rows(name, &read.rows)),
                 Err(faults) => assert!(faults.iter().all(|fault| !fault.to_string().is_empty())),
             }
         }

@@ -158,16 +158,14 @@ pub struct Silhouette {
 /// The drawing of a rigid body.
 pub fn silhouette(body: &RigidBody) -> Silhouette {
     let radius_m = 0.5 * body.diameter_m;
-    let tip_m = body.nose_tip_x_m();
-    let ends = body.outline.segments.iter().map(|segment| segment.end());
-    // Of the ends, the one that stands furthest out: a shoulder's arc is as wide at most a radius away.
-    let widest = ends.max_by(|a, b| a.r_m.total_cmp(&b.r_m));
+    let [from_m, to_m] = body.extent_m();
+    let widest_m = body.nose_tip_x_m() + body.facts().largest_diameter_from_nose_m;
     Silhouette {
         path: both(&body.outline, Ends::WithoutAxis),
         radius_mm: radius_m * MM,
-        top_mm: -(tip_m + body.length_m()) * MM,
-        bottom_mm: -tip_m * MM,
-        widest_mm: -widest.map_or(tip_m, |point| point.x_m) * MM,
+        top_mm: -to_m * MM,
+        bottom_mm: -from_m * MM,
+        widest_mm: -widest_m * MM,
     }
 }
 

@@ -69,19 +69,28 @@ fn hand_over(name: &str, blob: &Blob) -> Result<(), JsValue> {
 /// # Errors
 /// A sentence for the user.
 pub async fn read(file: web_sys::File) -> Result<String, String> {
+    let bytes = bytes(file).await?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Bytes of a file that the user chose.
+///
+/// # Errors
+/// A sentence for the user.
+pub async fn bytes(file: web_sys::File) -> Result<Vec<u8>, String> {
     if file.size() > BYTES_MAX {
         return Err(format!(
-            "{} has {:.1} MB; a case has at most {:.0} MB.",
+            "{} has {:.1} MB; a file has at most {:.0} MB.",
             file.name(),
             file.size() / 1e6,
             BYTES_MAX / 1e6
         ));
     }
     let blob: Blob = file.unchecked_into();
-    let text = JsFuture::from(blob.text())
+    let buffer = JsFuture::from(blob.array_buffer())
         .await
         .map_err(|error| format!("The file cannot be read: {error:?}"))?;
-    Ok(text.as_string().unwrap_or_default())
+    Ok(js_sys::Uint8Array::new(&buffer).to_vec())
 }
 
 /// Puts a text on the clipboard.

@@ -1,4 +1,4 @@
-//! Outlines from files: CSV of points, DXF of lines and arcs. Both give the rows that `outline.points` holds.
+//! Outlines from files: CSV of points, DXF drawings. Both give the rows that `outline.points` holds.
 //!
 //! ```text
 //! 1 in = 0.0254 m        1 ft = 0.3048 m
@@ -7,7 +7,7 @@
 //! Rows are x and r in m and the bulge of the piece to the next point.
 //!
 //! # Valid
-//! Text; the kind of file is told by the ending of its name.
+//! The kind of file is told by the ending of its name.
 //!
 //! # References
 //! - \[nist-sp-811\] appendix B for the factors.
@@ -16,8 +16,11 @@ pub mod chain;
 pub mod csv;
 pub mod dxf;
 pub mod half_section;
+pub mod halves;
 
 use crate::table::TableFault;
+use crate::text::{Decoded, decode};
+use dxf::group::Place;
 use thiserror::Error;
 
 /// Faults are listed up to this number.
@@ -49,6 +52,17 @@ impl LengthUnit {
             Self::Millimetre => 0.001,
             Self::Inch => 0.0254,
             Self::Foot => 0.3048,
+        }
+    }
+
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+            Self::Inch => "in",
+            Self::Foot => "ft",
         }
     }
 
@@ -121,17 +135,36 @@ pub enum ImportFault {
         /// Why.
         reason: String,
     },
-    /// A kind of entity that is no line and no arc.
-    #[error("line {line}: {kind} is not read; draw the outline with lines, arcs and polylines")]
+    /// Something in a drawing that cannot be read.
+    #[error("{place}: {reason}")]
+    Drawing {
+        /// Where.
+        place: Place,
+        /// Why.
+        reason: String,
+    },
+    /// A drawing in another format.
+    #[error("the file is a DWG drawing ({0}); save it as DXF")]
+    Dwg(String),
+    /// A file that is too large.
+    #[error("the file is larger than {0} MiB")]
+    TooLarge(usize),
+    /// A kind of entity that may be part of an outline and is not read.
+    #[error(
+        "{place}: {kind} is not read; draw the outline with lines, arcs, polylines, ellipses and splines"
+    )]
     Entity {
-        /// Line of the file.
-        line: u64,
+        /// Where.
+        place: Place,
         /// Its name in the drawing.
         kind: String,
     },
     /// Pieces that do not make one chain.
     #[error("{0}")]
     Chain(String),
+    /// Bytes that are no text.
+    #[error("is not text: byte {0} is not UTF-8")]
+    NotText(usize),
     /// A kind of file that is not read.
     #[error("\"{0}\" is neither a CSV nor a DXF file; the name must end in .csv, .txt or .dxf")]
     UnknownKind(String),
@@ -142,27 +175,47 @@ fn shown(text: &str) -> String {
     text.chars().take(MOST_SHOWN).collect()
 }
 
-/// Rows of x, r in metres and bulge from the text of the file `name`, or everything that is wrong with it.
+/// An outline from a file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Imported {
+    /// Rows of x and r in m, and the bulge to the next.
+    pub rows: Vec<Vec<f64>>,
+    /// What a reader of the file should know: what was left out, mirrored, or read in another unit.
+    pub remarks: Vec<String>,
+}
+
+/// The outline in the bytes of the file `name`, or everything that is wrong with it. A unit that is given stands above that of a
+/// drawing.
 ///
 /// ```
 /// use cad::outline::read;
 ///
-/// let rows = read("cone.csv", "x (mm); r (mm)\n0; 0\n500,0; 500\n500; 0\n", None).unwrap();
-/// assert_eq!(rows[1], [0.5, 0.5, 0.0]);
+/// let cone = read("cone.csv", b"x (mm); r (mm)\n0; 0\n500,0; 500\n500; 0\n", None).unwrap();
+/// assert_eq!(cone.rows[1], [0.5, 0.5, 0.0]);
 /// ```
 ///
 /// # Errors
 /// Every fault of the file, up to [`MOST_FAULTS`].
 pub fn read(
     name: &str,
-    text: &str,
+    bytes: &[u8],
     unit: Option<LengthUnit>,
-) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
+) -> Result<Imported, Vec<ImportFault>> {
     let ending = name.rsplit('.').next().unwrap_or("").to_lowercase();
-    match ending.as_str() {
-        "dxf" => dxf::read(text, unit),
-        "csv" if half_section::is_half_section(text) => half_section::read(text),
-        "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit).map(|points| points.rows),
-        _ => Err(vec![ImportFault::UnknownKind(shown(name))]),
+    if ending == "dxf" || ending == "dwg" {
+        return dxf::read(bytes, unit);
     }
+    if !["csv", "txt", "tsv", "dat"].contains(&ending.as_str()) {
+        return Err(vec![ImportFault::UnknownKind(shown(name))]);
+    }
+    let of_text = |fault| vec![ImportFault::Table(TableFault::NotText(fault))];
+    let Decoded { text, encoding } = decode(bytes).map_err(of_text)?;
+    let mut imported = if half_section::is_half_section(&text) {
+        half_section::read(&text, unit)?
+    } else {
+        csv::read(&text, unit)?
+    };
+    let remark = encoding.map(|encoding| format!("the file is read as {encoding}"));
+    imported.remarks.splice(0..0, remark);
+    Ok(imported)
 }

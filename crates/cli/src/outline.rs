@@ -49,7 +49,10 @@ pub fn outline(arguments: &Outline) -> Done {
             }
         }
         let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
-        let notes: String = notes.iter().map(|note| format!("{}\n", printable(note))).collect();
+        let notes: String = notes
+            .iter()
+            .map(|note| format!("{}\n", printable(note)))
+            .collect();
         format!("{}\n{lines}{notes}", printable(&body.name))
     };
     output::write(&text, arguments.output.as_deref())?;

@@ -87,10 +87,7 @@ fn write_with(
     }
 }
 
-fn replace(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<()> {
+fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let there = fs::metadata(path).ok();
     if there.is_none() && fs::symlink_metadata(path).is_ok() {
         return Err(io::Error::other("it is a link to nothing"));

@@ -200,7 +200,8 @@ impl Loaded {
         match read {
             Ok(bytes) => Some((cut(&name), bytes)),
             Err(message) => {
-                self.faults.push(format!("{key}: {}: {message}", cut(&name)));
+                self.faults
+                    .push(format!("{key}: {}: {message}", cut(&name)));
                 None
             }
         }
@@ -209,8 +210,9 @@ impl Loaded {
     fn take(&mut self, key: &'static str, name: &str, table: Table) {
         if self.case.values.contains_key(table.key) {
             let (key, table) = (key, table.key);
-            self.faults
-                .push(format!("{key}: there is a {table} as well; give one of them"));
+            self.faults.push(format!(
+                "{key}: there is a {table} as well; give one of them"
+            ));
             return;
         }
         self.case

@@ -113,5 +113,8 @@ fn text(arguments: &Reorientation, case: &Case, flown: &Flown) -> String {
         Some(turning) => show::entries(turning, paint),
         None => String::new(),
     };
-    format!("{}{outcome}{reason}\n{table}", paint.heading(&printable(&case.name)))
+    format!(
+        "{}{outcome}{reason}\n{table}",
+        paint.heading(&printable(&case.name))
+    )
 }

@@ -3,8 +3,8 @@
 use crate::args::{Form, Run};
 use crate::failure::Failure;
 use crate::{Done, output, read, reorientation, show};
-use msape::problem::add_turning;
 use msape::flight::Trajectory;
+use msape::problem::add_turning;
 use msape::quantity::Job;
 use msape::table::{self, Manner, Solved, kml};
 use msape::{Answer, Case, InputError, Library, Request, answer};
@@ -68,13 +68,14 @@ fn write(arguments: &Run, job: Job, case: &Case, answer: &Answer) -> Result<(), 
     let path = arguments.output.as_deref();
     let solved = Solved { case, answer };
     match arguments.form {
-        Form { json: true, .. } => {
-            output::write_text(path, |out| answer::write(answer, job, out))
-        }
+        Form { json: true, .. } => output::write_text(path, |out| answer::write(answer, job, out)),
         Form { csv: true, .. } => csv(arguments, job, solved, Manner::Report),
         Form { csv_si: true, .. } => csv(arguments, job, solved, Manner::Si),
         Form { kml: true, .. } => {
-            let has_track = answer.flight.as_ref().is_some_and(|f| f.trajectory.is_some());
+            let has_track = answer
+                .flight
+                .as_ref()
+                .is_some_and(|f| f.trajectory.is_some());
             let nothing = || {
                 Failure::input(format!(
                     "--kml: there is no trajectory; the case is {}",

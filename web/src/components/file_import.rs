@@ -61,11 +61,11 @@ impl Verdict {
     }
 }
 
-/// Choose, drop or paste; `import` gets name and text, and gives its verdict.
+/// Choose, drop or paste; `import` gets name and bytes, and gives its verdict.
 #[component]
 pub fn FileImport(
     wording: Wording,
-    import: impl Fn(String, String, Verdict) + Copy + Send + Sync + 'static,
+    import: impl Fn(String, Vec<u8>, Verdict) + Copy + Send + Sync + 'static,
     /// What a user must know of the file.
     children: Children,
 ) -> impl IntoView {
@@ -79,8 +79,8 @@ pub fn FileImport(
     let open = move |file: web_sys::File| {
         let name = file.name();
         spawn_local(async move {
-            match files::read(file).await {
-                Ok(text) => import(name, text, verdict),
+            match files::bytes(file).await {
+                Ok(bytes) => import(name, bytes, verdict),
                 Err(message) => verdict.refused(name, "", vec![message]),
             }
         });
@@ -117,7 +117,7 @@ pub fn FileImport(
             <textarea id=wording.id rows="4" spellcheck="false" placeholder=wording.placeholder prop:value=pasted
                 on:input:target=move |event| pasted.set(event.target().value())></textarea>
             <button type="button" class="small" disabled=move || pasted.with(|text| text.trim().is_empty())
-                on:click=move |_| import(wording.pasted.to_string(), pasted.get_untracked(), verdict)>{wording.button}</button>
+                on:click=move |_| import(wording.pasted.to_string(), pasted.get_untracked().into_bytes(), verdict)>{wording.button}</button>
             <div role="alert">
                 {move || refused.get().map(|Refused { name, faults, lines }| view! {
                     <h3 class="note-outside">{format!("{name} has {} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })}</h3>

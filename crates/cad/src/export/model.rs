@@ -3,7 +3,6 @@
 use msape::vehicle::ComponentKind;
 use msape::vehicle::body::RigidBody;
 use msape::vehicle::profile::Profile;
-use msape::vehicle::segment::Segment;
 use msape::vehicle::{DensityBasis, Vehicle};
 
 /// A body of revolution or several, in one frame: x along the axis, aft positive.
@@ -131,11 +130,8 @@ impl Model {
 impl Model {
     /// Least and largest axial position, largest distance from the axis, m.
     pub fn extent_m(&self) -> [f64; 3] {
-        let bounds = self.outline.segments.iter().map(Segment::bounds_m);
-        bounds.fold(
-            [f64::INFINITY, f64::NEG_INFINITY, 0.0],
-            |[nose, aft, widest], [x0, x1, _, r1]| [nose.min(x0), aft.max(x1), widest.max(r1)],
-        )
+        let [nose, aft, _, widest] = self.outline.bounds_m();
+        [nose, aft, widest]
     }
 }
 

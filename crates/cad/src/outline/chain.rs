@@ -1,8 +1,11 @@
 //! Loose pieces of a drawing put into one chain from axis to axis.
 //!
 //! ```text
-//! ends closer than 10⁻⁵ of the drawing's size are joined; pieces along the axis are left out
+//! ends closer than 10⁻⁵ of the drawing's size are joined
 //! ```
+//!
+//! Ends are looked for in the cells of a grid as wide as that distance, so that the work grows with the number of pieces. A piece
+//! that is drawn twice counts once.
 //!
 //! # Valid
 //! One chain whose two loose ends are on the axis. Anything else is a fault that says where.
@@ -10,6 +13,7 @@
 //! # References
 //! - Own convention.
 
+use super::dxf::group::Place;
 use super::{ImportFault, MOST_FAULTS};
 use msape::vehicle::body::check::At;
 use msape::vehicle::crossing::distance_m;
@@ -17,112 +21,157 @@ use msape::vehicle::segment::Point;
 
 /// Ends closer than this part of the drawing's size are joined.
 pub const TOLERANCE: f64 = 1e-5;
+/// Points of a drawing, arcs of smooth curves included.
+pub const MOST_POINTS: usize = 100_000;
+/// Partners of an end that are looked for: two are one too many.
+const MOST_PARTNERS: usize = 8;
 
-/// A line or an arc of a drawing.
+/// Lines and arcs that follow one another.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
-    /// Where it starts.
-    pub start: Point,
-    /// Where it ends.
-    pub end: Point,
-    /// Tangent of a quarter of its angle.
-    pub bulge: f64,
-    /// Line of the file at which it stands.
-    pub line: u64,
+pub struct Path {
+    /// x and r in m, and the bulge to the next point.
+    pub points: Vec<[f64; 3]>,
+    /// Where it stands in the file.
+    pub place: Place,
 }
 
-impl Piece {
-    fn reversed(&self) -> Self {
+impl Path {
+    /// The same, run the other way.
+    pub fn reversed(&self) -> Self {
+        let bulges = self.points.iter().rev().skip(1).map(|point| -point[2]);
+        let points = self.points.iter().rev().zip(bulges.chain([0.0]));
         Self {
-            start: self.end,
-            end: self.start,
-            bulge: -self.bulge,
-            line: self.line,
+            points: points.map(|([x, r, _], bulge)| [*x, *r, bulge]).collect(),
+            place: self.place,
         }
+    }
+
+    /// Its two ends.
+    fn ends(&self) -> [Point; 2] {
+        [self.points.first(), self.points.last()].map(|point| point.map_or(Point::default(), at))
     }
 }
 
-/// An end of a piece: where it is, its piece, whether it is the second of it.
-#[derive(Clone, Copy)]
+fn at(point: &[f64; 3]) -> Point {
+    Point {
+        x_m: point[0],
+        r_m: point[1],
+    }
+}
+
+/// An end of a path: where it is, its path, whether it is the second of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct End {
     at: Point,
-    piece: usize,
+    path: usize,
     second: usize,
 }
 
-/// The ends of all pieces, by x.
+/// The ends of all paths, by cells of a grid.
 struct Ends {
-    sorted: Vec<End>,
+    sorted: Vec<([f64; 2], End)>,
     tolerance_m: f64,
 }
 
 impl Ends {
-    fn new(pieces: &[Piece], tolerance_m: f64) -> Self {
-        let mut sorted: Vec<End> = pieces
+    fn new(paths: &[Path], tolerance_m: f64) -> Self {
+        let mut sorted: Vec<([f64; 2], End)> = paths
             .iter()
             .enumerate()
-            .flat_map(|(piece, p)| {
-                [p.start, p.end]
-                    .into_iter()
-                    .enumerate()
-                    .map(move |(second, at)| End { at, piece, second })
+            .flat_map(|(path, p)| {
+                let ends = p.ends().into_iter().enumerate();
+                ends.map(move |(second, at)| End { at, path, second })
             })
+            .map(|end| (cell(end.at, tolerance_m), end))
             .collect();
-        sorted.sort_by(|a, b| a.at.x_m.total_cmp(&b.at.x_m));
+        sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.0[1].total_cmp(&b.0[1])));
         Self {
             sorted,
             tolerance_m,
         }
     }
 
-    /// Other ends at the place of this one.
+    /// Other ends at the place of this one, up to [`MOST_PARTNERS`].
     fn partners(&self, end: &End) -> Vec<End> {
-        let (low, high) = (end.at.x_m - self.tolerance_m, end.at.x_m + self.tolerance_m);
-        let from = self.sorted.partition_point(|other| other.at.x_m < low);
-        self.sorted
-            .iter()
-            .skip(from)
-            .take_while(|other| other.at.x_m <= high)
-            .filter(|other| (other.piece, other.second) != (end.piece, end.second))
+        let [x, r] = cell(end.at, self.tolerance_m);
+        let columns = [x - 1.0, x, x + 1.0].into_iter().flat_map(|x| {
+            let before = |key: &[f64; 2]| key[0] < x || (key[0] == x && key[1] < r - 1.0);
+            let from = self.sorted.partition_point(|(key, _)| before(key));
+            let rest = self.sorted.get(from..).unwrap_or(&[]).iter();
+            rest.take_while(move |(key, _)| key[0] == x && key[1] <= r + 1.0)
+        });
+        columns
+            .map(|(_, other)| *other)
+            .filter(|other| (other.path, other.second) != (end.path, end.second))
             .filter(|other| distance_m(other.at, end.at) <= self.tolerance_m)
-            .copied()
+            .take(MOST_PARTNERS)
             .collect()
     }
 }
 
-/// Rows of x, r and bulge of the chain that the pieces make, or what keeps them from making one.
-pub fn rows(pieces: Vec<Piece>) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
-    let size = pieces
-        .iter()
-        .flat_map(|p| [p.start, p.end])
-        .fold([f64::INFINITY, f64::NEG_INFINITY, 0.0], |[a, b, r], p| {
-            [a.min(p.x_m), b.max(p.x_m), p.r_m.abs().max(r)]
-        });
-    let tolerance_m = TOLERANCE * (size[1] - size[0]).max(size[2]);
-    let on_axis = |p: Point| p.r_m.abs() <= tolerance_m;
-    // the axis itself, drawn to close the section, and what has no length
-    let pieces: Vec<Piece> = pieces
-        .into_iter()
-        .filter(|p| !(p.bulge == 0.0 && on_axis(p.start) && on_axis(p.end)))
-        .filter(|p| distance_m(p.start, p.end) > tolerance_m)
-        .collect();
-    if pieces.is_empty() {
-        return Err(vec![ImportFault::Empty("line or arc off the axis")]);
+/// Column and row of the grid, whole numbers.
+fn cell(at: Point, width_m: f64) -> [f64; 2] {
+    // the sum with zero is never −0
+    [at.x_m, at.r_m].map(|length| (length / width_m).floor() + 0.0)
+}
+
+/// The paths without those that are drawn once more.
+fn once(paths: Vec<Path>, tolerance_m: f64) -> Vec<Path> {
+    let ends = Ends::new(&paths, tolerance_m);
+    let mut again = vec![false; paths.len()];
+    for (i, path) in paths.iter().enumerate() {
+        let [start, _] = path.ends();
+        let end = End {
+            at: start,
+            path: i,
+            second: 0,
+        };
+        for other in ends.partners(&end) {
+            let Some(drawn) = paths.get(other.path).filter(|_| other.path > i) else {
+                continue;
+            };
+            let alike = match other.second {
+                0 => same(path, drawn, tolerance_m),
+                _ => same(path, &drawn.reversed(), tolerance_m),
+            };
+            if let (true, Some(slot)) = (alike, again.get_mut(other.path)) {
+                *slot = true;
+            }
+        }
     }
-    let ends = Ends::new(&pieces, tolerance_m);
+    let marked = paths.into_iter().zip(again);
+    marked
+        .filter(|(_, again)| !again)
+        .map(|(path, _)| path)
+        .collect()
+}
+
+fn same(one: &Path, other: &Path, tolerance_m: f64) -> bool {
+    one.points.len() == other.points.len()
+        && one.points.iter().zip(&other.points).all(|(a, b)| {
+            distance_m(at(a), at(b)) <= tolerance_m && (a[2] - b[2]).abs() <= TOLERANCE
+        })
+}
+
+/// The one path from axis to axis that the paths make, nose first, or what keeps them from making one.
+pub fn joined(paths: Vec<Path>, tolerance_m: f64) -> Result<Path, Vec<ImportFault>> {
+    let on_axis = |p: Point| p.r_m.abs() <= tolerance_m;
+    let paths = once(paths, tolerance_m);
+    let ends = Ends::new(&paths, tolerance_m);
     let (mut loose, mut faults) = (Vec::new(), Vec::new());
-    for end in &ends.sorted {
+    for (_, end) in &ends.sorted {
         let partners = ends.partners(end);
         match partners.len() {
             0 => loose.push(*end),
             1 => {}
-            others
-                if partners
-                    .iter()
-                    .all(|p| (p.piece, p.second) > (end.piece, end.second)) =>
-            {
+            others if faults.len() < MOST_FAULTS && first_of(end, &partners) => {
+                let more = if others == MOST_PARTNERS {
+                    " or more"
+                } else {
+                    ""
+                };
                 faults.push(ImportFault::Chain(format!(
-                    "{} pieces meet at {}, must be two",
+                    "{} pieces{more} meet at {}, must be two",
                     others + 1,
                     At(end.at)
                 )));
@@ -130,9 +179,9 @@ pub fn rows(pieces: Vec<Piece>) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
             _ => {}
         }
     }
-    let stray: Vec<&End> = loose.iter().filter(|end| !on_axis(end.at)).collect();
-    for end in &stray {
-        faults.push(gap(end, &loose, &pieces, tolerance_m));
+    let stray = loose.iter().filter(|end| !on_axis(end.at));
+    for end in stray.take(MOST_FAULTS) {
+        faults.push(gap(end, &loose, &paths, tolerance_m));
     }
     faults.truncate(MOST_FAULTS);
     loose.retain(|end| on_axis(end.at));
@@ -144,131 +193,154 @@ pub fn rows(pieces: Vec<Piece>) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
     }
     let first = loose.iter().min_by(|a, b| a.at.x_m.total_cmp(&b.at.x_m));
     match first {
-        Some(first) if faults.is_empty() => walk(*first, &ends, &pieces),
+        Some(first) if faults.is_empty() => walk(*first, &ends, &paths),
         _ => Err(faults),
     }
 }
 
-fn gap(end: &End, loose: &[End], pieces: &[Piece], tolerance_m: f64) -> ImportFault {
-    let line = pieces.get(end.piece).map_or(0, |p| p.line);
+fn first_of(end: &End, partners: &[End]) -> bool {
+    let before = |p: &End| (p.path, p.second) > (end.path, end.second);
+    partners.iter().all(before)
+}
+
+fn gap(end: &End, loose: &[End], paths: &[Path], tolerance_m: f64) -> ImportFault {
+    let place = paths
+        .get(end.path)
+        .map_or(Place::Line(0), |path| path.place);
     let nearest = loose
         .iter()
-        .filter(|other| (other.piece, other.second) != (end.piece, end.second))
+        .filter(|other| (other.path, other.second) != (end.path, end.second))
         .min_by(|a, b| distance_m(a.at, end.at).total_cmp(&distance_m(b.at, end.at)));
     let message = match nearest {
         Some(other) => format!(
-            "line {line}: the piece ends at {}, off the axis; the nearest other loose end is {:.6} m away at {}, ends closer than {tolerance_m:.1e} m are joined",
+            "{place}: the piece ends at {}, off the axis; the nearest other loose end is {:.6} m away at {}, ends closer than {tolerance_m:.1e} m are joined",
             At(end.at),
             distance_m(other.at, end.at),
             At(other.at)
         ),
-        None => format!(
-            "line {line}: the piece ends at {}, off the axis",
-            At(end.at)
-        ),
+        None => format!("{place}: the piece ends at {}, off the axis", At(end.at)),
     };
     ImportFault::Chain(message)
 }
 
-fn walk(first: End, ends: &Ends, pieces: &[Piece]) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
-    let mut rows: Vec<Vec<f64>> = Vec::with_capacity(pieces.len() + 1);
-    let mut at = first;
-    while let Some(piece) = pieces.get(at.piece) {
-        let piece = if at.second == 0 {
-            piece.clone()
-        } else {
-            piece.reversed()
+fn walk(first: End, ends: &Ends, paths: &[Path]) -> Result<Path, Vec<ImportFault>> {
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    let mut place = Place::Line(0);
+    let mut used = 0;
+    let mut end = first;
+    while let Some(path) = paths.get(end.path).filter(|_| used < paths.len()) {
+        used += 1;
+        place = path.place;
+        let path = match end.second {
+            0 => path.clone(),
+            _ => path.reversed(),
         };
-        // where pieces meet within the tolerance, the first one's end stands
-        let start = rows
-            .pop()
-            .map_or([piece.start.x_m, piece.start.r_m], |row| {
-                [
-                    row.first().copied().unwrap_or(0.0),
-                    row.get(1).copied().unwrap_or(0.0),
-                ]
-            });
-        rows.push(vec![start[0], start[1], piece.bulge]);
-        rows.push(vec![piece.end.x_m, piece.end.r_m, 0.0]);
+        // where paths meet within the tolerance, the first one's end stands
+        let mut new = path.points.into_iter();
+        match (points.last_mut(), new.next()) {
+            (Some(last), Some(start)) => last[2] = start[2],
+            (None, Some(start)) => points.push(start),
+            _ => {}
+        }
+        points.extend(new);
+        let Some(at) = points.last().map(at) else {
+            break;
+        };
         let far = End {
-            at: piece.end,
-            piece: at.piece,
-            second: 1 - at.second,
+            at,
+            path: end.path,
+            second: 1 - end.second,
         };
         match ends.partners(&far).first() {
-            Some(next) if rows.len() <= pieces.len() + 1 => at = *next,
-            _ => break,
+            Some(next) => end = *next,
+            None => break,
         }
     }
-    let used = rows.len().saturating_sub(1);
-    if used < pieces.len() {
+    if used < paths.len() {
         let message = format!(
             "{} of {} pieces are not connected with the chain from axis to axis",
-            pieces.len() - used,
-            pieces.len()
+            paths.len() - used,
+            paths.len()
         );
         return Err(vec![ImportFault::Chain(message)]);
     }
-    for row in [0, used] {
-        if let Some(r) = rows.get_mut(row).and_then(|row| row.get_mut(1)) {
-            *r = 0.0;
-        }
+    if let Some(first) = points.first_mut() {
+        first[1] = 0.0;
     }
-    Ok(rows)
+    if let Some(last) = points.last_mut() {
+        last[1] = 0.0;
+    }
+    Ok(Path { points, place })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn piece(x0: f64, r0: f64, x1: f64, r1: f64) -> Piece {
-        Piece {
-            start: Point { x_m: x0, r_m: r0 },
-            end: Point { x_m: x1, r_m: r1 },
-            bulge: 0.0,
-            line: 7,
+    fn line(x0: f64, r0: f64, x1: f64, r1: f64) -> Path {
+        Path {
+            points: vec![[x0, r0, 0.0], [x1, r1, 0.0]],
+            place: Place::Line(7),
         }
     }
 
     #[test]
     fn loose_pieces_are_put_in_order_and_turned() {
-        let pieces = vec![
-            piece(2.0, 0.0, 2.0, 1.0),
-            piece(0.0, 0.0, 2.0, 0.0), // the axis
-            piece(1.0, 1.000_001, 2.0, 1.0),
-            piece(1.0, 1.0, 0.0, 0.0),
+        let paths = vec![
+            line(2.0, 0.0, 2.0, 1.0),
+            line(1.0, 1.000_001, 2.0, 1.0),
+            line(1.0, 1.0, 0.0, 0.0),
+            line(2.0, 1.0, 1.0, 1.0), // once more, the other way round
         ];
-        let rows = rows(pieces).unwrap();
-        let x: Vec<f64> = rows.iter().map(|row| row[0]).collect();
+        let path = joined(paths, 2e-5).unwrap();
+        let x: Vec<f64> = path.points.iter().map(|point| point[0]).collect();
         assert_eq!(x, [0.0, 1.0, 2.0, 2.0]);
-        assert_eq!(rows[1][1], 1.0);
+        assert_eq!(path.points[1][1], 1.0);
+    }
+
+    #[test]
+    fn bulges_change_their_sign_with_the_direction() {
+        let arc = Path {
+            points: vec![[2.0, 0.0, 1.0], [0.0, 0.0, 0.0]],
+            place: Place::Line(1),
+        };
+        let path = joined(vec![arc], 2e-5).unwrap();
+        assert_eq!(path.points, [[0.0, 0.0, -1.0], [2.0, 0.0, 0.0]]);
     }
 
     #[test]
     fn gaps_branches_and_islands_say_where() {
-        let said = |pieces| rows(pieces).unwrap_err()[0].to_string();
-        let gap = said(vec![piece(0.0, 0.0, 1.0, 1.0), piece(1.0, 0.9, 1.0, 0.0)]);
+        let said = |paths| joined(paths, 2e-5).unwrap_err()[0].to_string();
+        let gap = said(vec![line(0.0, 0.0, 1.0, 1.0), line(1.0, 0.9, 1.0, 0.0)]);
         assert!(
             gap.contains("line 7") && gap.contains("0.100000 m away"),
             "{gap}"
         );
         let branch = said(vec![
-            piece(0.0, 0.0, 1.0, 1.0),
-            piece(1.0, 1.0, 1.0, 0.0),
-            piece(1.0, 1.0, 2.0, 0.0),
+            line(0.0, 0.0, 1.0, 1.0),
+            line(1.0, 1.0, 1.0, 0.0),
+            line(1.0, 1.0, 2.0, 0.0),
         ]);
         assert!(
             branch.contains("3 pieces meet at x = 1 m, r = 1 m"),
             "{branch}"
         );
         let island = said(vec![
-            piece(0.0, 0.0, 1.0, 1.0),
-            piece(1.0, 1.0, 2.0, 0.0),
-            piece(5.0, 1.0, 6.0, 1.0),
-            piece(6.0, 1.0, 6.0, 2.0),
-            piece(6.0, 2.0, 5.0, 1.0),
+            line(0.0, 0.0, 1.0, 1.0),
+            line(1.0, 1.0, 2.0, 0.0),
+            line(5.0, 1.0, 6.0, 1.0),
+            line(6.0, 1.0, 6.0, 2.0),
+            line(6.0, 2.0, 5.0, 1.0),
         ]);
         assert!(island.contains("3 of 5 pieces"), "{island}");
-        assert!(said(vec![piece(0.0, 0.0, 1.0, 0.0)]).contains("off the axis"));
+    }
+
+    #[test]
+    fn ends_are_found_across_the_borders_of_cells() {
+        let near = [[-1e-6, 0.0], [0.0, -1e-6], [1e-6, 1e-6]];
+        for [dx, dr] in near {
+            let paths = vec![line(-1.0, 0.0, dx, 1.0 + dr), line(0.0, 1.0, 1.0, 0.0)];
+            assert_eq!(joined(paths, 1e-5).unwrap().points.len(), 3);
+        }
     }
 }

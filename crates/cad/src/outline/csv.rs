@@ -12,7 +12,7 @@
 //! # References
 //! - Own convention; the bulge is that of \[autodesk-dxf\].
 
-use super::{ImportFault, LengthUnit};
+use super::{ImportFault, Imported, LengthUnit};
 use crate::table::quantity::Quantity;
 use crate::table::sheet::{Layout, sheet};
 use crate::table::{TableFault, with_plain_line_ends};
@@ -23,20 +23,11 @@ const POINTS: Layout = Layout {
     whole: true,
 };
 
-/// Points, and what the reader decided.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Points {
-    /// Rows of x, r in metres and bulge.
-    pub rows: Vec<Vec<f64>>,
-    /// One sentence each without its full stop.
-    pub remarks: Vec<String>,
-}
-
 /// Points of a text, or everything that is wrong with it.
 ///
 /// # Errors
 /// Every fault of the file, up to a hundred.
-pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Points, Vec<ImportFault>> {
+pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<ImportFault>> {
     let text = with_plain_line_ends(text.to_owned());
     let mut sheet = sheet(&text, &POINTS).map_err(of_table)?;
     let places = [Quantity::X, Quantity::R].map(|quantity| sheet.place(quantity));
@@ -90,7 +81,7 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Points, Vec<ImportFa
     if rows.len() > 3 && rows.first().map(|row| &row[..2]) == rows.last().map(|row| &row[..2]) {
         rows.pop();
     }
-    Ok(Points {
+    Ok(Imported {
         rows,
         remarks: sheet.remarks,
     })

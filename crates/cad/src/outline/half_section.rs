@@ -13,7 +13,7 @@
 //! # References
 //! - Own convention.
 
-use super::{ImportFault, MOST_FAULTS, shown};
+use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, shown};
 use numerics::math::{RADIANS_PER_DEGREE, tan};
 
 /// Whether the text is such a file.
@@ -22,8 +22,8 @@ pub fn is_half_section(text: &str) -> bool {
         .starts_with("component,body,segment,kind,")
 }
 
-/// Rows of x, r in metres and bulge, or everything that is wrong with the text.
-pub fn read(text: &str) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
+/// The outline, or everything that is wrong with the text; the columns say that they are in mm, whatever `unit` is.
+pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<ImportFault>> {
     let text = text.trim_start_matches('\u{feff}');
     let mut reader = ::csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().cloned().unwrap_or_default();
@@ -88,8 +88,18 @@ pub fn read(text: &str) -> Result<Vec<Vec<f64>>, Vec<ImportFault>> {
     if rows.is_empty() && faults.is_empty() {
         faults.push(ImportFault::Empty("row of the component outline"));
     }
+    let other = unit.filter(|unit| *unit != LengthUnit::Millimetre);
+    let remarks = other.map(|unit| {
+        format!(
+            "the columns are in mm, as their names say; the unit {} is not used",
+            unit.symbol()
+        )
+    });
     if faults.is_empty() {
-        Ok(rows)
+        Ok(Imported {
+            rows,
+            remarks: remarks.into_iter().collect(),
+        })
     } else {
         Err(faults)
     }
@@ -106,7 +116,7 @@ mod tests {
             "{HEADER}\noutline,1,1,arc,0,0,1000,0,500,0,500,-180\nfoam,1,1,line,5,5,6,6,,,,\n"
         );
         assert!(is_half_section(&text));
-        let rows = read(&text).unwrap();
+        let Imported { rows, .. } = read(&text, None).unwrap();
         assert_eq!((rows.len(), rows[0][..2].to_vec()), (2, vec![0.0, 0.0]));
         // tan(−45°)
         assert!((rows[0][2] + 1.0).abs() < 1e-15);
@@ -116,7 +126,7 @@ mod tests {
     #[test]
     fn every_fault_is_told() {
         let text = format!("{HEADER}\noutline,1,1,line,wide,0,1,x,,,,\n");
-        let said: Vec<String> = read(&text)
+        let said: Vec<String> = read(&text, None)
             .unwrap_err()
             .iter()
             .map(ToString::to_string)
@@ -128,12 +138,12 @@ mod tests {
                 "line 2: column 8: got \"x\", must be a number"
             ]
         );
-        let none = read(&format!("{HEADER}\n")).unwrap_err();
+        let none = read(&format!("{HEADER}\n"), None).unwrap_err();
         assert!(
             none[0]
                 .to_string()
                 .contains("no row of the component outline")
         );
-        assert!(read("component,body,segment,kind,x_start_mm\n").is_err());
+        assert!(read("component,body,segment,kind,x_start_mm\n", None).is_err());
     }
 }

@@ -20,7 +20,9 @@ impl Place<'_> {
     /// The file of a name, or why it is not read.
     pub fn find(&self, name: &str) -> Result<PathBuf, String> {
         let found = match self {
-            Place::Anywhere => fs::canonicalize(name).map_err(|error| format!("cannot be read: {error}"))?,
+            Place::Anywhere => {
+                fs::canonicalize(name).map_err(|error| format!("cannot be read: {error}"))?
+            }
             Place::Below { folder, root } => below(name, folder, *root)?,
         };
         // a pipe would be waited for, a device may have no end
@@ -40,8 +42,13 @@ fn below(name: &str, folder: &Path, root: Option<&Path>) -> Result<PathBuf, Stri
         .filter_map(|place| fs::canonicalize(place).ok())
         .collect();
     let outside = || {
-        let place = root.map_or("the folder of the case", |_| "the folder of the case and of --root");
-        Err(format!("lies outside of {place}; --root DIR allows another folder"))
+        let place = root.map_or(
+            "the folder of the case",
+            |_| "the folder of the case and of --root",
+        );
+        Err(format!(
+            "lies outside of {place}; --root DIR allows another folder"
+        ))
     };
     let mut reason = None;
     for place in [Some(folder), root].into_iter().flatten() {
@@ -56,7 +63,10 @@ fn below(name: &str, folder: &Path, root: Option<&Path>) -> Result<PathBuf, Stri
     if root.is_none() && leaves(name) {
         return outside();
     }
-    Err(reason.map_or_else(|| "cannot be read".to_string(), |error| format!("cannot be read: {error}")))
+    Err(reason.map_or_else(
+        || "cannot be read".to_string(),
+        |error| format!("cannot be read: {error}"),
+    ))
 }
 
 /// Whether a name leads out of its folder as it is written.

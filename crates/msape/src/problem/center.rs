@@ -4,8 +4,6 @@ use super::freedom::one_row;
 use super::outline::Outline;
 use crate::case::Reader;
 use crate::vehicle::profile::Profile;
-use crate::vehicle::segment::{Point, Segment};
-use numerics::math::sin_cos;
 
 /// Pieces into which a segment is cut.
 const PIECES: u32 = 256;
@@ -28,8 +26,7 @@ pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Optio
         let r = (y * y + z * z).sqrt();
         let apex = body.virtual_apex_x_m.unwrap_or_else(|| body.nose_tip_x_m());
         if !contains(&body.outline, x + apex, r) {
-            let from = body.nose_tip_x_m() - apex;
-            let to = from + body.length_m();
+            let [from, to] = body.extent_m().map(|x_m| x_m - apex);
             let radius = 0.5 * body.diameter_m;
             let message = format!(
                 "got x {x} m, {r} m from the axis, which is outside the outline; must be within it, x {from:.4} to {to:.4} m and at most {radius:.4} m from the axis"
@@ -45,14 +42,13 @@ pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Optio
 fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
     let mut crossings = 0;
     for segment in &outline.segments {
-        let (start, end) = (segment.start(), segment.end());
         // What closes the outline along the axis is not a wall.
-        if start.r_m == 0.0 && end.r_m == 0.0 {
+        if segment.bounds_m()[3] == 0.0 {
             continue;
         }
-        let mut before = start;
+        let mut before = segment.start();
         for i in 1..=PIECES {
-            let here = point(segment, f64::from(i) / f64::from(PIECES));
+            let here = segment.at(f64::from(i) / f64::from(PIECES));
             if (before.x_m > x_m) != (here.x_m > x_m) {
                 let part = (x_m - before.x_m) / (here.x_m - before.x_m);
                 if before.r_m + part * (here.r_m - before.r_m) >= r_m {
@@ -63,30 +59,6 @@ fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
         }
     }
     crossings % 2 == 1
-}
-
-/// The point at a part of a segment.
-fn point(segment: &Segment, part: f64) -> Point {
-    match *segment {
-        Segment::Line { start, end } => Point {
-            x_m: start.x_m + part * (end.x_m - start.x_m),
-            r_m: start.r_m + part * (end.r_m - start.r_m),
-        },
-        _ if part >= 1.0 => segment.end(),
-        Segment::Arc {
-            center,
-            radius_m,
-            start_angle_rad,
-            sweep_rad,
-            ..
-        } => {
-            let (sin, cos) = sin_cos(start_angle_rad + part * sweep_rad);
-            Point {
-                x_m: center.x_m + radius_m * cos,
-                r_m: center.r_m + radius_m * sin,
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -50,7 +50,8 @@ pub struct RigidBody {
 impl RigidBody {
     /// A body from its open outline, nose first; nose and cone are looked for in it.
     pub fn from_outline(name: &str, open: Profile, notes: Vec<String>) -> Self {
-        let diameter_m = 2.0 * largest_r_m(&open);
+        let [.., largest_r_m] = open.bounds_m();
+        let diameter_m = 2.0 * largest_r_m.max(0.0);
         let cone = cone(&open, diameter_m);
         let mut body = Self {
             name: name.to_owned(),
@@ -78,28 +79,17 @@ impl RigidBody {
         self.outline.start().map_or(0.0, |point| point.x_m)
     }
 
-    /// Tip of the nose to the aftmost point on the axis, m.
+    /// Least and largest axial position of any point of it, m.
+    pub fn extent_m(&self) -> [f64; 2] {
+        let [from, to, ..] = self.outline.bounds_m();
+        [from, to]
+    }
+
+    /// Extent along the axis, m.
     pub fn length_m(&self) -> f64 {
-        let aft = self.open_end_x_m();
-        aft - self.nose_tip_x_m()
+        let [from, to] = self.extent_m();
+        to - from
     }
-
-    fn open_end_x_m(&self) -> f64 {
-        let end = self.outline.segments.iter().rev().find_map(|segment| {
-            let (start, end) = (segment.start(), segment.end());
-            (end.r_m == 0.0 && start.r_m > 0.0).then_some(end.x_m)
-        });
-        end.unwrap_or_else(|| self.nose_tip_x_m())
-    }
-}
-
-/// Largest distance from the axis, m.
-fn largest_r_m(profile: &Profile) -> f64 {
-    profile
-        .segments
-        .iter()
-        .map(|segment| segment.bounds_m()[3])
-        .fold(0.0, f64::max)
 }
 
 /// Radii that points on a nose sphere give may differ by this part.
@@ -151,7 +141,7 @@ fn cone(open: &Profile, diameter_m: f64) -> Option<(f64, f64)> {
                 longest = Some((length, angle, start.x_m - start.r_m * dx / dr));
             }
         }
-        if segment.end().r_m >= 0.5 * diameter_m * (1.0 - 1e-12) {
+        if segment.bounds_m()[3] >= 0.5 * diameter_m * (1.0 - 1e-12) {
             break;
         }
     }

@@ -74,6 +74,16 @@ impl Profile {
         self.segments.first().map(Segment::start)
     }
 
+    /// Least and largest axial position, least and largest distance from the axis, of every point of it and not of its ends alone, m.
+    pub fn bounds_m(&self) -> [f64; 4] {
+        let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
+        let bounds = self.segments.iter().map(Segment::bounds_m);
+        bounds.fold(
+            [least, most, least, most],
+            |[a, b, c, d], [x0, x1, r0, r1]| [a.min(x0), b.max(x1), c.min(r0), d.max(r1)],
+        )
+    }
+
     /// The same curve, run the other way.
     pub fn reversed(&self) -> Self {
         Self {

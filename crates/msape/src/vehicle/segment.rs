@@ -125,6 +125,30 @@ impl Segment {
         }
     }
 
+    /// The point at a part of its length, 0 at the start.
+    pub fn at(&self, part: f64) -> Point {
+        match *self {
+            Self::Line { start, end } => Point {
+                x_m: start.x_m + part * (end.x_m - start.x_m),
+                r_m: start.r_m + part * (end.r_m - start.r_m),
+            },
+            Self::Arc { end, .. } if part >= 1.0 => end,
+            Self::Arc {
+                center,
+                radius_m,
+                start_angle_rad,
+                sweep_rad,
+                ..
+            } => {
+                let (s, c) = sin_cos(start_angle_rad + part * sweep_rad);
+                Point {
+                    x_m: center.x_m + radius_m * c,
+                    r_m: center.r_m + radius_m * s,
+                }
+            }
+        }
+    }
+
     /// The same piece, run the other way.
     pub fn reversed(&self) -> Self {
         match *self {

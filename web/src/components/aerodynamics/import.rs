@@ -21,7 +21,8 @@ const WORDING: Wording = Wording {
 pub fn TableImport() -> impl IntoView {
     let state = State::expect();
     let view = AeroView::expect();
-    let import = move |name: String, text: String, verdict: Verdict| {
+    let import = move |name: String, bytes: Vec<u8>, verdict: Verdict| {
+        let text = String::from_utf8_lossy(&bytes).into_owned();
         spawn_local(async move {
             // Checked in the worker: a table may have many rows.
             let read = state.read_table(text.clone()).await;

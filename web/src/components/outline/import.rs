@@ -3,7 +3,7 @@
 use super::facts::length_units;
 use crate::components::file_import::{FileImport, Verdict, Wording, stem};
 use crate::state::State;
-use cad::outline::{LengthUnit, read};
+use cad::outline::{Imported, LengthUnit, read};
 use leptos::prelude::*;
 use msape::vehicle::body::from_rows;
 
@@ -22,20 +22,20 @@ const WORDING: Wording = Wording {
 pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl IntoView {
     let state = State::expect();
     let unit = RwSignal::new(String::new());
-    let import = move |name: String, text: String, verdict: Verdict| {
+    let import = move |name: String, bytes: Vec<u8>, verdict: Verdict| {
         let symbol = unit.get_untracked();
-        match checked(&name, &text, LengthUnit::of(&symbol)) {
-            Ok(rows) => {
+        match checked(&name, &bytes, LengthUnit::of(&symbol)) {
+            Ok(Imported { rows, remarks }) => {
                 let stem = stem(&name);
                 state.edit(&format!("Import {stem}"), None, |document| {
                     document.with_outlines(|outlines| {
                         outlines.insert(stem.clone(), rows);
                     })
                 });
-                verdict.taken(format!("{stem} is imported; undo takes it out again."));
+                verdict.taken(taken(&stem, &remarks));
                 take(format!("own:{stem}"));
             }
-            Err(faults) => verdict.refused(name, &text, faults),
+            Err(faults) => verdict.refused(name, &String::from_utf8_lossy(&bytes), faults),
         }
     };
     view! {
@@ -47,16 +47,25 @@ pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl Into
                     {length_units().map(|symbol| view! { <option value=symbol>{symbol}</option> })}
                 </select>
             </label>
-            <p class="quiet">"Or drop a file here. A CSV has points x, r from the nose on the axis to the aft end on the axis and names its unit in the header, such as "<code>"x (mm), r (mm)"</code>". A DXF has lines, arcs and polylines."</p>
+            <p class="quiet">"Or drop a file here. A CSV has points x, r from the nose on the axis to the aft end on the axis and names its unit in the header, such as "<code>"x (mm), r (mm)"</code>". Of a DXF, text or binary, what is drawn counts: lines, arcs, circles, polylines, ellipses, splines and blocks of them, one half of the section or both, the axis at y = 0. A unit chosen here stands above the one in the file."</p>
         </FileImport>
     }
 }
 
-/// The rows of a file, or every fault of the file or of the outline in it.
-fn checked(name: &str, text: &str, unit: Option<LengthUnit>) -> Result<Vec<Vec<f64>>, Vec<String>> {
-    let rows = read(name, text, unit).map_err(|faults| words(&faults))?;
-    from_rows(name, &rows).map_err(|faults| words(&faults))?;
-    Ok(rows)
+/// What is said of a file that is taken.
+fn taken(stem: &str, remarks: &[String]) -> String {
+    let remarks: String = remarks
+        .iter()
+        .map(|remark| format!(" Note: {remark}."))
+        .collect();
+    format!("{stem} is imported; undo takes it out again.{remarks}")
+}
+
+/// The outline of a file, or every fault of the file or of the outline in it.
+fn checked(name: &str, bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<String>> {
+    let imported = read(name, bytes, unit).map_err(|faults| words(&faults))?;
+    from_rows(name, &imported.rows).map_err(|faults| words(&faults))?;
+    Ok(imported)
 }
 
 fn words<T: ToString>(faults: &[T]) -> Vec<String> {
@@ -69,8 +78,9 @@ mod tests {
 
     #[test]
     fn an_outline_that_crosses_the_axis_is_refused() {
-        let faults = checked("x.csv", "x (m), r (m)\n0, 0\n1, 1\n2, -1\n3, 0\n", None).unwrap_err();
+        let faults =
+            checked("x.csv", b"x (m), r (m)\n0, 0\n1, 1\n2, -1\n3, 0\n", None).unwrap_err();
         assert!(faults[0].contains("axis"), "{faults:?}");
-        assert!(checked("x.csv", "x (m), r (m)\n0, 0\n1, 1\n2, 0\n", None).is_ok());
+        assert!(checked("x.csv", b"x (m), r (m)\n0, 0\n1, 1\n2, 0\n", None).is_ok());
     }
 }

@@ -40,12 +40,12 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .help("Points of an outline from the axis at the nose to the axis at the aft end; a bulge, the tangent of a quarter of its angle, makes the piece to the next point an arc.", CONVENTION),
     Input::new("outline.file", "Outline File", Group::Vehicle, Kind::Text)
-        .help("Name of a CSV or DXF file with the points of the outline.", CONVENTION),
+        .help("Name of a CSV file with the points of the outline, or of a DXF drawing of it about the x axis.", CONVENTION),
     Input::new(
         "outline.file_unit",
         "Outline File Unit",
         Group::Vehicle,
         Kind::Choice(Choices::Fixed(&[("m", "m"), ("cm", "cm"), ("mm", "mm"), ("in", "in"), ("ft", "ft")])),
     )
-    .help("Unit of the lengths of the outline file, where the file does not say it.", CONVENTION),
+    .help("Unit of the lengths of the outline file; it stands above the unit that the file names.", CONVENTION),
 ];

@@ -25,7 +25,7 @@ pub struct Facts {
     pub diameter_m: f64,
     /// Area that coefficients refer to, m².
     pub reference_area_m2: f64,
-    /// Tip of the nose to the aft end on the axis, m.
+    /// Extent along the axis, m.
     pub length_m: f64,
     /// Radius of the nose, m.
     pub nose_radius_m: Option<f64>,
@@ -110,7 +110,7 @@ impl RigidBody {
 /// The outline up to its largest diameter, and the arc on which that lies.
 fn forebody(outline: &Profile) -> (Profile, Option<Segment>) {
     let largest = |segment: &Segment| segment.bounds_m()[3];
-    let most = outline.segments.iter().map(largest).fold(0.0, f64::max);
+    let [.., most] = outline.bounds_m();
     let mut fore = Profile::default();
     for segment in &outline.segments {
         if largest(segment) < most * (1.0 - 1e-12) {
