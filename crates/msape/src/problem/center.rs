@@ -64,6 +64,7 @@ fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vehicle::segment::{Point, Segment};
     use numerics::math::FRAC_PI_2;
 
     #[test]
