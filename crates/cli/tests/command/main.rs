@@ -4,6 +4,7 @@ mod aero;
 mod answers;
 mod bad_input;
 mod export;
+mod files;
 mod reorientation;
 mod schema;
 
