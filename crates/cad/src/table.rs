@@ -109,6 +109,18 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
+    /// A blank cell where every number counts.
+    #[error(
+        "line {line}: column {column}: got \"{text}\", must be a number; the table has a hole there"
+    )]
+    Hole {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The cell, shortened.
+        text: String,
+    },
     /// Too few or too many cells.
     #[error("line {line}: got {found} fields, must be {wanted}")]
     Fields {

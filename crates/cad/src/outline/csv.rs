@@ -151,7 +151,7 @@ mod tests {
                 "line 3: column 2: got \"wide\", must be a number",
                 "line 4: got 1 fields, must be 2",
                 "line 5: got 3 fields, must be 2",
-                "line 6: column 2: got \"nan\", must be a number"
+                "line 6: column 2: got \"nan\", must be a number; the table has a hole there"
             ]
         );
         assert!(said("x (furlong),r_m\n0,0\n")[0].contains("got the unit \"furlong\""));

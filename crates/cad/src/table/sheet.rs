@@ -216,7 +216,12 @@ fn numbers(
             match spelling.read(cell) {
                 Cell::Number(value) => row.push(value * column.factor + column.offset),
                 Cell::Hole if !layout.whole => hole = true,
-                _ => faults.push(TableFault::NotANumber {
+                Cell::Hole => faults.push(TableFault::Hole {
+                    line,
+                    column: column.place + 1,
+                    text: shown(cell),
+                }),
+                Cell::Words => faults.push(TableFault::NotANumber {
                     line,
                     column: column.place + 1,
                     text: shown(cell),
