@@ -6,6 +6,7 @@
 //! remarks; what cannot be decided is a fault with its line.
 
 mod aerodynamics;
+mod altitude;
 mod atmosphere;
 mod cells;
 mod columns;

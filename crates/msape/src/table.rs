@@ -123,11 +123,13 @@ fn history_headers(trajectory: &Trajectory, manner: Manner) -> Vec<String> {
 
 fn history_row(trajectory: &Trajectory, manner: Manner, row: usize) -> Vec<String> {
     let cell = |(column, values): (&quantity::trajectory::Column, &[f64])| {
-        let value = |x: f64| match (manner, Unit::find(column.unit)) {
-            (Manner::Report, Some(unit)) => shortest(unit.from_canonical(x)),
-            _ => shortest(x),
+        let unit = match manner {
+            Manner::Report => Unit::find(column.unit),
+            Manner::Si => None,
         };
-        values.get(row).map_or_else(String::new, |x| value(*x))
+        values.get(row).map_or_else(String::new, |x| {
+            shortest(unit.map_or(*x, |unit| unit.from_canonical(*x)))
+        })
     };
     trajectory.columns().map(cell).collect()
 }

@@ -1,13 +1,11 @@
 //! Rows of an atmosphere from a file.
 //!
 //! ```text
-//! z = r H / (r − H)                        geometric from geopotential altitude
 //! ρ = p / (R T)                            where the file gives no density, as a sounding
 //! H₂ − H₁ = R T̄ / g₀ · ln(p₁ / p₂)         between two pressure altitudes
 //! ```
 //!
-//! with z and H in m, r the radius of the planet in m (on the Earth r₀ = 6356766 m and R = R*/M₀ of the standard
-//! atmosphere), p in Pa, T in K, T̄ the logarithmic mean of two rows, as of a temperature that is linear between them, g₀ = 9.80665 m/s².
+//! with H in m, R in J/(kg K) (on the Earth R*/M₀ of the standard atmosphere), p in Pa, T in K, T̄ the logarithmic mean of two rows, as of a temperature that is linear between them, g₀ = 9.80665 m/s².
 //!
 //! # Valid
 //! Density of dry air. Pressure altitude only on the Earth, where it is the geopotential altitude at which the standard
@@ -17,9 +15,10 @@
 //! # References
 //! - \[coesa-1976\] for geopotential altitude, constants and pressure; \[wmo-8\] for soundings.
 
+use super::altitude::{G_0_M_S2, Heights, geometric_m};
 use super::curve::{ascending, in_order};
 use super::quantity::Quantity;
-use super::sheet::{Layout, Sheet, sheet};
+use super::sheet::{Layout, sheet};
 use super::{Ground, Table, TableFault};
 use numerics::math::ln;
 
@@ -43,8 +42,6 @@ const ATMOSPHERE: Layout = Layout {
     ),
     whole: false,
 };
-/// Standard gravity, m/s²; \[coesa-1976\].
-const G_0_M_S2: f64 = 9.80665;
 
 /// Altitude, density and, where the file has them, temperature and pressure.
 pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
@@ -113,79 +110,6 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
         rows,
         remarks: sheet.remarks,
     })
-}
-
-/// Which altitude a file gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Heights {
-    Geometric,
-    /// H of a planet without standard atmosphere.
-    CapitalH,
-    Geopotential,
-    Pressure,
-}
-
-impl Heights {
-    /// The altitude that a sheet is read with: the geometric one where there are several.
-    pub(super) fn of(sheet: &Sheet, ground: &Ground) -> Result<Self, Vec<TableFault>> {
-        if sheet.has(Quantity::Altitude) {
-            return Ok(Self::Geometric);
-        }
-        if sheet.has(Quantity::Geopotential) {
-            return Ok(Self::Geopotential);
-        }
-        if sheet.has(Quantity::CapitalH) {
-            return if ground.standard.is_some() {
-                Err(vec![TableFault::CapitalH])
-            } else {
-                Ok(Self::CapitalH)
-            };
-        }
-        if sheet.has(Quantity::PressureAltitude) {
-            let heavy = sheet.has(Quantity::Temperature) || sheet.has(Quantity::Density);
-            return match (ground.standard.is_some(), heavy) {
-                (true, true) => Ok(Self::Pressure),
-                (true, false) => Err(vec![TableFault::PressureAltitude(
-                    "give temperature or density beside it",
-                )]),
-                (false, _) => Err(vec![TableFault::PressureAltitude(
-                    "it belongs to the standard atmosphere of the Earth",
-                )]),
-            };
-        }
-        Err(vec![sheet.missing("altitude")])
-    }
-
-    /// The altitude of a row, m; of a pressure altitude the geopotential one of the standard atmosphere.
-    pub(super) fn altitude_m(self, sheet: &Sheet, row: &[f64], ground: &Ground) -> f64 {
-        let value = |q: Quantity| sheet.value(row, q).unwrap_or_default();
-        match self {
-            Self::Geometric => value(Quantity::Altitude),
-            Self::CapitalH => value(Quantity::CapitalH),
-            Self::Geopotential => geometric_m(value(Quantity::Geopotential), ground.radius_m),
-            Self::Pressure => value(Quantity::PressureAltitude),
-        }
-    }
-
-    pub(super) fn remark(self, ground: &Ground) -> Option<String> {
-        match self {
-            Self::Geometric => None,
-            Self::CapitalH => Some("H is taken as geometric altitude".to_owned()),
-            Self::Geopotential => Some(format!(
-                "geopotential altitudes are made geometric with a radius of {} km",
-                ground.radius_m / 1e3
-            )),
-            Self::Pressure => Some(
-                "heights are stacked from pressure altitudes; the lowest row stands at its own, as if the pressure at sea level were standard (assumed)"
-                    .to_owned(),
-            ),
-        }
-    }
-}
-
-/// Geometric from geopotential altitude, m.
-fn geometric_m(geopotential_m: f64, radius_m: f64) -> f64 {
-    radius_m * geopotential_m / (radius_m - geopotential_m)
 }
 
 /// Heights of rows that stand at pressure altitudes, m: each layer as thick as its mean temperature makes it.

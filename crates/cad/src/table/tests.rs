@@ -283,6 +283,54 @@ fn geopotential_altitudes_become_geometric() {
 }
 
 #[test]
+fn a_plain_h_is_told_by_the_weight_of_the_air() {
+    let standard = earth().standard.unwrap();
+    let geometric = |h: f64| 6_356_766.0 * h / (6_356_766.0 - h);
+    let table = |altitude_m: fn(f64, f64) -> f64, columns: &str| {
+        let mut text = format!("# H, km {columns}\n");
+        for n in 0..36 {
+            let h = 2e3 * f64::from(n);
+            let air = standard.air(altitude_m(h, geometric(h)));
+            let (p, rho, t) = (air.pressure_pa, air.density_kg_m3, air.temperature_k);
+            text += &match columns {
+                ", rho, kg/m3" => format!("{} {rho:.4e}\n", h / 1e3),
+                ", T, K, rho, kg/m3" => format!("{}, {t:.2}, {rho:.4e}\n", h / 1e3),
+                _ => format!("{}, {p:.4e}, {rho:.4e}\n", h / 1e3),
+            };
+        }
+        read("atmosphere.file", text.as_bytes(), &earth())
+    };
+    for columns in [", p, Pa, rho, kg/m3", ", T, K, rho, kg/m3"] {
+        let found = table(|h, _| h, columns).unwrap();
+        assert_eq!(found.rows[35][0], 70e3, "{columns}");
+        assert!(
+            found
+                .remarks
+                .iter()
+                .any(|remark| remark.starts_with("H is taken as geometric"))
+        );
+        let found = table(|_, z| z, columns).unwrap();
+        assert!(
+            (found.rows[35][0] - geometric(70e3)).abs() < 1e-6,
+            "{columns}"
+        );
+        assert!(
+            found
+                .remarks
+                .iter()
+                .any(|remark| remark.starts_with("H is taken as geopotential"))
+        );
+    }
+    assert!(table(|h, _| h, ", rho, kg/m3").is_err());
+    // too low to tell
+    let low = "H (m), p (Pa), rho (kg/m3)\n0, 101325, 1.225\n1000, 89876, 1.1117\n";
+    assert_eq!(
+        read("atmosphere.file", low.as_bytes(), &earth()),
+        Err(vec![TableFault::CapitalH])
+    );
+}
+
+#[test]
 fn soundings_give_density_from_pressure_and_temperature() {
     let table = air(
         "pressure_hPa,height_m,temperature_C\n1013.25,0,15\n540.2,5000,-17.5\n264.4,10000,-49.9\n",

@@ -12,7 +12,8 @@
 //! # References
 //! - \[wmo-8\] for the direction of the wind.
 
-use super::atmosphere::{self, Heights};
+use super::altitude::Heights;
+use super::atmosphere;
 use super::curve::{ascending, in_order};
 use super::quantity::Quantity;
 use super::sheet::{Layout, sheet};

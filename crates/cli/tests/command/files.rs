@@ -362,7 +362,7 @@ fn large_tables_and_many_keys_take_no_minutes() {
         finished.err
     );
     assert!(
-        start.elapsed() < Duration::from_secs(60),
+        start.elapsed() < Duration::from_secs(300),
         "{:?}",
         start.elapsed()
     );

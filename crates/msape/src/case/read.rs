@@ -5,6 +5,7 @@ use crate::quantity::input::{self, Kind};
 use crate::units::cut;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt;
 
 /// A value of TOML or JSON.
@@ -220,16 +221,27 @@ impl Case {
                 _ => Value::Other(spelled(&other)),
             },
         };
-        let place = known.map_or(key.as_str(), |input| input.key);
-        taken.take(place, &key);
-        self.values.insert(place.to_string(), value);
+        match known {
+            Some(input) => {
+                taken.take(input.key, &key);
+                self.values.insert(input.key.to_string(), value);
+            }
+            // what is not known has one spelling
+            None => match self.values.entry(key) {
+                Entry::Vacant(place) => {
+                    place.insert(value);
+                }
+                Entry::Occupied(place) => taken.fault(place.key(), STANDS_TWICE.to_string()),
+            },
+        }
     }
 }
 
+const STANDS_TWICE: &str = "stands twice; give it once";
 /// Most keys that stand twice and are told.
 const TWICE_MAX: usize = 100;
 
-/// Keys that have been given, each with its spelling, and faults of those given twice.
+/// Known keys that have been given, each with its spelling, and faults of keys given twice.
 #[derive(Default)]
 struct Taken {
     spellings: BTreeMap<String, String>,
@@ -241,16 +253,20 @@ impl Taken {
         let Some(first) = self.spellings.insert(key.to_string(), spelling.to_string()) else {
             return;
         };
+        let message = if first == spelling {
+            STANDS_TWICE.to_string()
+        } else {
+            format!(
+                "stands twice, as {} and as {}; give one of them",
+                cut(&first),
+                cut(spelling)
+            )
+        };
+        self.fault(key, message);
+    }
+
+    fn fault(&mut self, key: &str, message: String) {
         if self.twice.len() < TWICE_MAX {
-            let message = if first == spelling {
-                "stands twice; give it once".to_string()
-            } else {
-                format!(
-                    "stands twice, as {} and as {}; give one of them",
-                    cut(&first),
-                    cut(spelling)
-                )
-            };
             self.twice.push(InputError {
                 key: cut(key),
                 message,
