@@ -1,5 +1,6 @@
 //! Reads a case from TOML or JSON: one model, two spellings.
 
+use super::write::quoted_key;
 use super::{Case, InputError, SCHEMA, Value, Version};
 use crate::quantity::input::{self, Kind};
 use crate::units::cut;
@@ -348,10 +349,8 @@ fn spelled(node: &Node) -> String {
         Node::Flag(flag) => flag.to_string(),
         Node::List(list) => format!("[{}]", listed(list.iter().map(spelled).collect())),
         Node::Map(map) => {
-            let entry = |(key, node): &(String, Node)| {
-                let key = toml::Value::String(key.clone());
-                format!("{key} = {}", spelled(node))
-            };
+            let entry =
+                |(key, node): &(String, Node)| format!("{} = {}", quoted_key(key), spelled(node));
             format!("{{{}}}", listed(map.iter().map(entry).collect()))
         }
         Node::Other(what) => what.clone(),

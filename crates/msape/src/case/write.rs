@@ -65,7 +65,7 @@ impl Case {
             let name = if is_bare(name) {
                 name.clone()
             } else {
-                quoted(name)
+                quoted_key(name)
             };
             let line = format!("{name} = {}\n", spelled(value));
             if section.is_empty() {
@@ -113,6 +113,12 @@ struct Place {
 fn is_bare(part: &str) -> bool {
     let fits = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
     !part.is_empty() && part.bytes().all(fits)
+}
+
+/// A key in quotes, on one line: the escapes of JSON are those of TOML, which knows one control character more.
+pub(super) fn quoted_key(key: &str) -> String {
+    let quoted = serde_json::Value::String(key.to_string()).to_string();
+    quoted.replace('\u{7f}', "\\u007f")
 }
 
 /// Whether an input may also be given as `name` in the section of its key.
@@ -244,6 +250,7 @@ mod tests {
             "vehicle.aerodynamics.table.extra",
             "#",
             "3.14",
+            "\u{7f}\u{1b}",
         ];
         let mut case = Case::run_page();
         case.set("vehicle.aerodynamics", "outline");
