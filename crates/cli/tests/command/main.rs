@@ -5,6 +5,7 @@ mod answers;
 mod bad_input;
 mod export;
 mod files;
+mod outputs;
 mod reorientation;
 mod schema;
 

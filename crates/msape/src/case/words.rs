@@ -1,7 +1,7 @@
 //! The words of a fault: ranges, values and names as a person reads them.
 
 use super::Value;
-use super::read::described;
+use super::node::described;
 use crate::quantity::input::{self, Input, Kind, Range, inputs};
 use crate::units::canonical;
 use crate::units::{SHOWN_MAX, cut};
