@@ -339,4 +339,17 @@ mod tests {
     fn a_vehicle_of_nine_hundred_mm_has_a_bar_of_two_hundred() {
         assert_eq!(scale_bar_mm(900.0), 200.0);
     }
+
+    #[test]
+    fn a_ball_of_one_arc_and_a_hollow_base_have_their_whole_length() {
+        let shown = |rows: &[Vec<f64>]| {
+            let body = msape::vehicle::body::from_rows("x", rows).unwrap();
+            let drawn = silhouette(&body);
+            [drawn.bottom_mm, drawn.top_mm, drawn.widest_mm].map(|mm| mm.round() + 0.0)
+        };
+        let ball = [vec![0.0, 0.0, -1.0], vec![1.0, 0.0, 0.0]];
+        assert_eq!(shown(&ball), [0.0, -1000.0, -500.0]);
+        let dish = [vec![0.0, 0.0], vec![0.4, 0.5], vec![0.2, 0.0]];
+        assert_eq!(shown(&dish), [0.0, -400.0, -400.0]);
+    }
 }

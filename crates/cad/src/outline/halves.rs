@@ -27,6 +27,8 @@ use numerics::math::{PI, asin, tan};
 const ONE_POINT: f64 = 1e-8;
 /// A piece near the axis that is flatter than this lies along it.
 const ALONG: f64 = 0.1;
+/// Drawings of more points are not tried about other lines.
+const MOST_TRIED: usize = 10_000;
 /// Arcs of larger bulges, three quarters of a circle, are halved.
 const MOST_BULGE: f64 = 2.4;
 
@@ -84,8 +86,12 @@ fn outline(paths: &[Path], size_m: f64) -> Result<(Path, Option<&'static str>), 
     }
 }
 
-/// The line about which the outline is drawn, where that is not y = 0.
+/// The lines about which what is drawn is an outline, where that is not y = 0.
 fn elsewhere(paths: &[Path], size_m: f64) -> Option<ImportFault> {
+    if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_TRIED {
+        return None;
+    }
+    let mut lines: Vec<String> = Vec::new();
     let turned = |swap: bool, shift: f64| {
         let place = move |&[x, y, bulge]: &[f64; 3]| match swap {
             // x and y exchanged is a mirror
@@ -112,13 +118,17 @@ fn elsewhere(paths: &[Path], size_m: f64) -> Option<ImportFault> {
             let moved: Vec<Path> = turned(swap, shift).collect();
             if outline(&moved, size_m).is_ok() {
                 let shown = (shift * 1e6).round() / 1e6 + 0.0;
-                return Some(ImportFault::Chain(format!(
-                    "it is an outline about the line {name} = {shown} m; if that is its axis, turn and move it so that the axis is y = 0, the nose at the lesser x"
-                )));
+                lines.push(format!("{name} = {shown} m"));
             }
         }
     }
-    None
+    lines.dedup();
+    (!lines.is_empty()).then(|| {
+        ImportFault::Chain(format!(
+            "it is an outline about the line {}; if that is its axis, turn and move it so that the axis is y = 0, the nose at the lesser x",
+            lines.join(" or ")
+        ))
+    })
 }
 
 /// Where a piece is.

@@ -88,4 +88,20 @@ mod tests {
             assert_eq!(contains(&outline, x, r), inside, "{x} {r}");
         }
     }
+
+    #[test]
+    fn a_ball_of_one_arc_has_an_inside() {
+        let ball = Profile {
+            segments: vec![Segment::arc(
+                Point::on_axis(1.0),
+                1.0,
+                2.0 * FRAC_PI_2,
+                -2.0 * FRAC_PI_2,
+            )],
+        };
+        let ball = ball.closed();
+        for (x, r, inside) in [(1.0, 0.0, true), (1.0, 1.01, false), (2.5, 0.0, false)] {
+            assert_eq!(contains(&ball, x, r), inside, "{x} {r}");
+        }
+    }
 }

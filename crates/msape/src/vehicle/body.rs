@@ -15,6 +15,7 @@
 
 pub mod check;
 pub mod facts;
+pub mod pairs;
 pub mod points;
 pub mod preset;
 pub mod shape;

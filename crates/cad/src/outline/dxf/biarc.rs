@@ -48,6 +48,16 @@ impl Bezier {
         distances.fold(0.0, f64::max)
     }
 
+    /// Where it starts.
+    pub fn start(&self) -> [f64; 2] {
+        self.at(0.0).0
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> [f64; 2] {
+        self.at(1.0).0
+    }
+
     /// Point and derivative at `t` in 0..1.
     fn at(&self, t: f64) -> ([f64; 2], [f64; 2]) {
         let mut level = self.0.clone();

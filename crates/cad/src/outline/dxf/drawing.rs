@@ -109,8 +109,10 @@ pub struct Block<'a> {
 pub struct Drawing<'a> {
     /// $INSUNITS.
     pub unit: Option<&'a Group<'a>>,
-    /// Layers that are not drawn, by name in small letters.
-    pub hidden: BTreeMap<String, Hidden>,
+    /// Layers that are not drawn, by name in small letters: why, and their names.
+    pub hidden: BTreeMap<String, (Hidden, String)>,
+    /// Whether an insertion is clipped (SPATIAL_FILTER).
+    pub clipped: bool,
     /// Blocks, by name in small letters.
     pub blocks: BTreeMap<String, Block<'a>>,
     /// Entities of the drawing itself.
@@ -148,8 +150,9 @@ pub fn drawing<'a>(groups: &'a [Group<'a>]) -> Result<Drawing<'a>, ImportFault> 
             }
             ("ENDSEC", _) => section.clear(),
             ("LAYER", "tables") => {
-                if let (Some(name), Some(why)) = (record.name(2), hidden(&record)) {
-                    drawing.hidden.insert(name, why);
+                if let (Some(group), Some(why)) = (record.group(2), hidden(&record)) {
+                    let name = group.name();
+                    drawing.hidden.insert(name.to_lowercase(), (why, name));
                 }
             }
             ("BLOCK", "blocks") => {
@@ -170,6 +173,7 @@ pub fn drawing<'a>(groups: &'a [Group<'a>]) -> Result<Drawing<'a>, ImportFault> 
                 }
             }
             (_, "entities") => drawing.entities.push(record),
+            ("SPATIAL_FILTER", "objects") => drawing.clipped = true,
             _ => {}
         }
     }

@@ -13,13 +13,13 @@
 //! Blocks in blocks to a depth of 32; 200,000 entities in all, each counted as often as it is inserted.
 //!
 //! # References
-//! - \[autodesk-dxf\] groups 8, 60, 67; INSERT; \[ezdxf\] layer 0 of blocks.
+//! - \[autodesk-dxf\] groups 8, 60, 67; INSERT; SPATIAL_FILTER; \[ezdxf\] layer 0 of blocks.
 
 use super::affine::Affine;
 use super::curve::Curve;
 use super::drawing::{Block, Drawing, Hidden, Record};
 use super::entity::{curves, is_read, seen};
-use super::group::Place;
+use super::group::{Group, Place};
 use crate::outline::{ImportFault, MOST_FAULTS, shown};
 use std::collections::BTreeMap;
 
@@ -118,7 +118,7 @@ impl Drawn {
             .into_iter()
             .flatten()
             .collect();
-        if self.outline.curves.is_empty() {
+        if self.outline.curves.is_empty() && self.outline.faults.is_empty() {
             return (self.others, remarks);
         }
         let left = self.others.curves.len();
@@ -183,15 +183,11 @@ impl Drawn {
             let why = self.hides(drawing, entity, layer, nest.depth);
             let insert = entity.kind == "INSERT";
             // a layer that is off hides what a block has on layer 0, not what it has on others
-            let through = insert && matches!(why, Some(Hidden::Off | Hidden::NotPlotted));
+            let through = insert && matches!(why, Some((Hidden::Off | Hidden::NotPlotted, _)));
             if let Some(why) = why
                 && !through
             {
-                let named = match why {
-                    Hidden::Paper | Hidden::Invisible => String::new(),
-                    _ => layer.to_owned(),
-                };
-                *self.hidden.entry((why, named)).or_default() += 1;
+                *self.hidden.entry(why).or_default() += 1;
                 continue;
             }
             let outline = nest.outline || layer == "outline";
@@ -228,19 +224,20 @@ impl Drawn {
         }
     }
 
+    /// Why an entity is not drawn, and the name of the layer that hides it.
     fn hides(
         &self,
         drawing: &Drawing,
         entity: &Record,
         layer: &str,
         depth: usize,
-    ) -> Option<Hidden> {
+    ) -> Option<(Hidden, String)> {
         if depth == 0 && entity.whole(67) == Some(1) {
-            Some(Hidden::Paper)
+            Some((Hidden::Paper, String::new()))
         } else if entity.whole(60) == Some(1) {
-            Some(Hidden::Invisible)
+            Some((Hidden::Invisible, String::new()))
         } else {
-            drawing.hidden.get(layer).copied()
+            drawing.hidden.get(layer).cloned()
         }
     }
 
@@ -266,6 +263,13 @@ impl Drawn {
                 )));
             }
         };
+        let extended = |group: &Group| group.is(102, "{ACAD_XDICTIONARY");
+        if drawing.clipped && entity.groups().iter().any(extended) {
+            return Err(entity.fault(format!(
+                "INSERT: the block \"{}\" may be clipped, which is not read; draw what is left of it",
+                shown(&name)
+            )));
+        }
         if nest.depth > DEPTH {
             return Err(entity.fault(format!(
                 "INSERT: blocks in blocks deeper than {DEPTH}; does \"{}\" hold itself?",

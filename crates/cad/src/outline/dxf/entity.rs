@@ -12,6 +12,7 @@
 //! - \[autodesk-dxf\] the entities, object coordinates, VERTEX flags (group 70).
 
 use super::affine::Affine;
+use super::biarc::Bezier;
 use super::curve::Curve;
 use super::drawing::Record;
 use super::spline;
@@ -185,13 +186,22 @@ fn spline_curve(entity: &Record) -> Result<Curve, ImportFault> {
         .map(|([x, y], w)| [x * w, y * w, w])
         .collect();
     let degree = entity.whole(71).unwrap_or(3);
-    spline::decomposed(
-        usize::try_from(degree).unwrap_or(0),
-        &entity.numbers(40)?,
-        &weighted,
-    )
-    .map(Curve::Smooth)
-    .map_err(|reason| entity.fault(format!("SPLINE: {reason}")))
+    let degree = usize::try_from(degree).unwrap_or(0);
+    let curves = spline::decomposed(degree, &entity.numbers(40)?, &weighted)
+        .map_err(|reason| entity.fault(format!("SPLINE: {reason}")))?;
+    let ends = [
+        curves.first().map(Bezier::start),
+        curves.last().map(Bezier::end),
+    ];
+    if let (true, [Some(start), Some(end)]) = (entity.flag(1), ends)
+        && extent(&[start, end]) > FLAT * extent(&control)
+    {
+        // some programs draw what the knots say, others a curve that goes round
+        return Err(entity.fault(
+            "SPLINE is marked as closed, but by its knots its ends do not meet; draw it anew, or as an open one".to_owned(),
+        ));
+    }
+    Ok(Curve::Smooth(curves))
 }
 
 /// Vertices of an LWPOLYLINE as x, y, bulge.

@@ -21,6 +21,8 @@ use numerics::math::hypot;
 
 /// Highest degree that is read.
 const MOST_DEGREE: usize = 25;
+/// Part of their range by which knots may fall, and are taken to be equal.
+const ROUNDING: f64 = 1e-9;
 /// Points by which a closed curve through points overlaps itself at each end: 0.27¹⁶ is below 1e-9.
 const OVERLAP: usize = 16;
 
@@ -49,9 +51,7 @@ pub fn decomposed(
             knots.len()
         ));
     }
-    if knots.windows(2).any(|pair| pair[1] < pair[0]) {
-        return Err("got knots that fall, must be in order".to_owned());
-    }
+    let knots = &risen(knots)?;
     if points.iter().any(|point| point[2] <= 0.0) {
         return Err("got a weight of zero or less, must be above 0".to_owned());
     }
@@ -74,6 +74,25 @@ pub fn decomposed(
         true => Err("got knots that are all the same".to_owned()),
         false => Ok(curves),
     }
+}
+
+/// Knots that do not fall: what falls by rounding stays where it was.
+fn risen(knots: &[f64]) -> Result<Vec<f64>, String> {
+    let mut risen: Vec<f64> = Vec::with_capacity(knots.len());
+    let range = knots
+        .last()
+        .zip(knots.first())
+        .map_or(0.0, |(to, from)| to - from);
+    for &knot in knots {
+        let before = risen.last().copied().unwrap_or(knot);
+        if before - knot > ROUNDING * range {
+            return Err(format!(
+                "got the knot {knot} after {before}, must not be less"
+            ));
+        }
+        risen.push(before.max(knot));
+    }
+    Ok(risen)
 }
 
 /// Value of the polar form of a span: `local` are its control points, `around` the knots that they depend on.

@@ -7,11 +7,12 @@
 //! with r the distance from the axis in m and V the volume in m³, zero being a billionth of the outline's size.
 //!
 //! # Valid
-//! Any chain of finite numbers; segments are compared where they overlap in x.
+//! Any chain of finite numbers; segments are compared where their boxes overlap.
 //!
 //! # References
 //! - Own convention.
 
+use crate::vehicle::body::pairs::{MOST_PAIRS, near_pairs};
 use crate::vehicle::crossing::{distance_m, meetings};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
@@ -117,6 +118,9 @@ pub enum OutlineFault {
         /// Where.
         at: At,
     },
+    /// More pairs of segments that come near each other than are looked at.
+    #[error("more than {MOST_PAIRS} pairs of segments come near each other; give fewer points")]
+    Tangled,
     /// The outline encloses nothing.
     #[error("the outline encloses no volume")]
     NoVolume,
@@ -174,37 +178,38 @@ pub fn faults(open: &Profile) -> Vec<OutlineFault> {
     list
 }
 
-/// A segment that has a length: its place among those, its number, its bounds.
-type Numbered<'a> = (usize, usize, &'a Segment, [f64; 4]);
+/// A segment that has a length: its place among those, its number.
+type Numbered<'a> = (usize, usize, &'a Segment);
 
-/// Crossings of any two segments: those that overlap in x are compared.
+/// Crossings of any two segments.
 fn crossings(segments: &[Segment], near: f64, list: &mut Vec<OutlineFault>) {
-    let mut order: Vec<Numbered> = segments
+    let numbered: Vec<Numbered> = segments
         .iter()
         .enumerate()
         .filter(|(_, segment)| distance_m(segment.start(), segment.end()) > near)
         .enumerate()
-        .map(|(place, (i, segment))| (place, i + 1, segment, segment.bounds_m()))
+        .map(|(place, (i, segment))| (place, i + 1, segment))
         .collect();
-    order.sort_by(|a, b| a.3[0].total_cmp(&b.3[0]).then(a.0.cmp(&b.0)));
+    let boxes: Vec<[f64; 4]> = numbered.iter().map(|(.., s)| s.bounds_m()).collect();
     let mut found: Vec<(usize, usize, OutlineFault)> = Vec::new();
-    for (k, a) in order.iter().enumerate() {
-        for b in order.iter().skip(k + 1) {
-            if b.3[0] > a.3[1] + near || found.len() + list.len() >= MOST_FAULTS {
-                break;
-            }
-            let (first, second) = if a.0 < b.0 { (a, b) } else { (b, a) };
-            if let Some(fault) = crossing(first, second, near) {
-                found.push((first.1, second.1, fault));
-            }
+    let room = MOST_FAULTS.saturating_sub(list.len());
+    let whole = near_pairs(&boxes, near, |i, j| {
+        if let (Some(first), Some(second)) = (numbered.get(i), numbered.get(j))
+            && let Some(fault) = crossing(first, second, near)
+        {
+            found.push((first.1, second.1, fault));
         }
-    }
+        found.len() < room
+    });
     found.sort_by_key(|(i, j, _)| (*i, *j));
     list.extend(found.into_iter().map(|(_, _, fault)| fault));
+    if !whole {
+        list.push(OutlineFault::Tangled);
+    }
 }
 
 fn crossing(first: &Numbered, second: &Numbered, near: f64) -> Option<OutlineFault> {
-    let ((p, one, a, _), (q, other, b, _)) = (*first, *second);
+    let ((p, one, a), (q, other, b)) = (*first, *second);
     let joint = (q == p + 1).then(|| a.end());
     let mut points = meetings(a, b, near);
     // neighbours share their joint

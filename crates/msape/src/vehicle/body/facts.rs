@@ -197,4 +197,32 @@ mod tests {
         assert!((facts.largest_diameter_from_nose_m - 1.0).abs() < 1e-15);
         assert!((facts.cone_half_angle_deg.unwrap() - 45.0).abs() < 1e-12);
     }
+
+    #[test]
+    fn lengths_are_between_extremes_and_not_between_ends() {
+        let length = |rows: &[Vec<f64>]| {
+            let body = crate::vehicle::body::from_rows("x", rows).unwrap();
+            (body.facts().length_m, body.extent_m())
+        };
+        // a ball as one arc
+        let (ball, _) = length(&[vec![0.0, 0.0, -1.0], vec![1.0, 0.0, 0.0]]);
+        assert!((ball - 1.0).abs() < 1e-15);
+        // a base that is hollow, and a nose that is
+        let (dish, _) = length(&[vec![0.0, 0.0], vec![0.4, 0.5], vec![0.2, 0.0]]);
+        assert!((dish - 0.4).abs() < 1e-15);
+        let hollow = [
+            vec![0.2, 0.0],
+            vec![0.0, 0.3],
+            vec![0.4, 0.5],
+            vec![0.4, 0.0],
+        ];
+        assert_eq!(length(&hollow), (0.4, [0.0, 0.4]));
+        // a bulging base: an arc of 0.5 about (1, 0), half a ball
+        let (bulging, _) = length(&[
+            vec![0.0, 0.0],
+            vec![1.0, 0.5, -numerics::math::tan(PI / 8.0)],
+            vec![1.5, 0.0],
+        ]);
+        assert!((bulging - 1.5).abs() < 1e-12);
+    }
 }
