@@ -39,6 +39,24 @@ aerodynamics = "mmeev-60"
 radiative = "tauber-sutton"
 "#;
 
+/// The same with phases, which each lane meets by itself.
+const PHASES: &str = r#"
+[[phase]]
+name = "drogue"
+mach = 1.4
+drag_area_m2 = 0.4
+inflation_s = 0.7
+[[phase]]
+name = "shield"
+dynamic_pressure_pa = 300.0
+mass_kg = 30.0
+drag_coefficient = 0.8
+[[phase]]
+name = "main"
+altitude_m = 3000.0
+drag_area_m2 = 20.0
+"#;
+
 fn problem(text: &str) -> FlightProblem {
     FlightProblem::check(&Case::from_text(text).unwrap(), &LIBRARY).unwrap()
 }
@@ -123,9 +141,19 @@ fn alone(problem: &FlightProblem, numbers: Numbers) -> Flight {
 
 #[test]
 fn thousand_flights_in_lanes_have_the_bits_of_each_alone() {
-    let problem = problem(EVERYTHING);
+    in_lanes_as_alone(EVERYTHING, 1000);
+}
+
+#[test]
+fn flights_with_phases_in_lanes_have_the_bits_of_each_alone() {
+    let flights = in_lanes_as_alone(&format!("{EVERYTHING}{PHASES}"), 100);
+    assert!(flights.iter().any(|flight| flight.phases.len() == 3));
+}
+
+fn in_lanes_as_alone(text: &str, count: usize) -> Vec<Flight> {
+    let problem = problem(text);
     let mut random = Random(1);
-    let all: Vec<Numbers> = (0..1000)
+    let all: Vec<Numbers> = (0..count)
         .map(|_| numbers(&problem, drawn(&mut random)))
         .collect();
     let expected: Vec<Flight> = all.iter().map(|n| alone(&problem, *n)).collect();
@@ -159,6 +187,7 @@ fn thousand_flights_in_lanes_have_the_bits_of_each_alone() {
     });
     assert!(done.is_continue());
     assert!(seen.iter().all(|seen| *seen == 2));
+    expected
 }
 
 #[test]

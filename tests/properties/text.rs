@@ -34,9 +34,12 @@ fn value(input: &'static Input) -> BoxedStrategy<(String, Value)> {
                 .boxed()
         }
     };
-    value
-        .prop_map(|value| (input.key.to_string(), value))
-        .boxed()
+    // A key that stands for that of every phase is one of the second.
+    let key = match input.key.strip_prefix("phase.") {
+        Some(name) => format!("phase.2.{name}"),
+        None => input.key.to_string(),
+    };
+    value.prop_map(move |value| (key.clone(), value)).boxed()
 }
 
 /// A key that no input has: anything, a misspelling, or below or above a key that one has.

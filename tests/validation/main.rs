@@ -5,11 +5,17 @@
 //! - [`accuracy`]: methods and tolerances of integration against one another.
 //! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
+//! - [`endings`]: ends that are met or not; [`tables`]: tables that are left; [`directions`]: singular directions.
+//! - [`phases`]: parachutes, and what else changes on the way.
 
 mod accuracy;
 mod aerodynamics;
+mod directions;
+mod endings;
 mod outcomes;
 mod outlines;
+mod phases;
 mod published;
 mod shell;
 mod six_dof;
+mod tables;

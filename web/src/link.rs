@@ -72,9 +72,9 @@ pub fn case(fragment: &str, starts: &[Start]) -> Option<BroughtUp> {
 }
 
 fn set(case: &mut Case, key: &str, text: &str) {
-    let Some(input) = input::find(key) else {
+    if input::find(key).is_none() {
         return;
-    };
+    }
     match text.strip_prefix("rows:") {
         Some(rows) => {
             let rows: Option<Vec<Vec<f64>>> = rows
@@ -82,10 +82,11 @@ fn set(case: &mut Case, key: &str, text: &str) {
                 .map(|row| row.split(',').map(|cell| cell.parse().ok()).collect())
                 .collect();
             if let Some(rows) = rows {
-                case.values.insert(input.key.to_string(), Value::Rows(rows));
+                case.values
+                    .insert(input::canonical_key(key), Value::Rows(rows));
             }
         }
-        None => case.set(input.key, text),
+        None => case.set(key, text),
     }
 }
 

@@ -10,6 +10,7 @@ use msape::answer::turning::{self, Cell};
 use msape::answer::{Answer, Output, outputs};
 use msape::finding::Severity;
 use msape::flight::Trajectory;
+use msape::flight::phase::Begun;
 use msape::flight::six_dof::turning::Turning;
 use msape::quantity::{Job, input, trajectory};
 use msape::units::number::rounded;
@@ -41,6 +42,7 @@ pub fn answer(answer: &Answer, job: Job, to_file: bool) -> String {
     };
     let mut text = head(answer, paint);
     text.push_str(&results(answer, job, paint));
+    text.push_str(&phases(answer, paint));
     text.push_str(&adjustments(answer, paint));
     text.push_str(&findings(answer, paint));
     let turning = answer.design.as_ref().and_then(|d| d.turning.as_ref());
@@ -98,6 +100,25 @@ fn results(answer: &Answer, job: Job, paint: Paint) -> String {
         text.push_str(&format!("  {line}\n"));
     }
     text
+}
+
+fn phases(answer: &Answer, paint: Paint) -> String {
+    let begun = answer.flight.iter().flat_map(|flight| &flight.phases);
+    let line = |phase: &Begun| {
+        let shown = |value: f64| rounded(value, DIGITS);
+        let name: String = phase.name.chars().filter(|c| !c.is_control()).collect();
+        format!(
+            "  {} at {} s, {} m, Mach {}, {} m/s, {} Pa; at most {} Earth g until the next\n",
+            paint.doubtful(&name),
+            shown(phase.time_s),
+            shown(phase.altitude_m),
+            shown(phase.mach),
+            shown(phase.speed_m_s),
+            shown(phase.dynamic_pressure_pa),
+            shown(phase.peak_deceleration_earth_g),
+        )
+    };
+    section("Phases", &begun.map(line).collect::<String>(), paint)
 }
 
 fn adjustments(answer: &Answer, paint: Paint) -> String {

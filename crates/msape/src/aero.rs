@@ -41,6 +41,7 @@ use crate::finding::{Finding, Severity};
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::scalar::Scalar;
 use serde::Deserialize;
+use table::Extrapolation;
 
 /// Mach number below which the case's terminal drag coefficient holds; the validity of equation 7.
 pub const SUBSONIC_MACH_MAX: f64 = 0.5;
@@ -61,6 +62,16 @@ pub struct DragTable {
     coefficient: Vec<f64>,
     /// Coefficient, slope and Mach number of the row below the first knot, between two and above the last.
     lines: Vec<[f64; 3]>,
+    own: Option<Own>,
+}
+
+/// What is known of a drag table that a case brings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Own {
+    /// Key of the case.
+    pub key: &'static str,
+    /// Rule beyond its ends.
+    pub extrapolation: Extrapolation,
 }
 
 impl DragTable {
@@ -135,7 +146,40 @@ impl DragTable {
             mach,
             coefficient,
             lines: lines.collect(),
+            own: None,
         }
+    }
+
+    /// The same as a table that a case brings, with its rule beyond the ends.
+    pub fn of_case(mut self, own: Own) -> DragTable {
+        let last = self.lines.len().saturating_sub(1);
+        if own.extrapolation == Extrapolation::Extend && last >= 2 {
+            self.lines.copy_within(1..2, 0);
+            self.lines.copy_within(last - 1..last, last);
+        }
+        self.own = Some(own);
+        self
+    }
+
+    /// What is known of it where a case brings it.
+    pub fn own(&self) -> Option<Own> {
+        self.own
+    }
+
+    /// Whether its first two and its last two rows are alike.
+    pub fn level(&self) -> [bool; 2] {
+        let alike = |pair: Option<&[f64]>| matches!(pair, Some([a, b]) if a == b);
+        [
+            self.coefficient.first_chunk::<2>(),
+            self.coefficient.last_chunk::<2>(),
+        ]
+        .map(|pair| alike(pair.map(<[f64; 2]>::as_slice)))
+    }
+
+    /// First and last Mach number.
+    pub fn ends(&self) -> [f64; 2] {
+        let [first, last] = [self.mach.first(), self.mach.last()];
+        [first, last].map(|mach| mach.copied().unwrap_or_default())
     }
 
     /// Drag coefficient at a Mach number.
@@ -256,6 +300,23 @@ mod tests {
             [table.at(0.0), table.at(1.0), table.at(1.5), table.at(9.0)],
             [1.0, 1.5, 2.0, 2.0]
         );
+    }
+
+    #[test]
+    fn a_table_of_a_case_may_go_on_with_its_last_slopes() {
+        let own = Own {
+            key: "vehicle.drag_table",
+            extrapolation: Extrapolation::Extend,
+        };
+        // slopes 1 and 2
+        let table = DragTable::try_new(&[(0.5, 1.0), (1.5, 2.0), (2.5, 4.0)])
+            .unwrap()
+            .of_case(own);
+        assert_eq!(
+            [table.at(0.0), table.at(2.0), table.at(3.0)],
+            [0.5, 3.0, 5.0]
+        );
+        assert_eq!(table.ends(), [0.5, 2.5]);
     }
 
     #[test]

@@ -91,7 +91,7 @@ impl Case {
     /// A text that is a plain number is kept as a number, rows in brackets such as `[[0, 1], [2, 3]]` as rows where the
     /// input takes rows, anything else as text until it is checked.
     pub fn set(&mut self, key: &str, text: &str) {
-        let key = input::find(key).map_or(key, |input| input.key).to_string();
+        let key = input::canonical_key(key);
         let text = text.trim();
         let value = match (text, text.parse::<f64>()) {
             ("", _) => {

@@ -14,11 +14,14 @@ use crate::planet::horizon::Velocity;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};
 use numerics::scalar::Scalar;
+use phase::Begun;
+use reach::{Passed, Push};
 use serde::{Deserialize, Serialize};
 
 pub use six_dof::events::AttitudeEvents;
 pub use trajectory::{Request, Trajectory};
 
+pub mod accuracy;
 pub mod allen_eggers;
 pub mod batch;
 pub mod equations;
@@ -29,6 +32,8 @@ pub mod mission;
 pub mod motion;
 pub mod numbers;
 pub mod peaks;
+pub mod phase;
+pub mod reach;
 pub mod sample;
 pub mod six_dof;
 pub mod summary;
@@ -106,6 +111,16 @@ pub struct Flight<S = f64> {
     pub mach_times_s: [Option<S>; 4],
     /// Time history, where one was asked for.
     pub trajectory: Option<Trajectory>,
+    /// Ends of tables of the case that it passed.
+    pub passed: Vec<Passed>,
+    /// Where the air pushed the vehicle, as no air does.
+    pub pushed: Option<Push>,
+    /// Lowest and highest altitude between two steps, m.
+    pub altitudes_m: [f64; 2],
+    /// Phases that began.
+    pub phases: Vec<Begun<S>>,
+    /// Number of times it left the atmosphere and flew on.
+    pub exits: u32,
     /// Attitude along the flight, in six degrees of freedom.
     pub attitude: Option<AttitudeEvents>,
     /// Evaluations of the right-hand side.
@@ -122,19 +137,56 @@ impl<S: Scalar> Flight<S> {
 
 /// Flies a vehicle: the flight, how it ended, and why.
 pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome, Option<String>) {
-    if mission.solver.model == Model::AllenEggers {
-        return (
-            allen_eggers::fly(mission, body, request),
-            Outcome::Landed,
-            None,
-        );
+    let (flight, outcome, reason) = match &body.freedom {
+        _ if mission.solver.model == Model::AllenEggers => {
+            let flight = allen_eggers::fly(mission, body, request);
+            let (outcome, reason) = allen_eggers::ending(mission, &flight);
+            (flight, outcome, reason)
+        }
+        Freedom::Rigid(rigid) => six_dof::fly(mission, body, rigid, request),
+        Freedom::Ballistic | Freedom::Lifting(_) => {
+            let record = three_dof::integrate(mission, body);
+            let flight = summary::summarize(three_dof::motion(mission, body), &record, request);
+            (flight, record.outcome, record.reason)
+        }
+    };
+    match flight.not_finite() {
+        Some(name) => {
+            let reason = format!("the {name} is not a finite number");
+            (flight, Outcome::GaveUp, Some(reason))
+        }
+        None => (flight, outcome, reason),
     }
-    if let Freedom::Rigid(rigid) = &body.freedom {
-        return six_dof::fly(mission, body, rigid, request);
+}
+
+impl Flight {
+    /// A result that is not a finite number, by its name; such a flight is not to be used.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let peak = |name: &'static str, peak: &Peak| {
+            let values = [peak.value, peak.time_s, peak.altitude_m, peak.speed_m_s];
+            (name, values.iter().sum::<f64>())
+        };
+        let named = [
+            peak("peak deceleration", &self.peak_deceleration_earth_g),
+            peak("peak dynamic pressure", &self.peak_dynamic_pressure_pa),
+            peak(
+                "peak stagnation pressure",
+                &self.peak_stagnation_pressure_pa,
+            ),
+            peak("peak heat flux", &self.peak_total_margined_heat_flux_w_m2),
+            ("convective heat load", self.convective_heat_load_j_m2),
+            ("radiative heat load", self.radiative_heat_load_j_m2),
+            ("peak wall temperature", self.peak_wall_temperature_k),
+            ("time of flight", self.time_of_flight_s),
+            ("final altitude", self.final_altitude_m),
+            ("final speed", self.final_speed_m_s),
+            ("final latitude", self.final_latitude_rad),
+            ("final longitude", self.final_longitude_rad),
+            ("downrange", self.downrange_m),
+        ];
+        let mut wild = named.into_iter().filter(|(_, value)| !value.is_finite());
+        wild.next().map(|(name, _)| name)
     }
-    let record = three_dof::integrate(mission, body);
-    let flight = summary::summarize(three_dof::motion(mission, body), &record, request);
-    (flight, record.outcome, record.reason)
 }
 
 /// What a reader of a flight must know: ranges of the heating models and of the atmosphere.
@@ -150,19 +202,64 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }
+    findings.extend(flight.passed.iter().map(Passed::finding));
+    findings.extend(flight.pushed.as_ref().map(Push::finding));
+    findings.extend(beyond_atmosphere(mission, flight));
+    findings.extend(flight.trajectory.as_ref().and_then(Trajectory::finding));
+    findings.extend(came_back(flight));
+    findings.extend(phase::findings(mission, flight.phases.len()));
+    findings.extend(accuracy::finding(mission, body, flight));
+    findings
+}
+
+/// Distance from an altitude at which a flight is there, m.
+pub const LANDED_WITHIN_M: f64 = 1e-3;
+
+/// What is said of a flight that left the atmosphere on the way.
+fn came_back(flight: &Flight) -> Option<Finding> {
+    let exits = flight.exits;
+    let times = if exits == 1 { "once" } else { "more than once" };
+    (exits > 0).then(|| Finding {
+        severity: Severity::Note,
+        model: "passes".to_string(),
+        key: "stop.passes".to_string(),
+        value: Some(f64::from(exits)),
+        valid: (None, None),
+        message: format!(
+            "The vehicle left the atmosphere {times}; peaks and loads are over all its passes."
+        ),
+        source: "convention of this program".to_string(),
+        field: Some("stop.passes".to_string()),
+    })
+}
+
+/// What is said where a flight begins or goes above or below the atmosphere.
+fn beyond_atmosphere(mission: &Mission, flight: &Flight) -> Option<Finding> {
     let (lowest_m, highest_m) = mission.atmosphere.valid_m();
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
-    if !(lowest_m..=highest_m).contains(&start_m) {
-        findings.push(Finding {
-            severity: Severity::Extrapolated,
-            model: "atmosphere".to_string(),
-            key: "entry.altitude_m".to_string(),
-            value: Some(start_m),
-            valid: (Some(lowest_m), Some(highest_m)),
-            message: format!("The flight starts at {start_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."),
-            source: "convention of this program".to_string(),
-            field: Some("entry.altitude_m".to_string()),
-        });
-    }
-    findings
+    let [least_m, greatest_m] = flight.altitudes_m;
+    let valid = |altitude_m: f64| {
+        (lowest_m - LANDED_WITHIN_M..=highest_m + LANDED_WITHIN_M).contains(&altitude_m)
+    };
+    let outside = [start_m, least_m, greatest_m]
+        .into_iter()
+        .find(|altitude_m| !valid(*altitude_m));
+    let altitude_m = outside?;
+    let how = match altitude_m == start_m {
+        true => "starts at",
+        false if altitude_m < lowest_m => "goes down to",
+        false => "goes up to",
+    };
+    Some(Finding {
+        severity: Severity::Extrapolated,
+        model: "atmosphere".to_string(),
+        key: "entry.altitude_m".to_string(),
+        value: Some(altitude_m),
+        valid: (Some(lowest_m), Some(highest_m)),
+        message: format!(
+            "The flight {how} {altitude_m:.0} m, the atmosphere is given from {lowest_m:.0} to {highest_m:.0} m; beyond, density goes on with its last slope."
+        ),
+        source: "convention of this program".to_string(),
+        field: Some("entry.altitude_m".to_string()),
+    })
 }

@@ -24,6 +24,8 @@ pub enum Outcome {
     NotClosed,
     /// The mass had not settled after the last pass.
     NotConverged,
+    /// The flight was given up at a limit of work, or where its numbers can be trusted no longer.
+    GaveUp,
 }
 
 impl Outcome {
@@ -37,6 +39,7 @@ impl Outcome {
             Outcome::Captured => "captured",
             Outcome::NotClosed => "not-closed",
             Outcome::NotConverged => "not-converged",
+            Outcome::GaveUp => "gave-up",
         }
     }
 }

@@ -7,11 +7,13 @@ mod attitude;
 mod attitude_of_design;
 mod center;
 mod design;
+mod entering;
 mod flight;
 mod freedom;
 mod heating;
 mod materials;
 mod outline;
+mod phases;
 mod planet;
 
 use crate::answer::Answer;
@@ -23,9 +25,10 @@ use crate::design::structural::Structural;
 use crate::finding::Finding;
 use crate::flight::Request;
 use crate::flight::freedom::Freedom;
-use crate::flight::mission::{Body, Mission};
+use crate::flight::mission::{Body, Mission, Model};
 use crate::library::Library;
 use crate::vehicle::body::RigidBody;
+use phases::Flown;
 
 pub use aerodynamics::aero;
 pub use attitude_of_design::{
@@ -65,8 +68,20 @@ impl FlightProblem {
         let mission = flight::mission(&mut reader, library, flight::Angle::Any);
         let outline = outline::outline(&mut reader, library);
         let body = flight::body(&mut reader, library, mission.as_ref(), &outline);
-        match mission.zip(body) {
-            Some((mut mission, body)) if reader.faults.is_empty() => {
+        let flown = match &body {
+            Some(body) if matches!(body.freedom, Freedom::Rigid(_)) => Flown::Rigid,
+            _ => Flown::Point,
+        };
+        let phases = phases::phases(&mut reader, flown);
+        match mission.zip(body).zip(phases) {
+            Some(((mut mission, body), phases)) if reader.faults.is_empty() => {
+                if mission.solver.model == Model::AllenEggers {
+                    phases::not_flown(&mut reader, "the closed form");
+                }
+                mission.phases = match mission.solver.model {
+                    Model::AllenEggers => Vec::new(),
+                    _ => phases,
+                };
                 if let Freedom::Rigid(rigid) = &body.freedom {
                     freedom::solver(&reader, rigid, &mut mission.solver);
                 }
@@ -112,6 +127,7 @@ impl DesignProblem {
     /// Every fault of the case at once.
     pub fn check(case: &Case, library: &Library) -> Result<DesignProblem, Vec<InputError>> {
         let mut reader = Reader::new(case);
+        phases::not_flown(&mut reader, "a design");
         match design::design(&mut reader, library) {
             Some(input) if reader.faults.is_empty() => Ok(DesignProblem {
                 input,

@@ -127,9 +127,12 @@ fn history_row(trajectory: &Trajectory, manner: Manner, row: usize) -> Vec<Strin
             Manner::Report => Unit::find(column.unit),
             Manner::Si => None,
         };
-        values.get(row).map_or_else(String::new, |x| {
-            shortest(unit.map_or(*x, |unit| unit.from_canonical(*x)))
-        })
+        values
+            .get(row)
+            .map_or_else(String::new, |x| match trajectory.name(column, *x) {
+                Some(name) => name.to_string(),
+                None => shortest(unit.map_or(*x, |unit| unit.from_canonical(*x))),
+            })
     };
     trajectory.columns().map(cell).collect()
 }

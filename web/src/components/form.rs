@@ -6,6 +6,7 @@ use crate::components::number::NumberField;
 use crate::components::rows::RowsField;
 use crate::state::State;
 use leptos::prelude::*;
+use msape::quantity::input::phase::is_repeated;
 use msape::quantity::input::{Group, Input, Kind, Level, inputs};
 
 /// Inputs of a vehicle that is flown as it is, those of the attitude, which have a card of their own, and files that only the command line can read.
@@ -13,6 +14,7 @@ fn is_of_design(input: &Input) -> bool {
     !input.key.starts_with("vehicle.")
         && !input.key.starts_with("outline.")
         && !input.key.starts_with("attitude.")
+        && !is_repeated(input.key)
         && input.kind != Kind::Text
 }
 

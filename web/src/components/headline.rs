@@ -33,6 +33,7 @@ pub fn outcome_words(outcome: Outcome) -> (&'static str, &'static str) {
         Outcome::Captured => ("✖", "Captured into orbit"),
         Outcome::NotClosed => ("✖", "Did not close"),
         Outcome::NotConverged => ("▲", "Not converged"),
+        Outcome::GaveUp => ("✖", "Given up"),
     }
 }
 

@@ -18,8 +18,10 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
 use serde::{Deserialize, Serialize};
 
 mod check;
+mod push;
 mod row;
 
+pub use push::in_radians;
 pub use row::Row;
 
 /// What holds beyond a table.
@@ -31,7 +33,7 @@ pub enum Extrapolation {
     Hold,
     /// The straight line with the last slope.
     Extend,
-    /// Nothing: a place beyond the table is a fault.
+    /// Nothing: a place beyond the table is a fault, and a flight ends there.
     Refuse,
 }
 
@@ -208,6 +210,51 @@ impl Grid {
     /// Mach numbers of the table.
     pub fn mach(&self) -> &[f64] {
         &self.mach
+    }
+
+    /// Ends of the Mach numbers, of the angles, rad, and of the Knudsen numbers, where there is more than one of them.
+    pub fn ends(&self) -> [Option<[f64; 2]>; 3] {
+        let ends = |axis: &[f64]| match axis {
+            [first, .., last] => Some([*first, *last]),
+            _ => None,
+        };
+        let knudsen = ends(&self.log_knudsen);
+        [
+            ends(&self.mach),
+            ends(&self.alpha_rad),
+            knudsen.map(|ends| ends.map(|log| numerics::math::pow(10.0, log))),
+        ]
+    }
+
+    /// Whether, at the ends of the same axes, the last two nodes have the same coefficients at every place of the others.
+    pub fn level(&self) -> [[bool; 2]; 3] {
+        let counts = [
+            self.mach.len(),
+            self.log_knudsen.len(),
+            self.alpha_rad.len(),
+        ];
+        let value = |[mach, knudsen, alpha]: [usize; 3]| {
+            let [_, of_knudsen, of_alpha] = counts;
+            self.values
+                .get((mach * of_knudsen + knudsen) * of_alpha + alpha)
+        };
+        let alike = |axis: usize, pair: [usize; 2]| {
+            let mut others = counts;
+            others[axis] = 1;
+            let [machs, knudsens, alphas] = others;
+            (0..machs * knudsens * alphas).all(|n| {
+                let mut place = [n / (knudsens * alphas), n / alphas % knudsens, n % alphas];
+                let [a, b] = pair.map(|node| {
+                    place[axis] = node;
+                    value(place).map(|[coefficients, _]| coefficients)
+                });
+                a == b
+            })
+        };
+        [0, 2, 1].map(|axis| match counts[axis] {
+            0 | 1 => [false; 2],
+            count => [alike(axis, [0, 1]), alike(axis, [count - 2, count - 1])],
+        })
     }
 
     /// Largest angle of the table, rad.

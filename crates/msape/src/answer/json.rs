@@ -9,14 +9,21 @@ use crate::quantity::Job;
 use serde_json::{Number, Value, json as value};
 use std::fmt;
 
-/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, of a design
+/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, where some began `phases`, of a design
 /// `mass_tree`, `structure`, `stability` and, where it was flown, `reorientation` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let trajectory = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
     let member = |(key, member): (&str, Value)| match (key, trajectory) {
         ("trajectory", Some(trajectory)) => {
             let columns = trajectory.columns();
-            let history = columns.map(|(column, values)| (column.key.to_string(), value!(values)));
+            let history = columns.map(|(column, values)| {
+                let named = values.iter().map(|x| trajectory.name(column, *x));
+                let values = match named.collect::<Option<Vec<&str>>>() {
+                    Some(names) if !names.is_empty() => value!(names),
+                    _ => value!(values),
+                };
+                (column.key.to_string(), values)
+            });
             (key.to_string(), Value::Object(history.collect()))
         }
         _ => (key.to_string(), member),
@@ -35,6 +42,10 @@ fn members(answer: &Answer, job: Job) -> Vec<(&'static str, Value)> {
         ("adjustments", value!(answer.adjustments)),
         ("passes", value!(answer.passes)),
     ];
+    let begun = answer.flight.as_ref().map(|flight| &flight.phases);
+    if let Some(phases) = begun.filter(|phases| !phases.is_empty()) {
+        members.push(("phases", value!(phases)));
+    }
     if let Some(design) = &answer.design {
         members.push(("mass_tree", value!(design.vehicle.mass_tree())));
         if let Some(structural) = &design.structural {
@@ -84,8 +95,7 @@ pub fn write(answer: &Answer, job: Job, out: &mut dyn fmt::Write) -> fmt::Result
         write!(out, "{}: ", quoted(key))?;
         match (key, member) {
             ("trajectory", _) => {
-                let columns = trajectory.into_iter().flat_map(Trajectory::columns);
-                write_columns(out, columns.map(|(column, values)| (column.key, values)))?;
+                write_history(out, trajectory)?;
             }
             ("landing" | "structure" | "stability", Value::Object(object)) => {
                 if object.is_empty() {
@@ -106,25 +116,25 @@ pub fn write(answer: &Answer, job: Job, out: &mut dyn fmt::Write) -> fmt::Result
     out.write_str("\n}\n")
 }
 
-fn write_columns<'a>(
-    out: &mut dyn fmt::Write,
-    columns: impl Iterator<Item = (&'a str, &'a [f64])>,
-) -> fmt::Result {
+fn write_history(out: &mut dyn fmt::Write, trajectory: Option<&Trajectory>) -> fmt::Result {
     let mut empty = true;
-    for (key, values) in columns {
-        out.write_str(if empty { "{\n    " } else { ",\n    " })?;
-        empty = false;
-        write!(out, "{}: [", quoted(key))?;
-        for (i, number) in values.iter().enumerate() {
-            if i > 0 {
-                out.write_char(',')?;
+    if let Some(trajectory) = trajectory {
+        for (column, values) in trajectory.columns() {
+            out.write_str(if empty { "{\n    " } else { ",\n    " })?;
+            empty = false;
+            write!(out, "{}: [", quoted(column.key))?;
+            for (i, number) in values.iter().enumerate() {
+                if i > 0 {
+                    out.write_char(',')?;
+                }
+                match (trajectory.name(column, *number), Number::from_f64(*number)) {
+                    (Some(name), _) => write!(out, "{}", quoted(name))?,
+                    (None, Some(number)) => write!(out, "{number}")?,
+                    (None, None) => out.write_str("null")?,
+                }
             }
-            match Number::from_f64(*number) {
-                Some(number) => write!(out, "{number}")?,
-                None => out.write_str("null")?,
-            }
+            out.write_char(']')?;
         }
-        out.write_char(']')?;
     }
     out.write_str(if empty { "{}" } else { "\n  }" })
 }

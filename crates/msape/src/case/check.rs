@@ -73,7 +73,8 @@ impl<'a> Reader<'a> {
             faults: Vec::new(),
             findings: case.version_note().into_iter().collect(),
         };
-        let mut unknown = case.values.keys().filter(|key| input::find(key).is_none());
+        let known = |key: &str| input::find(key).is_some() && !input::phase::is_repeated(key);
+        let mut unknown = case.values.keys().filter(|key| !known(key));
         for key in unknown.by_ref().take(UNKNOWN_MAX) {
             reader.fault(key, unknown_key(key));
         }
@@ -101,6 +102,20 @@ impl<'a> Reader<'a> {
     /// Whether the case gives this key.
     pub fn given(&self, key: &str) -> bool {
         self.case.values.contains_key(key)
+    }
+
+    /// The largest number of a phase in the case.
+    pub fn phases(&self) -> usize {
+        let most = input::phase::MOST;
+        let mut numbers = (1..=most).rev();
+        let given = |number: &usize| {
+            let section = format!("{}.{number}.", input::phase::SECTION);
+            let mut after = self.case.values.range(section.clone()..);
+            after
+                .next()
+                .is_some_and(|(key, _)| key.starts_with(&section))
+        };
+        numbers.find(given).unwrap_or(0)
     }
 
     /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.
@@ -319,16 +334,19 @@ impl<'a> Reader<'a> {
                 self.fault(key, message);
             }
             for (cell, column) in row.iter().zip(columns) {
-                if !cell.is_finite() {
-                    self.fault(
-                        key,
-                        format!(
-                            "row {}, {}: got {cell}, must be a finite number",
-                            i + 1,
-                            column.name
-                        ),
-                    );
+                let allowed = input::range_of_column(column.name);
+                let wrong = if !cell.is_finite() {
+                    "must be a finite number".to_string()
+                } else if !allowed.contains(*cell) {
+                    must_be(&allowed, "")
+                } else {
+                    continue;
+                };
+                if self.faults.len() >= before + ROW_FAULTS_MAX {
+                    return None;
                 }
+                let message = format!("row {}, {}: got {cell}, {wrong}", i + 1, column.name);
+                self.fault(key, message);
             }
         }
         (self.faults.len() == before).then_some(rows)

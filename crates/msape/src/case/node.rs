@@ -17,6 +17,13 @@ pub(super) enum Node {
     Other(String),
 }
 
+impl Node {
+    /// Whether it has keys of its own.
+    pub(super) fn is_map(&self) -> bool {
+        matches!(self, Node::Map(_))
+    }
+}
+
 impl From<toml::Value> for Node {
     fn from(value: toml::Value) -> Node {
         match value {

@@ -2,6 +2,7 @@
 
 use super::node::{Node, describe, rows, spelled};
 use super::{Case, InputError, SCHEMA, Value, Version};
+use crate::quantity::input::phase::SECTION;
 use crate::quantity::input::{self, Kind};
 use crate::units::cut;
 use std::collections::BTreeMap;
@@ -106,6 +107,16 @@ impl Case {
 
     fn flatten(&mut self, key: String, node: Node, taken: &mut Taken) {
         let node = match node {
+            Node::List(list) if key == SECTION && list.iter().all(Node::is_map) => {
+                for (i, phase) in list.into_iter().enumerate() {
+                    if let Node::Map(map) = phase {
+                        for (part, child) in map {
+                            self.flatten(format!("{key}.{}.{part}", i + 1), child, taken);
+                        }
+                    }
+                }
+                return;
+            }
             Node::Map(map) if !map.is_empty() => {
                 for (part, child) in map {
                     self.flatten(format!("{key}.{part}"), child, taken);
@@ -116,11 +127,12 @@ impl Case {
         };
         let known = input::find(&key);
         // A table given where a database is named is a drag table.
-        let known = match (&node, known) {
+        let (known, place) = match (&node, known) {
             (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
-                input::find("vehicle.drag_table")
+                let place = "vehicle.drag_table";
+                (input::find(place), place.to_string())
             }
-            _ => known,
+            _ => (known, input::canonical_key(&key)),
         };
         let rows_expected = known.is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
         let value = match node {
@@ -133,9 +145,9 @@ impl Case {
             },
         };
         match known {
-            Some(input) => {
-                taken.take(input.key, &key);
-                self.values.insert(input.key.to_string(), value);
+            Some(_) => {
+                taken.take(&place, &key);
+                self.values.insert(place, value);
             }
             // what is not known has one spelling
             None => match self.values.entry(key) {

@@ -4,6 +4,7 @@
 
 use crate::case::{SCHEMA, Version};
 use crate::library::Library;
+use crate::quantity::input::phase::{MOST, SECTION};
 use crate::quantity::input::{Input, Kind, Need, Preset, inputs};
 use crate::units::{canonical, units_of};
 use serde_json::{Map, Value, json};
@@ -30,8 +31,13 @@ pub fn schema(library: &Library) -> Value {
         "name",
         json!({ "type": "string", "description": "Free text." }),
     );
+    let mut phase = object("What begins on the way, and what it changes.");
     for input in inputs() {
         let described = input_schema(input, library);
+        if let Some(name) = input.key.strip_prefix("phase.") {
+            property(&mut phase, name, described.into());
+            continue;
+        }
         insert(&mut root, input.key, described.clone().into());
         for alias in input.aliases {
             let mut other_name = described.clone();
@@ -42,6 +48,14 @@ pub fn schema(library: &Library) -> Value {
             require(&mut root, input.key);
         }
     }
+    phase.insert("required".to_string(), json!(["name"]));
+    let phases = json!({
+        "type": "array",
+        "maxItems": MOST,
+        "items": phase,
+        "description": "Phases of a flight, in the order in which they begin.",
+    });
+    property(&mut root, SECTION, phases);
     // A table of numbers in the place of the name of a database is a drag table; a section holds constants.
     if let Some(Value::Object(mut by_name)) =
         find(&mut root, "vehicle.aerodynamics").map(Value::take)
@@ -234,10 +248,13 @@ mod tests {
     fn every_input_stands_where_its_key_says() {
         let schema = built();
         for input in inputs() {
-            let pointer = input
-                .key
+            let place = input.key.replace("phase.", "phase.items.");
+            let pointer = place
                 .split('.')
-                .map(|part| format!("/properties/{part}"))
+                .map(|part| match part {
+                    "items" => "/items".to_string(),
+                    part => format!("/properties/{part}"),
+                })
                 .collect::<String>();
             assert!(schema.pointer(&pointer).is_some(), "{}", input.key);
         }

@@ -1,7 +1,8 @@
 //! Writes a case as TOML or JSON, keys in the order of the quantity list.
 
 use super::{Case, SCHEMA, Value};
-use crate::quantity::input::{self, inputs};
+use crate::quantity::input::phase::{MOST, SECTION, is_repeated};
+use crate::quantity::input::{find, inputs};
 use std::fmt::Write;
 
 impl Case {
@@ -10,12 +11,21 @@ impl Case {
     /// A name that shares its key with a section stands in the section: `vehicle.aerodynamics.name`.
     fn ordered(&self) -> Vec<(Place, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
-        let unknown = self
-            .values
-            .iter()
-            .filter(|(key, _)| inputs().all(|input| input.key != key.as_str()));
+        let is_known = |key: &str| inputs().any(|input| input.key == key);
+        let of_phase = |key: &str| find(key).is_some() && !is_known(key);
+        let unknown = (self.values.iter()).filter(|(key, _)| !is_known(key) && !of_phase(key));
+        let phases = (1..=MOST).flat_map(|number| {
+            inputs()
+                .filter(|input| is_repeated(input.key))
+                .filter_map(move |input| {
+                    let name = input.key.strip_prefix(SECTION)?;
+                    self.values
+                        .get_key_value(&format!("{SECTION}.{number}{name}"))
+                })
+        });
         known
             .chain(unknown)
+            .chain(phases)
             .map(|(key, value)| (self.place(key), value))
             .collect()
     }
@@ -38,10 +48,14 @@ impl Case {
             key.to_string()
         };
         match key.rsplit_once('.') {
-            Some((section, name)) if !below_a_value && key.split('.').all(is_bare) => Place {
-                section: section.to_string(),
-                name: name.to_string(),
-            },
+            Some((section, name))
+                if !below_a_value && key.split('.').all(is_bare) && !is_odd_phase(section) =>
+            {
+                Place {
+                    section: section.to_string(),
+                    name: name.to_string(),
+                }
+            }
             // quoted as a whole it stands for itself: its parts may be empty, or hold what a bare key may not
             _ => Place {
                 section: String::new(),
@@ -77,8 +91,20 @@ impl Case {
                 None => sections.push((section, line)),
             }
         }
+        let mut phases = 0;
         for (section, lines) in sections {
-            let _ = write!(text, "\n[{section}]\n{lines}");
+            match phase_number(section) {
+                Some(number) => {
+                    // Phases that nothing is given for keep their place.
+                    let before = number.saturating_sub(phases);
+                    text.push_str(&format!("\n[[{SECTION}]]\n").repeat(before));
+                    text.push_str(&lines);
+                    phases = number;
+                }
+                None => {
+                    let _ = write!(text, "\n[{section}]\n{lines}");
+                }
+            }
         }
         text
     }
@@ -98,6 +124,19 @@ impl Case {
                 Value::Other(spelling) => json_of(spelling),
             };
             insert(&mut root, &section, name, value);
+        }
+        if let Some(serde_json::Value::Object(numbered)) = root.get_mut(SECTION)
+            && (numbered.keys())
+                .all(|number| phase_number(&format!("{SECTION}.{number}")).is_some())
+        {
+            let of = |number: usize| numbered.remove(&number.to_string());
+            let mut phases: Vec<_> = (1..=MOST).map(of).collect();
+            let last = phases.iter().rposition(Option::is_some);
+            phases.truncate(last.map_or(0, |last| last + 1));
+            let phases = phases
+                .into_iter()
+                .map(|phase| phase.unwrap_or_else(|| serde_json::json!({})));
+            root.insert(SECTION.to_string(), phases.collect());
         }
         format!("{:#}\n", serde_json::Value::Object(root))
     }
@@ -123,7 +162,20 @@ pub(super) fn quoted_key(key: &str) -> String {
 
 /// Whether an input may also be given as `name` in the section of its key.
 fn is_named_in_section(key: &str) -> bool {
-    input::find(&format!("{key}.name")).is_some_and(|input| input.key == key)
+    find(&format!("{key}.name")).is_some_and(|input| input.key == key)
+}
+
+/// Whether a section lies beside or below the list of phases.
+fn is_odd_phase(section: &str) -> bool {
+    let first = section.split('.').next();
+    first == Some(SECTION) && phase_number(section).is_none()
+}
+
+/// The number of the phase that a section is of.
+fn phase_number(section: &str) -> Option<usize> {
+    let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
+    let index: usize = number.parse().ok()?;
+    ((1..=MOST).contains(&index) && number == index.to_string()).then_some(index)
 }
 
 /// Puts a value into a section of dotted name.
@@ -270,5 +322,21 @@ mod tests {
             "{}",
             plain.to_toml()
         );
+    }
+
+    #[test]
+    fn phases_are_written_as_a_list_and_keep_their_places() {
+        let mut case = Case::run_page();
+        case.set("phase.name", "drogue");
+        case.set("phase.altitude_m", "31 km");
+        case.set("phase.12.name", "main");
+        case.set("phase.12.attachment_m", "[0.5, 0, 0]");
+        let toml = case.to_toml();
+        assert!(
+            toml.contains("\n[[phase]]\nname = \"drogue\"\naltitude_m = \"31 km\"\n\n[[phase]]\n")
+        );
+        assert_eq!(toml.matches("[[phase]]").count(), 12);
+        assert_eq!(Case::from_toml(&toml).unwrap(), case);
+        assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
     }
 }

@@ -28,93 +28,16 @@ use crate::heating::{Flow, HeatFlux};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::geodetic::{DOWNRANGE_SPHERE_RADIUS_M, Geodetic};
 use crate::planet::horizon::Velocity;
-use numerics::math;
+use numerics::{math, root};
 
-/// Altitudes through whose densities the exponential goes, m.
-const FIT_M: [f64; 2] = [45_000.0, 65_000.0];
-/// Mach number of the drag coefficient.
-const MACH: f64 = 25.0;
+mod ending;
+mod entry;
+
+pub use ending::ending;
+pub use entry::Entry;
+
 /// Intervals of the sum over altitude.
 const INTERVALS: usize = 400;
-/// Least sine of the entry angle; shallower entries are taken as this.
-const SINE_MIN: f64 = 0.01;
-
-/// The constants of one entry.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
-    /// Entry speed relative to the planet, m/s.
-    pub speed_m_s: f64,
-    /// Sine of the angle below the horizon.
-    pub sine: f64,
-    /// Ballistic coefficient, kg/m².
-    pub ballistic_coefficient_kg_m2: f64,
-    /// Density at altitude zero, kg/m³.
-    pub surface_density_kg_m3: f64,
-    /// Scale height, m.
-    pub scale_height_m: f64,
-}
-
-impl Entry {
-    /// The constants of a mission and a vehicle.
-    pub fn of(mission: &Mission, body: &Body) -> Entry {
-        let density = |altitude_m: f64| mission.atmosphere.density_kg_m3(altitude_m);
-        let [low_m, high_m] = FIT_M;
-        let scale_height_m = (high_m - low_m) / math::ln(density(low_m) / density(high_m));
-        let drag_coefficient = match &body.drag {
-            Drag::Constant(coefficient) => *coefficient,
-            Drag::Table(table) => table.at(MACH),
-        };
-        Entry {
-            speed_m_s: mission.start.relative.speed_m_s,
-            sine: (-math::sin(mission.start.relative.flight_path_angle_rad)).max(SINE_MIN),
-            ballistic_coefficient_kg_m2: body.mass_kg
-                / (drag_coefficient * body.reference_area_m2).max(f64::MIN_POSITIVE),
-            surface_density_kg_m3: density(low_m) * math::exp(low_m / scale_height_m),
-            scale_height_m,
-        }
-    }
-
-    /// Density, kg/m³.
-    pub fn density_kg_m3(&self, altitude_m: f64) -> f64 {
-        self.surface_density_kg_m3 * math::exp(-altitude_m / self.scale_height_m)
-    }
-
-    /// Speed at an altitude, m/s.
-    pub fn speed_at_m_s(&self, altitude_m: f64) -> f64 {
-        let Entry {
-            speed_m_s,
-            sine,
-            ballistic_coefficient_kg_m2: beta,
-            scale_height_m: h,
-            ..
-        } = *self;
-        speed_m_s * math::exp(-self.density_kg_m3(altitude_m) * h / (2.0 * beta * sine))
-    }
-
-    /// Largest deceleration, m/s².
-    pub fn peak_deceleration_m_s2(&self) -> f64 {
-        let Entry {
-            speed_m_s: v,
-            sine,
-            scale_height_m: h,
-            ..
-        } = *self;
-        v * v * sine / (2.0 * math::exp(1.0) * h)
-    }
-
-    /// Altitude of the largest deceleration, m; below ground where the vehicle is too heavy to get that slow.
-    pub fn peak_deceleration_altitude_m(&self) -> f64 {
-        let Entry {
-            ballistic_coefficient_kg_m2: beta,
-            sine,
-            surface_density_kg_m3: rho_0,
-            scale_height_m: h,
-            ..
-        } = *self;
-        h * math::ln(rho_0 * h / (beta * sine))
-    }
-}
-
 /// Flies the closed form.
 pub fn fly(mission: &Mission, body: &Body, request: Request) -> Flight {
     let entry = Entry::of(mission, body);
@@ -122,13 +45,34 @@ pub fn fly(mission: &Mission, body: &Body, request: Request) -> Flight {
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
     let end_m = mission.stop.altitude_m.unwrap_or(0.0).min(start_m);
     let step_m = (start_m - end_m) / INTERVALS as f64;
-    for i in 0..=INTERVALS {
-        sum.visit(start_m - i as f64 * step_m);
-        if mission.stop.time_s.is_some_and(|end_s| sum.time_s >= end_s) {
+    sum.visit(start_m);
+    let end_s = mission.stop.time_s.unwrap_or(f64::INFINITY);
+    for i in 1..=INTERVALS {
+        let (above_m, altitude_m) = (
+            start_m - (i - 1) as f64 * step_m,
+            start_m - i as f64 * step_m,
+        );
+        if step_m <= 0.0 {
             break;
         }
+        let left_s = end_s - sum.time_s;
+        if sum.leg(altitude_m).time_s > left_s {
+            let gap = |altitude_m: f64| sum.leg(altitude_m).time_s - left_s;
+            let last_m = root::brent(gap, above_m, altitude_m, 1e-9 * step_m);
+            sum.visit(last_m.unwrap_or(altitude_m));
+            break;
+        }
+        sum.visit(altitude_m);
     }
     sum.flight(request)
+}
+
+/// A part of the way down.
+struct LegDown {
+    speed_m_s: f64,
+    entering_m_s: f64,
+    sine: f64,
+    time_s: f64,
 }
 
 /// The sum over altitude as it goes down.
@@ -173,6 +117,27 @@ impl<'a> Sum<'a> {
         }
     }
 
+    /// The way from the last altitude to another one below it.
+    fn leg(&self, altitude_m: f64) -> LegDown {
+        let entering_m_s = self.entry.speed_at_m_s(altitude_m);
+        let terminal_m_s = terminal_speed_m_s(self.mission, self.body, altitude_m);
+        let speed_m_s = entering_m_s.max(terminal_m_s);
+        let sine = if entering_m_s < speed_m_s {
+            1.0
+        } else {
+            self.entry.sine
+        };
+        let time_s = self.before.map_or(0.0, |(above_m, above_m_s, _)| {
+            (above_m - altitude_m) / (0.5 * (speed_m_s + above_m_s) * sine)
+        });
+        LegDown {
+            speed_m_s,
+            entering_m_s,
+            sine,
+            time_s,
+        }
+    }
+
     fn visit(&mut self, altitude_m: f64) {
         let Sum {
             mission,
@@ -181,8 +146,12 @@ impl<'a> Sum<'a> {
             ..
         } = *self;
         let air = mission.atmosphere.air(altitude_m);
-        let entering_m_s = entry.speed_at_m_s(altitude_m);
-        let speed_m_s = entering_m_s.max(terminal_speed_m_s(mission, body, altitude_m));
+        let LegDown {
+            speed_m_s,
+            entering_m_s,
+            sine,
+            time_s: dt,
+        } = self.leg(altitude_m);
         let density_kg_m3 = match mission.atmosphere {
             Atmosphere::Exponential(_) => air.density_kg_m3,
             _ => entry.density_kg_m3(altitude_m),
@@ -193,13 +162,7 @@ impl<'a> Sum<'a> {
             nose_radius_m: body.nose_radius_m,
         };
         let flux = mission.heating.heat_flux(&flow);
-        if let Some((above_m, speed_above_m_s, flux_above)) = self.before {
-            let sine = if entering_m_s < speed_m_s {
-                1.0
-            } else {
-                entry.sine
-            };
-            let dt = (above_m - altitude_m) / (0.5 * (speed_m_s + speed_above_m_s) * sine);
+        if let Some((above_m, _, flux_above)) = self.before {
             self.time_s += dt;
             self.downrange_m += (above_m - altitude_m) * (1.0 - sine * sine).max(0.0).sqrt() / sine;
             self.load.convective_w_m2 +=
@@ -334,6 +297,11 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
+            passed: Vec::new(),
+            pushed: None,
+            altitudes_m: [place.altitude_m, self.place.altitude_m],
+            phases: Vec::new(),
+            exits: 0,
             attitude: None,
             evaluations: 0,
         }

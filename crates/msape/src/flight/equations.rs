@@ -18,6 +18,8 @@
 
 use super::mission::{Body, Mission};
 use super::numbers::Numbers;
+use super::phase::{Change, Changed};
+use super::reach::Arguments;
 use crate::aero::Drag;
 use crate::heating::{Flow, HeatFlux, Radiation};
 use crate::planet::atmosphere::{Air, Piece};
@@ -64,6 +66,10 @@ pub struct Equations<'a, S: Scalar = f64> {
     /// How radiative heating is computed.
     pub radiation: Radiation<S>,
     numbers: Numbers<S>,
+    /// What the phases so far have changed besides.
+    changed: Changed<S>,
+    /// Number of phases so far, of one lane.
+    phase: usize,
     /// A/(2 m), m²/kg.
     half_area_over_mass: S,
 }
@@ -90,6 +96,8 @@ impl<'a, S: Scalar> Equations<'a, S> {
             ellipsoid: mission.planet.ellipsoid(),
             radiation: Radiation::exact(),
             half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
+            changed: Changed::nothing(),
+            phase: 0,
             numbers,
         }
     }
@@ -104,16 +112,75 @@ impl<'a, S: Scalar> Equations<'a, S> {
 
     /// Replaces the equations of one lane.
     pub fn set_lane(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
-        self.numbers.set_lane(lane, &of.numbers);
-        self.half_area_over_mass
-            .set_lane(lane, of.half_area_over_mass);
+        self.set_lane_numbers(lane, of);
         self.set_lane_state(lane, of);
     }
 
-    /// Replaces the piece of the atmosphere and the radiation of one lane.
+    fn set_lane_numbers(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
+        self.numbers.set_lane(lane, &of.numbers);
+        self.changed.set_lane(lane, &of.changed);
+        self.half_area_over_mass
+            .set_lane(lane, of.half_area_over_mass);
+    }
+
+    /// Replaces the piece of the atmosphere, the radiation and the phase of one lane.
     pub fn set_lane_state(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
         self.piece.set_lane(lane, &of.piece.lane(0));
         self.radiation.set_lane(lane, &of.radiation);
+        if !self.mission.phases.is_empty() {
+            self.set_lane_numbers(lane, of);
+        }
+    }
+
+    /// A phase that begins at a time, s.
+    pub fn change(&mut self, change: &Change, t: S) {
+        self.phase += 1;
+        let numbers = &mut self.numbers;
+        let replace = |number: &mut S, by: Option<f64>| {
+            if let Some(by) = by {
+                *number = S::constant(by);
+            }
+        };
+        replace(&mut numbers.mass_kg, change.mass_kg);
+        replace(&mut numbers.reference_area_m2, change.reference_area_m2);
+        replace(&mut numbers.drag_coefficient, change.drag_coefficient);
+        if change.drag_coefficient.is_some() {
+            self.changed.constant_drag = S::constant(1.0);
+        }
+        if let Some(canopy) = change.canopy {
+            self.changed.canopy_m2 = S::constant(canopy.drag_area_m2);
+            // At once is full by now.
+            (self.changed.canopy_since_s, self.changed.inflation_s) = match canopy.inflation_s {
+                0.0 => (t - 1.0, S::constant(1.0)),
+                inflation_s => (t, S::constant(inflation_s)),
+            };
+            self.changed.attachment_m = canopy.attachment_m.map(S::constant);
+        }
+        self.half_area_over_mass = numbers.reference_area_m2 * 0.5 / numbers.mass_kg;
+    }
+
+    /// What the phases so far have changed besides the numbers.
+    #[inline]
+    pub fn changed(&self) -> &Changed<S> {
+        &self.changed
+    }
+
+    /// Number of phases so far.
+    pub fn phase(&self) -> usize {
+        self.phase
+    }
+
+    /// Whether there are phases.
+    #[inline]
+    pub fn is_phased(&self) -> bool {
+        !self.mission.phases.is_empty()
+    }
+
+    /// Drag of the parachute over mass and speed, 1/s.
+    #[inline]
+    pub fn canopy_rate(&self, around: &Surroundings<S>, t: S) -> S {
+        around.density_kg_m3 * around.air_speed_m_s * self.changed.canopy_m2(t) * 0.5
+            / self.numbers.mass_kg
     }
 
     /// The numbers of the flight.
@@ -147,7 +214,16 @@ impl<'a, S: Scalar> Equations<'a, S> {
         let air_speed_m_s = (ux * ux + uy * uy + uz * uz).sqrt();
         let drag_coefficient = match &self.body.drag {
             Drag::Constant(_) => self.numbers.drag_coefficient,
-            Drag::Table(table) => table.at(air_speed_m_s / self.sound_m_s(local.altitude_m)),
+            Drag::Table(table) => {
+                let by_table = table.at(air_speed_m_s / self.sound_m_s(local.altitude_m));
+                if self.is_phased() {
+                    let constant = self.changed.constant_drag;
+                    let rest = S::constant(1.0) - constant;
+                    self.numbers.drag_coefficient * constant + by_table * rest
+                } else {
+                    by_table
+                }
+            }
         };
         Surroundings {
             altitude_m: local.altitude_m,
@@ -198,6 +274,25 @@ impl<'a, S: Scalar> Equations<'a, S> {
     /// Mean free path over the length of the body.
     pub fn knudsen(&self, around: &Surroundings<S>) -> S {
         self.air(around.altitude_m).mean_free_path_m / self.numbers.reference_length_m
+    }
+
+    /// With what tables may be looked up, in the order of [`super::reach::Argument`].
+    pub fn arguments(
+        &self,
+        t: S,
+        around: &Surroundings<S>,
+        total_alpha_rad: S,
+        knudsen: S,
+    ) -> Arguments<S> {
+        let speed_m_s = around.air_speed_m_s;
+        [
+            around.altitude_m,
+            speed_m_s,
+            speed_m_s / self.sound_m_s(around.altitude_m),
+            t,
+            total_alpha_rad,
+            knudsen,
+        ]
     }
 
     /// Heat fluxes at the stagnation point without margins, by the relations as they are.

@@ -14,12 +14,17 @@
 //! - \[samareh-2014\] section 3.2.
 
 mod course;
+mod ending;
 mod gate;
 mod marks;
 mod node;
+mod phases;
+mod watch;
 
 use super::equations::STATES;
 use super::motion::Motion;
+use super::phase::Stage;
+use super::reach::{Push, Span};
 use super::sample::Loads;
 use crate::outcome::Outcome;
 use crate::progress::{Progress, Unwatched};
@@ -31,7 +36,7 @@ use numerics::ode::{Integrator, Step, Tolerance};
 use numerics::scalar::{Mask, Scalar, Single};
 
 /// Trials of steps after which a flight is given up.
-const MOST_STEPS: u64 = 200_000;
+pub const MOST_STEPS: u64 = 200_000;
 /// Height over which the air changes and to which the error of a step is compared, m.
 const POSITION_SCALE_M: f64 = 1_000.0;
 /// Speed below which the error of a step does not shrink any more, m/s.
@@ -44,8 +49,8 @@ const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 pub struct Leg<const N: usize, S = f64> {
     /// The step with its dense output.
     pub step: Step<N, S>,
-    /// Piece of the atmosphere.
-    pub layer: usize,
+    /// Piece of the atmosphere and phase.
+    pub stage: Stage<S>,
     /// Loads at the end of the step.
     pub loads: Loads<S>,
 }
@@ -56,11 +61,23 @@ pub struct Record<const N: usize, S = f64> {
     /// State at the start.
     pub start: [S; N],
     /// Piece of the atmosphere at the start.
-    pub start_layer: usize,
+    pub start_stage: Stage<S>,
     /// Loads at the start.
     pub start_loads: Loads<S>,
     /// The steps, in order; none when the flight ends where it starts.
     pub legs: Vec<Leg<N, S>>,
+    /// Lowest and highest altitude between two steps, m.
+    pub altitudes_m: [f64; 2],
+    /// What was looked up in each axis of the tables of the case.
+    pub spans: Vec<Span>,
+    /// Axis of a table at whose end the flight was ended.
+    pub refused: Option<usize>,
+    /// Where the air pushed the vehicle.
+    pub pushed: Option<Push>,
+    /// Times and states at which phases began, with the stage that began.
+    pub begun: Vec<(S, [S; N], Stage<S>)>,
+    /// Number of times the vehicle has left the atmosphere and flown on.
+    pub exits: u32,
     /// How it ended.
     pub outcome: Outcome,
     /// Why, where the outcome needs a reason.
@@ -162,7 +179,7 @@ where
             {
                 let mut course = Course::new(&marks, motion, start);
                 if course.is_over() {
-                    let motion = course.motion;
+                    let motion = course.first;
                     done(index, &motion, course.into_record())?;
                 } else {
                     integrator.restart(lane, S::Lane::constant(0.0), &start);
@@ -186,7 +203,7 @@ where
                 if let Some((index, mut course)) = place.take() {
                     course.stop();
                     course.record.evaluations = integrator.statistics_of(lane).evaluations;
-                    let motion = course.motion;
+                    let motion = course.first;
                     done(index, &motion, course.into_record())?;
                 }
             }
@@ -222,7 +239,7 @@ where
                     course.record.evaluations = integrator.statistics_of(lane).evaluations;
                     let index = *index;
                     if let Some((_, course)) = place.take() {
-                        let motion = course.motion;
+                        let motion = course.first;
                         done(index, &motion, course.into_record())?;
                     }
                     continue;

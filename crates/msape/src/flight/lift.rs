@@ -8,19 +8,28 @@
 //! with a in m/s², q the dynamic pressure in Pa, A in m², m in kg, û the direction of flight relative to the air, ẑ the
 //! geodetic vertical and σ the angle of bank in rad, positive when the lift leans to the right.
 //!
+//! Where û is vertical, b̂ has no direction. In a fall lift that points down, at a bank beyond 90 deg, drives û into the vertical and
+//! holds it there, in a climb lift that points up: near it the lift fades, a = q A/m C_L f(s/ε) …, with s = |û × ẑ|,
+//! f(x) = x (3 − x²)/2 below 1, ε = E (1 ∓ cos σ)/2, so that û stays. The other way lift drives û away and does not fade; exactly at
+//! the vertical b̂ is that of the azimuth at the start.
+//!
 //! # Valid
-//! Where the flight is within 1e-9 rad of the vertical, lift has no direction and fades.
+//! E is assumed: a flight held vertical leans by a small part of it.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2.
 
 use super::equations::{Equations, Surroundings};
 use super::trim::Trim;
+use crate::aero::table::Extrapolation;
+use crate::planet::horizon::Horizon;
 use numerics::interp::Table1;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Mask, Scalar};
 
-/// Sine of the angle to the vertical within which lift fades.
+/// Sine of the angle to the vertical within which lift has the direction of the start.
 const UPRIGHT: f64 = 1e-9;
+/// Sine of the angle to the vertical within which lift fades that points straight down; assumed.
+const FADING: f64 = 0.03;
 
 /// Lift of a point mass.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,8 +47,8 @@ pub enum Source {
     OfDrag(f64),
     /// A coefficient, the same at every Mach number.
     Coefficient(f64),
-    /// A coefficient against Mach number.
-    Table(Table1),
+    /// A coefficient against Mach number, and the rule beyond its ends.
+    Table(Table1, Extrapolation),
     /// Lift and drag at the angle of attack where the moment about the centre of gravity is nothing.
     Trim(Trim),
 }
@@ -76,7 +85,7 @@ impl Lift {
         let lift = match &self.source {
             Source::OfDrag(ratio) => drag * *ratio,
             Source::Coefficient(coefficient) => S::constant(*coefficient),
-            Source::Table(table) => {
+            Source::Table(table, _) => {
                 table.at(around.air_speed_m_s / equations.sound_m_s(around.altitude_m))
             }
             Source::Trim(trim) => return trim.at(equations, around),
@@ -106,7 +115,13 @@ impl Lift {
         let v = around.air_speed_m_s;
         let rate = around.density_kg_m3 * v * equations.half_area_over_mass_m2_kg();
         let [ux, uy, uz] = around.air_velocity_m_s;
-        let [nx, ny, nz] = direction(&around.air_velocity_m_s, &around.up, self.bank_rad(t, v));
+        let held = || {
+            let azimuth_rad = equations.numbers().start.relative.azimuth_rad;
+            let (sin, cos) = (azimuth_rad.sin(), azimuth_rad.cos());
+            Horizon::new(around.up).vector([-sin, cos, S::constant(0.0)])
+        };
+        let bank_rad = self.bank_rad(t, v);
+        let [nx, ny, nz] = direction(&around.air_velocity_m_s, &around.up, [bank_rad, lift], held);
         let (along, across) = (-rate * drag, rate * v * lift);
         [
             along * ux + across * nx,
@@ -116,15 +131,40 @@ impl Lift {
     }
 }
 
-/// Direction of lift, a unit vector across the velocity; nothing where there is none.
-fn direction<S: Scalar>(velocity_m_s: &[S; 3], up: &[S; 3], bank_rad: S) -> [S; 3] {
+/// Direction of lift of a bank, rad, and a sign: a unit vector across the velocity, shorter where it fades; to the right is
+/// `held` at the vertical.
+fn direction<S: Scalar>(
+    velocity_m_s: &[S; 3],
+    up: &[S; 3],
+    [bank_rad, lift]: [S; 2],
+    held: impl Fn() -> [S; 3],
+) -> [S; 3] {
     let speed = length(velocity_m_s).max(S::constant(f64::MIN_POSITIVE));
     let u = velocity_m_s.map(|v| v / speed);
     let right = cross(&u, up);
-    let scale = S::constant(1.0) / length(&right).max(S::constant(UPRIGHT));
-    let right = right.map(|r| r * scale);
-    let above = cross(&right, &u);
+    let one = S::constant(1.0);
+    let upright = length(&right);
+    let scale = one / upright.max(S::constant(UPRIGHT));
+    let mut right = right.map(|r| r * scale);
+    let vertical = upright.less(S::constant(UPRIGHT));
+    if vertical.any() {
+        let held = held();
+        right = core::array::from_fn(|i| S::select(vertical, held[i], right[i]));
+    }
     let (sin, cos) = (bank_rad.sin(), bank_rad.cos());
+    let near = upright.less(S::constant(FADING));
+    if near.any() {
+        let zero = S::constant(0.0);
+        let climbs = zero.less(u[0] * up[0] + u[1] * up[1] + u[2] * up[2]);
+        let away = S::select(climbs, -cos, cos);
+        let away = S::select(lift.less(zero), -away, away);
+        let width = ((one - away) * (0.5 * FADING)).max(S::constant(f64::MIN_POSITIVE));
+        let part = (upright.max(S::constant(UPRIGHT)) / width).min(one);
+        let fading = part * (S::constant(3.0) - part * part) * 0.5;
+        let fading = S::select(near, fading, one);
+        right = right.map(|r| r * fading);
+    }
+    let above = cross(&right, &u);
     core::array::from_fn(|i| cos * above[i] + sin * right[i])
 }
 
@@ -148,24 +188,54 @@ mod tests {
     #[test]
     fn eastward_over_the_equator_lift_is_up_and_banked_right_it_is_south() {
         // x up, y east, z north
-        let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
+        let level = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert_eq!(level, [1.0, 0.0, 0.0]);
-        let banked = direction(&[0.0_f64, 5.0, 0.0], &[1.0, 0.0, 0.0], FRAC_PI_2);
+        let banked = direction(
+            &[0.0_f64, 5.0, 0.0],
+            &[1.0, 0.0, 0.0],
+            [FRAC_PI_2, 1.0],
+            NORTH,
+        );
         assert!((banked[2] + 1.0).abs() < 1e-15 && banked[0].abs() < 1e-15);
     }
 
     #[test]
     fn at_3_4_5_lift_is_across_the_velocity() {
         // climbing 4 of 5, going 3 of 5 eastward: lift leans back, (up, east) = (0.6, -0.8)
-        let [up, east, north] = direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], 0.0);
+        let [up, east, north] =
+            direction(&[4.0_f64, 3.0, 0.0], &[1.0, 0.0, 0.0], [0.0, 1.0], NORTH);
         assert!((up - 0.6).abs() < 1e-15 && (east + 0.8).abs() < 1e-15 && north == 0.0);
     }
 
+    const NORTH: fn() -> [f64; 3] = || [0.0, 0.0, 1.0];
+
     #[test]
-    fn straight_down_lift_has_no_direction() {
-        assert_eq!(
-            direction(&[-5.0_f64, 0.0, 0.0], &[1.0, 0.0, 0.0], 1.0),
-            [0.0; 3]
-        );
+    fn straight_down_lift_has_the_direction_of_the_start_and_none_where_it_points_down() {
+        // right is north, so that ahead is west: x up, y east, z north
+        let of = |bank: f64| direction(&[-5.0_f64, 0.0, 0.0], &[1.0, 0.0, 0.0], [bank, 1.0], NORTH);
+        assert_eq!(of(0.0), [0.0, -1.0, 0.0]);
+        let down = of(core::f64::consts::PI);
+        assert!(down.iter().all(|part| part.abs() < 1e-7), "{down:?}");
+    }
+
+    #[test]
+    fn lift_down_fades_evenly_into_the_vertical() {
+        let pi = core::f64::consts::PI;
+        let of = |down: f64, sine: f64, bank: f64, lift: f64| {
+            let u = [-down * (1.0 - sine * sine).sqrt(), sine, 0.0];
+            let [x, y, z] = direction(&u, &[1.0, 0.0, 0.0], [bank, lift], NORTH);
+            (x * x + y * y + z * z).sqrt()
+        };
+        let size = |sine: f64, bank: f64| of(1.0, sine, bank, 1.0);
+        assert!((size(FADING, pi) - 1.0).abs() < 1e-15);
+        // x = 1/2: ½ (3 − ¼)/2 = 0.6875
+        assert!((size(0.5 * FADING, pi) - 0.6875).abs() < 1e-12);
+        // at 90 deg over half the width
+        assert!((size(0.25 * FADING, FRAC_PI_2) - 0.6875).abs() < 1e-12);
+        assert!((size(1e-6, 0.0) - 1.0).abs() < 1e-12);
+        // The other way round for lift below zero, and in a climb.
+        assert!((of(1.0, 0.5 * FADING, 0.0, -1.0) - 0.6875).abs() < 1e-12);
+        assert!((of(-1.0, 0.5 * FADING, 0.0, 1.0) - 0.6875).abs() < 1e-12);
+        assert!((of(-1.0, 1e-6, pi, 1.0) - 1.0).abs() < 1e-12);
     }
 }

@@ -1,6 +1,7 @@
 //! What is flown, through what, from where, until when, how exactly.
 
 use super::freedom::Freedom;
+use super::phase::Phase;
 use crate::aero::Drag;
 use crate::heating::StagnationHeating;
 use crate::planet::Planet;
@@ -49,6 +50,20 @@ pub struct Stop {
     pub altitude_m: Option<f64>,
     /// Time after the start, s.
     pub time_s: Option<f64>,
+    /// Number of passes through the atmosphere after which leaving it ends the flight; absent, the first does, or where a
+    /// time is given, none.
+    pub passes: Option<u32>,
+}
+
+impl Stop {
+    /// Number of times the vehicle may leave the atmosphere on a bound orbit and come back.
+    pub fn exits(&self) -> u32 {
+        match (self.passes, self.time_s) {
+            (Some(passes), _) => passes.saturating_sub(1),
+            (None, Some(_)) => u32::MAX,
+            (None, None) => 0,
+        }
+    }
 }
 
 /// Which model flies.
@@ -100,6 +115,8 @@ pub struct Mission {
     pub heating: StagnationHeating,
     /// Emissivity of the wall for its radiative-equilibrium temperature.
     pub wall_emissivity: f64,
+    /// Phases, in the order in which they begin.
+    pub phases: Vec<Phase>,
     /// End of the flight.
     pub stop: Stop,
     /// How it is computed.

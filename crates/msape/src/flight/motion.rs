@@ -16,7 +16,9 @@
 use super::equations::{Equations, STATES, Surroundings};
 use super::freedom::Freedom;
 use super::integration::point_tolerance;
-use super::lift::Lift;
+use super::lift::{Lift, Source};
+use super::phase::Stage;
+use super::reach::Arguments;
 use super::sample::Loads;
 use crate::aero::{Drag, DragTable};
 use crate::planet::atmosphere::Piece;
@@ -68,8 +70,24 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         }
     }
 
+    /// With what tables may be looked up at a time, s; not a number where the motion has none.
+    fn arguments(&self, t: S, y: &[S; N]) -> Arguments<S>;
+
     /// Attitude and rates, where the motion has them.
     fn attitude(&self, y: &[S; N]) -> Option<AttitudeSample>;
+
+    /// The same motion, before any phase, in a stage of a flight.
+    #[inline]
+    fn in_stage(self, stage: &Stage<S>) -> Self {
+        let mut motion = self.in_layer(stage.layer);
+        let mission = motion.point().mission;
+        for phase in mission.phases.iter().take(stage.phases) {
+            motion
+                .point_mut()
+                .change(&phase.change, stage.canopy_since_s);
+        }
+        motion
+    }
 
     /// The same motion in another piece of the atmosphere.
     #[inline]
@@ -105,6 +123,24 @@ pub struct PointMass<'a, S: Scalar = f64> {
 }
 
 impl<S: Scalar> PointMass<'_, S> {
+    /// Aerodynamic force over mass, parachute included, planet-fixed axes, m/s².
+    #[inline]
+    fn force_over_mass_m_s2(&self, t: S, around: &Surroundings<S>) -> [S; 3] {
+        let u = around.air_velocity_m_s;
+        let force = match self.lift() {
+            None => {
+                let rate = self.point.drag_rate(around);
+                u.map(|u| -(rate * u))
+            }
+            Some(lift) => lift.force_over_mass_m_s2(&self.point, around, t),
+        };
+        if !self.point.is_phased() {
+            return force;
+        }
+        let rate = self.point.canopy_rate(around, t);
+        core::array::from_fn(|i| force[i] - rate * u[i])
+    }
+
     #[inline]
     fn lift(&self) -> Option<&Lift> {
         match &self.point.body.freedom {
@@ -144,11 +180,11 @@ impl<'a, S: Scalar> Motion<'a, STATES, S> for PointMass<'a, S> {
     #[inline]
     fn derivative(&self, t: S, y: &[S; STATES]) -> [S; STATES] {
         match self.lift() {
-            None => self.point.derivative(y),
-            Some(lift) => {
+            None if !self.point.is_phased() => self.point.derivative(y),
+            _ => {
                 let around = self.point.surroundings(y);
-                let force = lift.force_over_mass_m_s2(&self.point, &around, t);
-                self.point.moved_by(y, &around, force)
+                self.point
+                    .moved_by(y, &around, self.force_over_mass_m_s2(t, &around))
             }
         }
     }
@@ -157,9 +193,9 @@ impl<'a, S: Scalar> Motion<'a, STATES, S> for PointMass<'a, S> {
     fn loads_around(&self, t: S, y: &[S; STATES]) -> (Loads<S>, Surroundings<S>) {
         let around = self.point.surroundings(y);
         let deceleration_m_s2 = match self.lift() {
-            None => self.point.drag_rate(&around) * around.air_speed_m_s,
-            Some(lift) => {
-                let [x, y, z] = lift.force_over_mass_m_s2(&self.point, &around, t);
+            None if !self.point.is_phased() => self.point.drag_rate(&around) * around.air_speed_m_s,
+            _ => {
+                let [x, y, z] = self.force_over_mass_m_s2(t, &around);
                 (x * x + y * y + z * z).sqrt()
             }
         };
@@ -174,6 +210,23 @@ impl<'a, S: Scalar> Motion<'a, STATES, S> for PointMass<'a, S> {
             None => around.drag_coefficient,
             Some(lift) => lift.coefficients(&self.point, &around).drag,
         }
+    }
+
+    fn arguments(&self, t: S, y: &[S; STATES]) -> Arguments<S> {
+        let around = self.point.surroundings(y);
+        let none = S::constant(f64::NAN);
+        let trim = self.lift().and_then(|lift| match &lift.source {
+            Source::Trim(trim) => Some(trim),
+            _ => None,
+        });
+        let [alpha_rad, knudsen] = match trim {
+            None => [none; 2],
+            Some(trim) => {
+                let [mach, knudsen] = trim.mach_knudsen(&self.point, &around);
+                [trim.coefficients(mach, knudsen)[2], knudsen]
+            }
+        };
+        self.point.arguments(t, &around, alpha_rad, knudsen)
     }
 
     #[inline]

@@ -17,6 +17,7 @@
 use super::Peak;
 use super::integration::{Leg, Record};
 use super::motion::{Motion, head};
+use super::phase::Stage;
 use super::sample::{self, Loads};
 use numerics::ode::event;
 use numerics::scalar::Single;
@@ -70,21 +71,25 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
             if within {
                 take(self.searched(leg, self.part(leg, &nodes), &along));
             } else if ends[1] >= largest
-                && let Some(Leg { step, layer, .. }) = legs.get(leg)
+                && let Some(Leg { step, stage, .. }) = legs.get(leg)
             {
                 // A kink, or the end of the flight: the place between the steps is the peak.
-                take(self.peak(step.t1, &step.y1, *layer, &along));
+                take(self.peak(step.t1, &step.y1, stage, &along));
             }
+        }
+        // A phase begins with a jump.
+        for (t, y, stage) in &self.record.begun {
+            take(self.peak(*t, y, stage, &along));
         }
         peak.unwrap_or_else(|| self.start(&along))
     }
 
     /// Change of a quantity along a little of a step from an end of it, forward in time.
     fn rises(&self, leg: usize, end: End, along: &Along<M, N, S>) -> f64 {
-        let Some(Leg { step, layer, .. }) = self.record.legs.get(leg) else {
+        let Some(Leg { step, stage, .. }) = self.record.legs.get(leg) else {
             return 0.0;
         };
-        let motion = self.motion.in_layer(*layer);
+        let motion = self.motion.in_stage(stage);
         let little = (step.t1 - step.t0) * LITTLE;
         let [from, to] = match end {
             End::First => [step.t0, step.t0 + little],
@@ -150,24 +155,24 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
 
     /// The largest value within one step, its ends included; that of the start where there is no step.
     fn searched(&self, leg: usize, part: f64, along: &Along<M, N, S>) -> Peak<S> {
-        let Some(Leg { step, layer, .. }) = self.record.legs.get(leg) else {
+        let Some(Leg { step, stage, .. }) = self.record.legs.get(leg) else {
             return self.start(along);
         };
-        let motion = self.motion.in_layer(*layer);
+        let motion = self.motion.in_stage(stage);
         let t = event::top(step, |t| along(&motion, t, &step.at(t)), part);
-        self.peak(t, &step.at(t), *layer, along)
+        self.peak(t, &step.at(t), stage, along)
     }
 
     /// The value at the start.
     fn start(&self, along: &Along<M, N, S>) -> Peak<S> {
         let Record {
-            start, start_layer, ..
+            start, start_stage, ..
         } = self.record;
-        self.peak(S::constant(0.0), start, *start_layer, along)
+        self.peak(S::constant(0.0), start, start_stage, along)
     }
 
-    fn peak(&self, t: S, y: &[S; N], layer: usize, along: &Along<M, N, S>) -> Peak<S> {
-        let motion = self.motion.in_layer(layer);
+    fn peak(&self, t: S, y: &[S; N], stage: &Stage<S>, along: &Along<M, N, S>) -> Peak<S> {
+        let motion = self.motion.in_stage(stage);
         let around = motion.point().surroundings(&head(y));
         Peak {
             value: along(&motion, t, y),

@@ -164,9 +164,14 @@ pub fn record<'a, const N: usize, S: Single>(
         let angles = [attitude.total_alpha_rad, yaw, pitch, roll, p, q, r];
         angles.map(|angle| angle / RADIANS_PER_DEGREE)
     });
-    let row = row.map(S::value);
-    let values = row.into_iter().chain(attitude.into_iter().flatten());
+    let attitude: [Option<f64>; 7] = match attitude {
+        Some(angles) => angles.map(Some),
+        None => [None; 7],
+    };
+    let phase = equations.is_phased().then(|| equations.phase() as f64);
+    let row = row.map(|value| Some(value.value()));
+    let values = row.into_iter().chain(attitude).chain([phase]);
     for (column, value) in trajectory.values.iter_mut().zip(values) {
-        column.push(value);
+        column.extend(value);
     }
 }

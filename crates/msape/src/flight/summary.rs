@@ -5,6 +5,8 @@ use super::integration::{Leg, Record};
 use super::mission::Model;
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
+use super::phase::{Begun, Stage};
+use super::reach::{axes, passed};
 use super::sample;
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak};
@@ -32,10 +34,10 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     let dynamic_pressure = peaks.of(|l| l.dynamic_pressure_pa);
     let radiative = peaks.of(|l| l.heat_flux.radiative_w_m2);
     let margined = peaks.of(|l| mission.heating.margined(&l.heat_flux).total_w_m2());
-    let (t_end, y_end, layer_end) = flight.end();
+    let (t_end, y_end, stage_end) = flight.end();
     let start = sample::position(mission, &head(&record.start));
     let end = sample::position(mission, &head(&y_end));
-    let at_peak = flight.around(deceleration.time_s);
+    let (at_peak, [mass_kg, area_m2]) = flight.around(deceleration.time_s);
     Flight {
         model: Model::ThreeDof,
         entry_relative: numbers.start.relative,
@@ -52,19 +54,24 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
         convective_margin: mission.heating.options.margin,
         radiative_margin: mission.heating.radiative_margin,
         peak_wall_temperature_k: flight.wall_temperature_k(margined.time_s),
-        ballistic_coefficient_kg_m2: numbers.mass_kg / (at_peak * numbers.reference_area_m2),
+        ballistic_coefficient_kg_m2: mass_kg / (at_peak * area_m2),
         time_of_flight_s: t_end,
         final_altitude_m: end.altitude_m,
         final_speed_m_s: (y_end[3] * y_end[3] + y_end[4] * y_end[4] + y_end[5] * y_end[5]).sqrt(),
         final_flight_path_angle_rad: sample::flight_path_angle_rad(mission, &head(&y_end)),
         final_latitude_rad: end.latitude_rad,
         final_longitude_rad: end.longitude_rad,
-        final_density_kg_m3: (motion.in_layer(layer_end).point())
+        final_density_kg_m3: (motion.in_stage(&stage_end).point())
             .surroundings(&head(&y_end))
             .density_kg_m3,
         downrange_m: great_circle_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s.value()),
         trajectory: flight.trajectory(request),
+        passed: passed(&axes(mission, point.body), &record.spans, record.refused),
+        pushed: record.pushed,
+        altitudes_m: record.altitudes_m,
+        phases: flight.phases(),
+        exits: record.exits,
         attitude: None,
         evaluations: record.evaluations,
     }
@@ -116,10 +123,10 @@ struct Reading<'r, M, const N: usize, S> {
 }
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
-    fn end(&self) -> (S, [S; N], usize) {
+    fn end(&self) -> (S, [S; N], Stage<S>) {
         match self.record.legs.last() {
-            Some(leg) => (leg.step.t1, leg.step.y1, leg.layer),
-            None => (S::constant(0.0), self.record.start, self.record.start_layer),
+            Some(leg) => (leg.step.t1, leg.step.y1, leg.stage),
+            None => (S::constant(0.0), self.record.start, self.record.start_stage),
         }
     }
 
@@ -130,25 +137,59 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         legs.get(before.min(legs.len().saturating_sub(1)))
     }
 
-    fn state(&self, t: S) -> ([S; N], usize) {
+    fn state(&self, t: S) -> ([S; N], Stage<S>) {
         match self.leg(t.value()) {
-            Some(leg) => (leg.step.at(t), leg.layer),
-            None => (self.record.start, self.record.start_layer),
+            Some(leg) => (leg.step.at(t), leg.stage),
+            None => (self.record.start, self.record.start_stage),
         }
     }
 
-    /// Drag coefficient at an instant; never zero, so that it may divide.
-    fn around(&self, t: S) -> S {
-        let (y, layer) = self.state(t);
-        self.motion
-            .in_layer(layer)
-            .drag_coefficient(t, &y)
-            .max(S::constant(f64::MIN_POSITIVE))
+    /// Drag coefficient at an instant, never zero, so that it may divide; mass, kg, and reference area, m².
+    fn around(&self, t: S) -> (S, [S; 2]) {
+        let (y, stage) = self.state(t);
+        let motion = self.motion.in_stage(&stage);
+        let numbers = motion.point().numbers();
+        let drag_coefficient = motion.drag_coefficient(t, &y);
+        (
+            drag_coefficient.max(S::constant(f64::MIN_POSITIVE)),
+            [numbers.mass_kg, numbers.reference_area_m2],
+        )
+    }
+
+    /// The phases that began.
+    fn phases(&self) -> Vec<Begun<S>> {
+        let begun = &self.record.begun;
+        let of = |(i, (t, y, stage)): (usize, &(S, [S; N], Stage<S>))| {
+            let motion = self.motion.in_stage(stage);
+            let point = motion.point();
+            let around = point.surroundings(&head(y));
+            let loads = motion.loads(*t, y);
+            let name = point.mission.phases.get(i).map(|phase| phase.name.clone());
+            let during = |leg: &&Leg<N, S>| leg.stage.phases == i + 1;
+            let largest = self
+                .record
+                .legs
+                .iter()
+                .filter(during)
+                .fold(loads.deceleration_earth_g, |largest, leg| {
+                    largest.max(leg.loads.deceleration_earth_g)
+                });
+            Begun {
+                name: name.unwrap_or_default(),
+                time_s: *t,
+                altitude_m: around.altitude_m,
+                speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt(),
+                mach: around.air_speed_m_s / point.sound_m_s(around.altitude_m),
+                dynamic_pressure_pa: loads.dynamic_pressure_pa,
+                peak_deceleration_earth_g: largest,
+            }
+        };
+        begun.iter().enumerate().map(of).collect()
     }
 
     fn wall_temperature_k(&self, t: S) -> S {
-        let (y, layer) = self.state(t);
-        let motion = self.motion.in_layer(layer);
+        let (y, stage) = self.state(t);
+        let motion = self.motion.in_stage(&stage);
         let mission = motion.point().mission;
         let (loads, around) = motion.loads_around(t, &y);
         let margined = mission.heating.margined(&loads.heat_flux);
@@ -162,7 +203,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         let first = legs.partition_point(|leg| leg.step.t1.value() < t_peak);
         let mut before: Option<f64> = None;
         for leg in legs.iter().skip(first) {
-            let motion = self.motion.in_layer(leg.layer);
+            let motion = self.motion.in_stage(&leg.stage);
             let step = &leg.step;
             let span = [step.t0.value().max(t_peak), step.t1.value()];
             let mach = |t: S| sample::mach(motion.point(), &head(&step.at(t)));
@@ -186,31 +227,40 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         let mission = self.motion.point().mission;
         let start = sample::position(mission, &head(&self.record.start));
         let mut history = Trajectory::new();
-        let mut add = |t: S, y: &[S; N], layer: usize| {
-            sample::record(&mut history, &self.motion.in_layer(layer), t, y, &start);
+        let mut coarsened_s = None;
+        let mut add = |t: S, y: &[S; N], stage: &Stage<S>| {
+            sample::record(&mut history, &self.motion.in_stage(stage), t, y, &start);
         };
         match request {
             Request::Nothing => return None,
             Request::Steps => {
                 let zero = S::constant(0.0);
-                add(zero, &self.record.start, self.record.start_layer);
+                add(zero, &self.record.start, &self.record.start_stage);
                 for leg in &self.record.legs {
-                    add(leg.step.t1, &leg.step.y1, leg.layer);
+                    add(leg.step.t1, &leg.step.y1, &leg.stage);
                 }
             }
             Request::Uniform(step_s) => {
-                let (t_end, y_end, layer_end) = self.end();
-                let rows = (t_end.value() / step_s).min(MOST_ROWS) as u64;
+                let (t_end, y_end, stage_end) = self.end();
+                let asked_s = step_s;
+                let step_s = asked_s.max(t_end.value() / MOST_ROWS);
+                coarsened_s = (step_s > asked_s).then_some([asked_s, step_s]);
+                let rows = (t_end.value() / step_s) as u64;
                 for i in 0..=rows {
                     let t = i as f64 * step_s;
                     if t < t_end.value() {
                         let t = S::constant(t);
-                        let (y, layer) = self.state(t);
-                        add(t, &y, layer);
+                        let (y, stage) = self.state(t);
+                        add(t, &y, &stage);
                     }
                 }
-                add(t_end, &y_end, layer_end);
+                add(t_end, &y_end, &stage_end);
             }
+        }
+        history.coarsened_s = coarsened_s;
+        if !mission.phases.is_empty() {
+            let names = mission.phases.iter().map(|phase| phase.name.clone());
+            history.phases = core::iter::once("entry".to_string()).chain(names).collect();
         }
         Some(history)
     }

@@ -1,6 +1,8 @@
 //! The time history of a flight: one column a quantity, columns as in [`crate::quantity::trajectory`].
 
-use crate::quantity::trajectory::{Column, columns};
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
+use crate::quantity::trajectory::{Column, PHASE, columns};
 use serde::{Deserialize, Serialize};
 
 /// Which time history is wanted.
@@ -33,6 +35,10 @@ pub enum Request {
 pub struct Trajectory {
     /// Values by column.
     pub values: Vec<Vec<f64>>,
+    /// Uniform step that was asked for and the longer one that was taken, s, where there would have been too many rows.
+    pub coarsened_s: Option<[f64; 2]>,
+    /// Names of the phases, by the numbers of their column: entry, then those of the case.
+    pub phases: Vec<String>,
 }
 
 impl Trajectory {
@@ -40,7 +46,35 @@ impl Trajectory {
     pub fn new() -> Trajectory {
         Trajectory {
             values: vec![Vec::new(); columns().len()],
+            coarsened_s: None,
+            phases: Vec::new(),
         }
+    }
+
+    /// What is said of a history whose step was made longer.
+    pub fn finding(&self) -> Option<Finding> {
+        let [asked_s, taken_s] = self.coarsened_s?;
+        Some(Finding {
+            severity: Severity::Note,
+            model: "time history".to_string(),
+            key: "time_s".to_string(),
+            value: Some(taken_s),
+            valid: (None, None),
+            message: format!(
+                "At a step of {} s the history would have more than a million rows; its step is {} s.",
+                short(asked_s),
+                short(taken_s)
+            ),
+            source: "convention of this program".to_string(),
+            field: None,
+        })
+    }
+
+    /// The name for which a number of a column stands, where it stands for one.
+    pub fn name(&self, column: &Column, value: f64) -> Option<&str> {
+        let of_phase = column.key == PHASE;
+        let name = of_phase.then(|| self.phases.get(value as usize)).flatten();
+        name.map(String::as_str)
     }
 
     /// Number of rows.

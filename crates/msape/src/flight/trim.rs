@@ -18,6 +18,7 @@
 
 use super::equations::{Equations, Surroundings};
 use super::lift::DragAndLift;
+use super::reach::{Axis, of_database};
 use crate::aero::bridging::{CONTINUUM, FREE_MOLECULAR};
 use crate::aero::database::Database;
 use numerics::math;
@@ -36,6 +37,8 @@ const STEP_DEG: f64 = 5.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trim {
     diameter_m: f64,
+    /// Axes of the table of the case from which it comes, if it does.
+    pub axes: Vec<Axis>,
     /// One row a Mach number, one entry a Knudsen number: drag and lift coefficient, angle of trim in rad.
     grid: Vec<Vec<[f64; 3]>>,
 }
@@ -62,6 +65,7 @@ impl Trim {
             .collect();
         Trim {
             diameter_m: database.diameter_m,
+            axes: of_database(database),
             grid,
         }
     }
@@ -110,10 +114,23 @@ impl Trim {
         equations: &Equations<S>,
         around: &Surroundings<S>,
     ) -> DragAndLift<S> {
-        let air = equations.air(around.altitude_m);
-        let mach = around.air_speed_m_s / air.speed_of_sound_m_s;
-        let [drag, lift, _] = self.coefficients(mach, air.mean_free_path_m / self.diameter_m);
+        let [mach, knudsen] = self.mach_knudsen(equations, around);
+        let [drag, lift, _] = self.coefficients(mach, knudsen);
         DragAndLift { drag, lift }
+    }
+
+    /// Mach and Knudsen number at one state.
+    #[inline]
+    pub fn mach_knudsen<S: Scalar>(
+        &self,
+        equations: &Equations<S>,
+        around: &Surroundings<S>,
+    ) -> [S; 2] {
+        let air = equations.air(around.altitude_m);
+        [
+            around.air_speed_m_s / air.speed_of_sound_m_s,
+            air.mean_free_path_m / self.diameter_m,
+        ]
     }
 }
 

@@ -11,7 +11,8 @@
 //! the axes of the planet at the same instant.
 //!
 //! # Valid
-//! Everywhere; at the poles, where every way is south or north, east is that of the meridian of longitude nought.
+//! Everywhere; on the axis itself, where every way is south or north, east is that of the meridian of longitude nought. A start
+//! at a pole has the meridian of its longitude: its distance from the axis is tiny, but not nothing.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2; the horizon is geodetic as in \[samareh-2014\] section 3.2.
@@ -43,8 +44,8 @@ pub struct Horizon<S> {
     pub up: [S; 3],
 }
 
-/// Below this cosine of the latitude a position counts as a pole.
-const POLE: f64 = 1e-12;
+/// Below this cosine of the latitude a position counts as on the axis: its square would vanish.
+const POLE: f64 = 1e-150;
 
 impl<S: Scalar> Horizon<S> {
     /// The horizon that belongs to a vertical.

@@ -87,6 +87,12 @@ impl WindTable {
         })
     }
 
+    /// First and last altitude, m.
+    pub fn ends_m(&self) -> [f64; 2] {
+        let ends = [self.altitudes_m.first(), self.altitudes_m.last()];
+        ends.map(|altitude_m| altitude_m.copied().unwrap_or_default())
+    }
+
     #[inline]
     fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {
         let (first, last) = (self.altitudes_m.first(), self.altitudes_m.last());
@@ -107,6 +113,26 @@ impl WindTable {
 }
 
 impl Wind {
+    /// Greatest speed of the wind, m/s.
+    pub fn fastest_m_s(&self) -> f64 {
+        let speed = |east: f64, north: f64| (east * east + north * north).sqrt();
+        match self {
+            Wind::Calm => 0.0,
+            Wind::Constant {
+                eastward_m_s,
+                northward_m_s,
+            } => speed(*eastward_m_s, *northward_m_s),
+            Wind::Table(table) => {
+                let rows = table.altitudes_m.iter();
+                let speeds = rows.map(|altitude_m| {
+                    let [east, north] = table.east_north_m_s(*altitude_m);
+                    speed(east, north)
+                });
+                speeds.fold(0.0, f64::max)
+            }
+        }
+    }
+
     /// Eastward and northward wind at an altitude, m, in m/s.
     #[inline]
     pub fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {

@@ -4,16 +4,19 @@ use super::DesignProblem;
 use super::freedom::one_row;
 use super::heating::choice;
 use super::outline::rigid_body;
-use crate::aero::Drag;
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
 use crate::aero::database::Database;
 use crate::aero::standard::AeroBody;
-use crate::aero::table::{Content, Extrapolation, Given, Grid, Row};
+use crate::aero::table::{Content, Extrapolation, Given, Grid, Row, in_radians};
+use crate::aero::{Drag, DragTable, Own};
 use crate::case::{Case, InputError, Reader};
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
 use crate::flight::Request;
 use crate::library::{Library, named};
 use crate::planet::atmosphere::Atmosphere;
+use numerics::math::RADIANS_PER_DEGREE;
 
 const TABLE: &str = "vehicle.aerodynamics.table";
 const DAMPING_TABLE: &str = "vehicle.aerodynamics.damping_table";
@@ -156,8 +159,12 @@ pub(super) fn table_database(
 pub(super) fn table_drag(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Drag> {
     let grid = table(reader, library, diameter_m)?;
     let rows = grid.axial_force_rows();
-    match crate::aero::DragTable::try_new(&rows) {
-        Ok(table) => Some(Drag::Table(table)),
+    let own = Own {
+        key: TABLE,
+        extrapolation: grid.extrapolation,
+    };
+    match DragTable::try_new(&rows) {
+        Ok(table) => Some(Drag::Table(table.of_case(own))),
         Err(faults) => {
             faults
                 .iter()
@@ -167,7 +174,8 @@ pub(super) fn table_drag(reader: &mut Reader, library: &Library, diameter_m: f64
     }
 }
 
-fn extrapolation(reader: &mut Reader) -> Extrapolation {
+/// What holds beyond the ends of the tables of coefficients.
+pub(super) fn extrapolation(reader: &mut Reader) -> Extrapolation {
     match choice(reader, "vehicle.aerodynamics.extrapolation") {
         Some("extend") => Extrapolation::Extend,
         Some("refuse") => Extrapolation::Refuse,
@@ -203,13 +211,36 @@ fn table(reader: &mut Reader, library: &Library, diameter_m: f64) -> Option<Grid
 
 fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Option<Grid> {
     match Grid::try_new(rows, rule) {
-        Ok(grid) => Some(grid),
+        Ok(grid) => {
+            let largest_deg = grid.alpha_max_rad() / RADIANS_PER_DEGREE;
+            if in_radians(largest_deg) {
+                reader.findings.push(of_radians(key, largest_deg));
+            }
+            Some(grid)
+        }
         Err(faults) => {
             for fault in faults {
                 reader.fault(key, fault.replace("line ", "row "));
             }
             None
         }
+    }
+}
+
+/// What is said of angles that may be in radians.
+fn of_radians(key: &str, largest_deg: f64) -> Finding {
+    Finding {
+        severity: Severity::Exceeded,
+        model: key.to_string(),
+        key: "alpha_deg".to_string(),
+        value: Some(largest_deg),
+        valid: (Some(0.0), Some(180.0)),
+        message: format!(
+            "The largest angle of the table is {} deg, a part of pi: are its angles in rad?",
+            short(largest_deg)
+        ),
+        source: "the rows given".to_string(),
+        field: Some(key.to_string()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
 use super::freedom::{TOLERANCE_DATABASE, one_row};
+use super::phases::{Flown, phases};
 use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;
 use crate::aero::standard::AeroBody;
@@ -35,6 +36,7 @@ pub fn attitude_of_design(
     let mut reader = Reader::new(case);
     let input = design::design(&mut reader, library);
     remark_unused(&mut reader);
+    let phases = phases(&mut reader, Flown::Rigid);
     let given = attitude::given(&mut reader);
     let rates = one_row::<3>(&mut reader, "attitude.body_rates_deg_s").flatten();
     let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
@@ -63,9 +65,14 @@ pub fn attitude_of_design(
             .iter()
             .for_each(|fault| reader.fault("vehicle.inertia_kg_m2", fault.as_str()));
     }
-    let (Some(input), Some(given), Some(database), Ok(inertia), true) =
-        (input, given, database, inertia, reader.faults.is_empty())
-    else {
+    let (Some(input), Some(phases), Some(given), Some(database), Ok(inertia), true) = (
+        input,
+        phases,
+        given,
+        database,
+        inertia,
+        reader.faults.is_empty(),
+    ) else {
         return Err(reader.faults);
     };
     let of_outline = OfOutline {
@@ -74,6 +81,7 @@ pub fn attitude_of_design(
     };
     // What the case says of the integration is for its point mass.
     let mut mission = input.mission.clone();
+    mission.phases = phases;
     mission.solver.model = Model::ThreeDof;
     mission.solver.method = Method::DormandPrince853;
     mission.solver.tolerance = mission.solver.tolerance.min(TOLERANCE_DATABASE);

@@ -1,12 +1,13 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{database, table_database, table_drag};
+use super::aerodynamics::{database, extrapolation, table_database, table_drag};
+use super::entering::{above_end, descends};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
 use super::planet::{atmosphere, planet, wind};
 use crate::aero::standard::AeroBody;
-use crate::aero::{Drag, DragTable};
+use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
 use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
 use crate::flight::six_dof::aerodynamics::OfOutline;
@@ -40,6 +41,14 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let stop = stop(reader);
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
+    if let (Some(start), Some(solver)) = (&start, &solver) {
+        descends(reader, start, solver, angle);
+        if let (Angle::Descending, Some(planet)) =
+            (angle, planet.as_ref().map(|(planet, _)| planet))
+        {
+            above_end(reader, planet, start, stop);
+        }
+    }
     Some(Mission {
         planet: planet?.0,
         atmosphere: atmosphere?,
@@ -47,6 +56,7 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         start: start?,
         heating,
         wall_emissivity,
+        phases: Vec::new(),
         stop,
         solver: solver?,
     })
@@ -138,10 +148,12 @@ fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
 fn stop(reader: &mut Reader) -> Stop {
     let altitude_m = reader.number("stop.altitude_m");
     let time_s = reader.number("stop.time_s");
+    let passes = reader.number("stop.passes");
     let nothing_given = !reader.given("stop.altitude_m") && !reader.given("stop.time_s");
     Stop {
         altitude_m: if nothing_given { Some(0.0) } else { altitude_m },
         time_s,
+        passes: passes.map(|passes| passes as u32),
     }
 }
 
@@ -331,8 +343,12 @@ fn drag(
                 .iter()
                 .filter_map(|row| Some((*row.first()?, *row.get(1)?)))
                 .collect();
+            let own = Own {
+                key: "vehicle.drag_table",
+                extrapolation: extrapolation(reader),
+            };
             match DragTable::try_new(&rows) {
-                Ok(table) => Some(Drag::Table(table)),
+                Ok(table) => Some(Drag::Table(table.of_case(own))),
                 Err(faults) => {
                     faults
                         .iter()

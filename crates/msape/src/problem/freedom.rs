@@ -1,8 +1,10 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
+use super::aerodynamics::extrapolation;
 use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
+use crate::aero::table::Extrapolation;
 use crate::case::Reader;
 use crate::finding::{Finding, Severity};
 use crate::flight::freedom::Freedom;
@@ -248,7 +250,14 @@ fn lift(reader: &mut Reader) -> Option<Option<Source>> {
         None => return Some(None),
         Some(key) if key == LIFT[0] => Source::OfDrag(reader.number(key)?),
         Some(key) if key == LIFT[1] => Source::Coefficient(reader.number(key)?),
-        Some(key) => Source::Table(table(reader, key, 1.0)?),
+        Some(key) => {
+            let rule = extrapolation(reader);
+            let end = match rule {
+                Extrapolation::Extend => End::Extrapolate,
+                Extrapolation::Hold | Extrapolation::Refuse => End::Hold,
+            };
+            Source::Table(table(reader, key, 1.0, end)?, rule)
+        }
     }))
 }
 
@@ -256,13 +265,58 @@ fn bank(reader: &mut Reader) -> Option<Bank> {
     Some(match one_of(reader, &BANK, "the angle of bank").ok()? {
         None => Bank::Constant(0.0),
         Some(key) if key == BANK[0] => Bank::Constant(reader.number(key)? * RADIANS_PER_DEGREE),
-        Some(key) if key == BANK[1] => Bank::OfTime(table(reader, key, RADIANS_PER_DEGREE)?),
-        Some(key) => Bank::OfSpeed(table(reader, key, RADIANS_PER_DEGREE)?),
+        Some(key) if key == BANK[1] => Bank::OfTime(bank_table(reader, key)?),
+        Some(key) => Bank::OfSpeed(bank_table(reader, key)?),
     })
 }
 
-/// A table of two columns, the second times a factor; ends held.
-fn table(reader: &mut Reader, key: &str, factor: f64) -> Option<Table1> {
+/// A table of the angle of bank, rad; between two rows within half a turn of upright it goes the shorter way.
+fn bank_table(reader: &mut Reader, key: &str) -> Option<Table1> {
+    let mut rows = reader.rows(key)?;
+    let pairs = |rows: &[Vec<f64>]| -> Vec<f64> {
+        rows.iter().filter_map(|row| row.get(1)).copied().collect()
+    };
+    let given = pairs(&rows);
+    if given.iter().all(|angle| angle.abs() <= HALF_TURN_DEG) {
+        let mut before = given.first().copied().unwrap_or_default();
+        for row in &mut rows {
+            if let Some(angle) = row.get_mut(1) {
+                let turns = ((*angle - before) / (2.0 * HALF_TURN_DEG)).abs();
+                if turns > 0.5 {
+                    let nearest = ((before - *angle) / (2.0 * HALF_TURN_DEG)).round();
+                    *angle += nearest * 2.0 * HALF_TURN_DEG;
+                }
+                before = *angle;
+            }
+        }
+    }
+    if pairs(&rows) != given {
+        reader.findings.push(Finding {
+            severity: Severity::Note,
+            model: "bank".to_string(),
+            key: key.to_string(),
+            value: None,
+            valid: (None, None),
+            message: "Between rows more than 180 deg apart the bank goes the shorter way, through 180 deg. For the other way write angles beyond 180 deg, or a row between.".to_string(),
+            source: "convention of this program".to_string(),
+            field: Some(key.to_string()),
+        });
+    }
+    let column = |i: usize, factor: f64| -> Vec<f64> {
+        let cells = rows.iter().filter_map(|row| row.get(i));
+        cells.map(|x| x * factor).collect()
+    };
+    let table = Table1::try_new(&column(0, 1.0), &column(1, RADIANS_PER_DEGREE), End::Hold);
+    table
+        .map_err(|error| reader.fault(key, error.to_string()))
+        .ok()
+}
+
+/// Half a turn, deg.
+const HALF_TURN_DEG: f64 = 180.0;
+
+/// A table of two columns, the second times a factor.
+fn table(reader: &mut Reader, key: &str, factor: f64, end: End) -> Option<Table1> {
     let rows = reader.rows(key)?;
     let column = |i: usize, factor: f64| -> Vec<f64> {
         rows.iter()
@@ -270,7 +324,7 @@ fn table(reader: &mut Reader, key: &str, factor: f64) -> Option<Table1> {
             .map(|x| x * factor)
             .collect()
     };
-    match Table1::try_new(&column(0, 1.0), &column(1, factor), End::Hold) {
+    match Table1::try_new(&column(0, 1.0), &column(1, factor), end) {
         Ok(table) => Some(table),
         Err(error) => {
             reader.fault(key, error.to_string());

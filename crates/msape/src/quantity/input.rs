@@ -5,6 +5,7 @@ mod attitude;
 mod design;
 mod mission;
 mod outline;
+pub mod phase;
 mod vehicle;
 
 use crate::units::{Dimension, Unit, canonical};
@@ -131,6 +132,35 @@ pub enum Choices {
     DesignAerodynamics,
     /// Outlines of the library.
     Outlines,
+}
+
+/// Range of the cells of a column of any table, by its name; the signs of attitude and the like are free.
+///
+/// ```
+/// use msape::quantity::input::range_of_column;
+/// assert!(!range_of_column("altitude_m").contains(1e12));
+/// ```
+pub fn range_of_column(name: &str) -> Range {
+    match name {
+        "altitude_m" => Range::closed(-1e5, 1e9),
+        "density_kg_m3" => Range::closed(0.0, 1e4),
+        "temperature_K" => Range::above(0.0, 1e5),
+        "pressure_Pa" => Range::closed(0.0, 1e12),
+        "eastward_m_s" | "northward_m_s" => Range::closed(-2e3, 2e3),
+        "mach" => Range::closed(0.0, 1e3),
+        "speed_m_s" => Range::closed(0.0, 1e5),
+        "time_s" => Range::closed(-1e7, 1e7),
+        // Nought stands for none, where the altitude is given in its place.
+        "knudsen" => Range::closed(0.0, 1e12),
+        "alpha_deg" => Range::closed(-180.0, 180.0),
+        "bank_deg" => Range::closed(-36_000.0, 36_000.0),
+        "p_deg_s" | "q_deg_s" | "r_deg_s" => Range::closed(-36_000.0, 36_000.0),
+        "ca" | "cn" | "cm" | "cmq" | "lift_coefficient" => Range::closed(-100.0, 100.0),
+        "drag_coefficient" => Range::closed(0.0, 100.0),
+        "x_m" | "y_m" | "z_m" | "r_m" => Range::closed(-1e4, 1e4),
+        // Elements of inertia, kg-m², and of a quaternion.
+        _ => Range::closed(-1e9, 1e9),
+    }
 }
 
 /// A column of an input table.
@@ -323,11 +353,25 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         .chain(outline::INPUTS)
         .chain(attitude::INPUTS)
         .chain(aerodynamics::INPUTS)
+        .chain(phase::INPUTS)
 }
 
-/// The input with this key or alias.
+/// The input with this key or alias; of a key of one phase, such as `phase.2.mach`, the one that stands for all.
 pub fn find(key: &str) -> Option<&'static Input> {
+    let numbered = phase::numbered(key);
+    let key = numbered.as_ref().map_or(key, |(_, key)| key);
     inputs().find(|input| input.key == key || input.aliases.contains(&key))
+}
+
+/// The key under which a case keeps an input: aliases give way to it, a phase without number is the first.
+pub fn canonical_key(key: &str) -> String {
+    match (find(key), phase::numbered(key)) {
+        (Some(_), Some(_)) | (None, _) => key.to_string(),
+        (Some(input), None) => match input.key.strip_prefix("phase.") {
+            Some(name) => format!("{}.1.{name}", phase::SECTION),
+            None => input.key.to_string(),
+        },
+    }
 }
 
 #[cfg(test)]

@@ -43,6 +43,9 @@ pub fn find(key: &str) -> Option<&'static Column> {
     COLUMNS.iter().find(|column| column.key == key)
 }
 
+/// Key of the column whose numbers stand for the names of phases.
+pub const PHASE: &str = "phase";
+
 static COLUMNS: &[Column] = &[
     column(
         "time_s",
@@ -288,6 +291,13 @@ static COLUMNS: &[Column] = &[
         Dimension::BodyRate,
         "deg/s",
         "Inertial rate about the axis down; six degrees of freedom only.",
+    ),
+    column(
+        PHASE,
+        "Phase",
+        Dimension::One,
+        "",
+        "Name of the phase, entry before the first; where a case has phases.",
     ),
 ];
 

@@ -77,18 +77,26 @@ fn write_track(
     text.write_str("</Document>\n</kml>\n")
 }
 
-struct Event {
-    name: &'static str,
+struct Event<'a> {
+    name: &'a str,
     time_s: f64,
     what: String,
 }
 
-fn events(flight: &Flight) -> [Event; 4] {
+fn event_at(name: &str, time_s: f64, what: String) -> Event<'_> {
+    Event { name, time_s, what }
+}
+
+fn events(flight: &Flight) -> Vec<Event<'_>> {
     let heating = &flight.peak_total_heat_flux_w_m2;
     let load = &flight.peak_deceleration_earth_g;
-    let event = |name, time_s, what| Event { name, time_s, what };
+    let event = event_at;
     let heat_flux_w_cm2 = heating.value / 1e4;
-    [
+    let phases = flight.phases.iter().map(|phase| {
+        let what = format!("Mach {}", rounded(phase.mach, 4));
+        event(&phase.name, phase.time_s, what)
+    });
+    let mut events = vec![
         event(
             "Entry",
             0.0,
@@ -109,10 +117,12 @@ fn events(flight: &Flight) -> [Event; 4] {
             flight.time_of_flight_s,
             format!("{} m/s", rounded(flight.final_speed_m_s, 6)),
         ),
-    ]
+    ];
+    events.extend(phases);
+    events
 }
 
-impl Event {
+impl Event<'_> {
     fn write(&self, text: &mut dyn fmt::Write, track: &Track, epoch: Instant) -> fmt::Result {
         let place = track.at(self.time_s);
         write!(
@@ -120,7 +130,7 @@ impl Event {
             "<Placemark>\n<name>{}</name>\n<description>{}, {} s after the start, geodetic altitude {} m</description>\n\
              <TimeStamp><when>{}</when></TimeStamp>\n\
              <Point><altitudeMode>absolute</altitudeMode><coordinates>{},{},{}</coordinates></Point>\n</Placemark>\n",
-            self.name,
+            escaped(self.name),
             escaped(&self.what),
             rounded(self.time_s, 6),
             rounded(place.altitude_m, 6),

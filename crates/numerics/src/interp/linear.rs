@@ -11,6 +11,7 @@ use crate::scalar::Scalar;
 /// Table of y against x, linear between its rows; exact at each row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table1 {
+    ends: [f64; 2],
     range: [f64; 2],
     /// xᵢ, yᵢ, slope.
     rows: Rows<3>,
@@ -32,10 +33,17 @@ impl Table1 {
         let last_slope = rows.last().map_or(0.0, |row| row[2]);
         // The last row's line passes through the last point itself.
         rows.extend(points().next_back().map(|(x, y)| [x, y, last_slope]));
+        let ends = range(x, End::Hold);
         Ok(Self {
+            ends,
             range: range(x, end),
             rows: Rows::new(Search::Binary(x.to_vec()), before, rows),
         })
+    }
+
+    /// First and last abscissa.
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
     }
 
     /// Value at `x`.

@@ -10,6 +10,7 @@
 //! # References
 //! - Own convention.
 
+use super::push::pushes;
 use super::row::{Row, body_axes};
 use super::{Content, Extrapolation, Given, Grid};
 use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
@@ -33,6 +34,7 @@ impl Grid {
             faults.push("the table holds no row".to_string());
         }
         if faults.is_empty() {
+            pushes(rows, &mut faults);
             order(rows, &mut faults);
         }
         let rows = if faults.is_empty() {

@@ -15,15 +15,19 @@
 //! - Own convention.
 
 use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
-use super::marks::{DEEPEST_M, Marks};
+use super::marks::Marks;
 use super::node::{Node, Place};
+use super::watch::Energy;
 use super::{Keep, Leg, Record};
+use crate::flight::LANDED_WITHIN_M;
 use crate::flight::motion::Motion;
+use crate::flight::phase::Stage;
+use crate::flight::reach::Span;
 use crate::flight::sample::Loads;
 use crate::heating::Radiation;
 use crate::outcome::Outcome;
 use crate::planet::Gravity;
-use numerics::ode::{OdeError, Step};
+use numerics::ode::Step;
 use numerics::scalar::{Mask, Scalar, Single};
 
 /// Speed below which a step may end on its dense output, m/s.
@@ -36,14 +40,20 @@ const USUAL_LEGS: usize = 256;
 /// A flight under way.
 pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) marks: &'m Marks,
+    /// The motion as it was before it began, with which its record is read.
+    pub first: M,
     /// The motion as it is now: in its piece of the atmosphere, with or without radiation.
     pub motion: M,
     /// What has been flown.
     pub record: Record<N, S>,
     /// Where the next step must end at the latest, s.
     pub limit_s: S,
-    /// Index of the piece of the atmosphere.
-    pub(super) layer: usize,
+    /// Piece of the atmosphere and phase.
+    pub(super) stage: Stage<S>,
+    /// When the parachute is full, s, where that is ahead.
+    pub(super) full_s: Option<f64>,
+    /// Energy so far, where it is watched.
+    pub(super) energy: Energy,
     /// Altitude at the start, m.
     start_m: f64,
     /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
@@ -75,6 +85,7 @@ pub(super) enum Next<const N: usize, S> {
 impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S> {
     /// A flight that begins.
     pub fn new(marks: &'m Marks, mut motion: M, start: [S; N]) -> Self {
+        let first = motion;
         let point = motion.point();
         let mission = point.mission;
         let local = mission.planet.local([start[0], start[1], start[2]]);
@@ -92,20 +103,30 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             };
         }
         let (here, loads) = Node::of(&motion, S::constant(0.0), &start).lane(0);
-        Self {
+        let stage = Stage::of_layer(layer);
+        let mut course = Self {
             marks,
+            first,
             motion,
             record: Record {
                 start,
-                start_layer: layer,
+                start_stage: stage,
                 start_loads: loads,
                 legs: Vec::with_capacity(USUAL_LEGS),
+                altitudes_m: [altitude_m; 2],
+                spans: vec![Span::EMPTY; marks.axes.len()],
+                refused: None,
+                pushed: None,
+                begun: Vec::new(),
+                exits: 0,
                 outcome: Outcome::Stopped,
                 reason: None,
                 evaluations: 0,
             },
             limit_s: S::constant(marks.end_s),
-            layer,
+            stage,
+            full_s: None,
+            energy: Energy::UNKNOWN,
             start_m: altitude_m,
             exit_m,
             turned_up: false,
@@ -113,27 +134,29 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             awaited: None,
             largest: [0.0; 4],
             quiet: [false; 2],
-        }
+        };
+        course.look(S::constant(0.0), &start);
+        course.is_unstable(&start);
+        course
     }
 
     /// Whether the flight ends where it starts.
     pub fn is_over(&mut self) -> bool {
-        let over = self.here.altitude_m <= self.marks.ground_m && self.here.climb_m_s < 0.0;
-        if over {
+        if self.here.altitude_m <= self.marks.ground_m && self.here.climb_m_s < 0.0 {
             self.land();
+            return true;
         }
-        over
+        let refused = self.refused(S::constant(0.0), &self.record.start);
+        if let Some(axis) = refused {
+            self.refuse(axis);
+        }
+        refused.is_some()
     }
 
     /// Part of the fall that is done, 0 to 1.
     pub fn part_done(&self) -> f64 {
         let fall_m = (self.start_m - self.marks.ground_m).max(1.0);
         ((self.start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0)
-    }
-
-    /// Ends a flight that is wanted no further.
-    pub fn stop(&mut self) {
-        self.record.reason = Some("stopped on request".to_string());
     }
 
     /// What has been flown.
@@ -151,17 +174,21 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     ) -> Next<N, S> {
         let end_s = step.t1.lane(lane).value();
         let (there, loads) = node.lane(lane);
+        if self.marks.wind_energy_j_kg.is_some() && self.is_unstable(&step.lane(lane).y1) {
+            // The step is not kept: its numbers are no flight.
+            return self.blow_up();
+        }
         if let Some(gate) = self.awaited {
             // The step was begun again to end at the gate; a part of it may come first.
-            self.add(step.lane(lane), there, loads);
             if end_s < self.limit_s.value() {
+                self.add(step.lane(lane), there, loads);
                 return Next::On;
             }
             self.awaited = None;
             self.limit_s = S::constant(self.marks.end_s);
-            return self.pass(gate);
+            return self.arrive(gate, step.lane(lane), there, loads);
         }
-        if self.is_clear(&there) {
+        if !self.is_watched() && self.is_clear(&there) {
             self.add(step.lane(lane), there, loads);
             if end_s >= self.marks.end_s {
                 return self.run_out();
@@ -169,6 +196,41 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             return Next::On;
         }
         self.stopped(step.lane(lane), there, loads)
+    }
+
+    /// The flight at the end of a step that was taken again to end at a gate.
+    fn arrive(
+        &mut self,
+        gate: Gate,
+        step: Step<N, S>,
+        there: Place,
+        loads: Loads<S>,
+    ) -> Next<N, S> {
+        let above_m = there.altitude_m - self.marks.ground_m;
+        if gate != Gate::Ground || above_m.abs() <= LANDED_WITHIN_M {
+            self.add(step, there, loads);
+            return self.pass(gate);
+        }
+        // The dense output, by which the end was foretold, is less exact than the step.
+        if above_m > 0.0 {
+            self.add(step, there, loads);
+            return Next::On;
+        }
+        let span = [step.t0.value(), step.t1.value()];
+        let t = self.reaches(&step, span, self.marks.ground_m);
+        self.cut(step, t, gate)
+    }
+
+    /// The flight at an instant of a step at which it passes a gate.
+    fn cut(&mut self, step: Step<N, S>, t: S, gate: Gate) -> Next<N, S> {
+        let step = step.cut(t);
+        let (t1, y1) = (step.t1, step.y1);
+        let (there, loads) = Node::of(&self.motion, t1, &y1).lane(0);
+        self.add(step, there, loads);
+        match self.pass(gate) {
+            Next::Over => Next::Over,
+            _ => Next::From(t1, y1),
+        }
     }
 
     /// The flight after a step that may run into something.
@@ -193,27 +255,28 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             self.add(step, there, loads);
             return self.pass(gate);
         }
-        if matches!(gate, Gate::Kink | Gate::Onset) || there.speed_m_s > SLOW_M_S {
-            self.awaited = Some(gate);
-            self.limit_s = t;
-            return Next::From(step.t0, step.y0);
+        let smooth = !matches!(gate, Gate::Kink | Gate::Onset | Gate::Full | Gate::Phase);
+        let at_once = matches!(gate, Gate::Refused(_)) || smooth && there.speed_m_s <= SLOW_M_S;
+        if at_once {
+            return self.cut(step, t, gate);
         }
-        let step = step.cut(t);
-        let (t1, y1) = (step.t1, step.y1);
-        let (there, loads) = Node::of(&self.motion, t1, &y1).lane(0);
-        self.add(step, there, loads);
-        match self.pass(gate) {
-            Next::Over => Next::Over,
-            _ => Next::From(t1, y1),
-        }
+        self.awaited = Some(gate);
+        self.limit_s = t;
+        Next::From(step.t0, step.y0)
     }
 
     #[inline]
     fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
         self.here = there;
+        let [lowest_m, highest_m] = self.record.altitudes_m;
+        self.record.altitudes_m = [
+            lowest_m.min(there.altitude_m),
+            highest_m.max(there.altitude_m),
+        ];
+        self.look_along(&step);
         let leg = Leg {
             step,
-            layer: self.layer,
+            stage: self.stage,
             loads,
         };
         let legs = &mut self.record.legs;
@@ -251,12 +314,25 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 return Next::Over;
             }
             Gate::Exit => {
+                let bound = self.energy_j_kg(&self.now().1) < 0.0;
+                if bound && self.record.exits < self.marks.exits {
+                    // It comes back: the next way out is that after the next turn upwards.
+                    self.record.exits += 1;
+                    self.turned_up = false;
+                    return Next::On;
+                }
                 self.leave();
                 return Next::Over;
             }
-            Gate::Floor => self.enter(self.layer.saturating_sub(1)),
-            Gate::Ceiling => self.enter(self.layer + 1),
+            Gate::Refused(axis) => {
+                self.refuse(axis);
+                return Next::Over;
+            }
+            Gate::Floor => self.enter(self.stage.layer.saturating_sub(1)),
+            Gate::Ceiling => self.enter(self.stage.layer + 1),
             Gate::Onset => self.motion.point_mut().radiation = Radiation::over(),
+            Gate::Phase => self.begin_phase(),
+            Gate::Full => self.full_s = None,
             Gate::Kink => return Next::On,
         }
         Next::Changed
@@ -268,6 +344,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let (here, marks) = (&self.here, self.marks);
         let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
         let floor_m = match self
+            .stage
             .layer
             .checked_sub(1)
             .and_then(|below| boundaries.get(below))
@@ -275,7 +352,10 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Some(floor_m) => floor_m.max(marks.ground_m),
             None => marks.ground_m,
         };
-        let ceiling_m = boundaries.get(self.layer).copied().unwrap_or(f64::INFINITY);
+        let ceiling_m = boundaries
+            .get(self.stage.layer)
+            .copied()
+            .unwrap_or(f64::INFINITY);
         let ceiling_m = self
             .exit_m
             .map_or(ceiling_m, |exit_m| exit_m.min(ceiling_m));
@@ -298,60 +378,15 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     }
 
     fn enter(&mut self, layer: usize) {
-        self.layer = layer;
+        self.stage.layer = layer;
         self.motion = self.motion.in_layer(layer);
     }
 
-    /// The state at which the integration stands.
-    fn state(&self) -> [S; N] {
-        (self.record.legs.last()).map_or(self.record.start, |leg| leg.step.y1)
-    }
-
-    fn land(&mut self) {
-        let (outcome, reason) = match self.motion.point().mission.stop.altitude_m {
-            Some(altitude_m) if altitude_m > 0.0 => (Outcome::Stopped, None),
-            Some(_) => (Outcome::Landed, None),
-            None => (
-                Outcome::Landed,
-                Some(format!("fell to {DEEPEST_M} m, below any ground")),
-            ),
-        };
-        (self.record.outcome, self.record.reason) = (outcome, reason);
-    }
-
-    fn leave(&mut self) {
-        let exit_km = self.exit_m.unwrap_or_default() / 1e3;
-        let bound = self.energy_j_kg(&self.state()) < 0.0;
-        let (outcome, orbit) = match bound {
-            true => (Outcome::Captured, "on a bound orbit"),
-            false => (Outcome::SkippedOut, "faster than escape speed"),
-        };
-        self.record.outcome = outcome;
-        self.record.reason = Some(format!("rose through {exit_km:.0} km again, {orbit}"));
-    }
-
-    fn run_out(&mut self) -> Next<N, S> {
-        let unasked = self.motion.point().mission.stop.time_s.is_none();
-        self.record.reason = unasked.then(|| "still in flight after 30 days".to_string());
-        Next::Over
-    }
-
-    /// Ends a flight that cannot be integrated further.
-    pub fn give_up(&mut self, fault: &OdeError) {
-        self.record.reason = Some(format!("the integration was given up: {fault}"));
-    }
-
-    /// Energy of the inertial motion over mass, J/kg; negative on a bound orbit.
-    pub(super) fn energy_j_kg(&self, y: &[S; N]) -> f64 {
-        let planet = &self.motion.point().mission.planet;
-        let Gravity::Zonal { mu_m3_s2, .. } = planet.gravity else {
-            return -1.0;
-        };
-        let [x, y, z, vx, vy, vz] = [y[0], y[1], y[2], y[3], y[4], y[5]].map(S::value);
-        let omega = planet.rotation_rate_rad_s;
-        let (vx, vy) = (vx - omega * y, vy + omega * x);
-        let radius_m = (x * x + y * y + z * z).sqrt();
-        0.5 * (vx * vx + vy * vy + vz * vz) - mu_m3_s2 / radius_m
+    /// Where the integration stands.
+    pub(super) fn now(&self) -> (S, [S; N]) {
+        let zero = S::constant(0.0);
+        (self.record.legs.last())
+            .map_or((zero, self.record.start), |leg| (leg.step.t1, leg.step.y1))
     }
 }
 

@@ -43,13 +43,19 @@ pub(super) enum Gate {
     Onset,
     /// Slows down to a kink of heating or drag.
     Kink,
+    /// Begins the next phase.
+    Phase,
+    /// Fills the parachute.
+    Full,
+    /// Leaves a table of the case, of which this is the axis, where the case refuses to go on.
+    Refused(usize),
 }
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     /// The first gate through which a step passes, and when.
     pub(super) fn first_gate(&mut self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
         let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
-        let layer = self.layer;
+        let layer = self.stage.layer;
         let floor_m = layer
             .checked_sub(1)
             .and_then(|below| boundaries.get(below))
@@ -76,7 +82,14 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
                 self.gate_in(step, [t_turn, ends[1]], ends_m, [floor_m, ceiling_m])
             })
         };
-        let kinks = [self.speed_kink(step), self.mach_kink(step, there)];
+        let refused = self.refused_in(step);
+        let kinks = [
+            self.speed_kink(step),
+            self.mach_kink(step, there),
+            self.phase_in(step),
+            self.filled_in(step),
+            refused.map(|(t, axis)| (t, Gate::Refused(axis))),
+        ];
         kinks
             .into_iter()
             .flatten()
@@ -143,8 +156,11 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
                 Some(floor_m) if floor_m > self.marks.ground_m => (floor_m, Gate::Floor),
                 _ => (self.marks.ground_m, Gate::Ground),
             };
-            // What begins below the ground was climbing and has not been above it.
-            let below = end_m < level_m && (gate == Gate::Floor || start_m >= level_m);
+            if gate == Gate::Ground && start_m < level_m {
+                // It was below, climbed and now falls: it will not come above any more.
+                return Some((step.time(span[0]), gate));
+            }
+            let below = end_m < level_m;
             return below.then(|| (self.reaches(step, span, level_m), gate));
         }
         let leaves =
@@ -159,14 +175,24 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         (end_m > level_m).then(|| (self.reaches(step, span, level_m), gate))
     }
 
-    fn reaches(&self, step: &Step<N, S>, span: [f64; 2], level_m: f64) -> S {
+    pub(super) fn reaches(&self, step: &Step<N, S>, span: [f64; 2], level_m: f64) -> S {
         self.when(step, span, |y| self.altitude_m(y) - level_m)
     }
 
     /// When `g` is zero between two instants of a step at which its signs differ, on their later side; the later one where
     /// they do not.
     fn when(&self, step: &Step<N, S>, span: [f64; 2], g: impl Fn(&[S; N]) -> S) -> S {
-        let along = |t: S| g(&step.at(t));
+        self.when_at(step, span, |y, _| g(y))
+    }
+
+    /// The same for a quantity that depends on the time, too.
+    pub(super) fn when_at(
+        &self,
+        step: &Step<N, S>,
+        span: [f64; 2],
+        g: impl Fn(&[S; N], S) -> S,
+    ) -> S {
+        let along = |t: S| g(&step.at(t), t);
         let tolerance = TOLERANCE * (step.t1 - step.t0).value();
         root_between(step, along, span, tolerance).unwrap_or(step.time(span[1]))
     }

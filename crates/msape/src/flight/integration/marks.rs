@@ -15,6 +15,8 @@
 use super::Keep;
 use crate::aero::DragTable;
 use crate::flight::motion::Motion;
+use crate::flight::reach::{Axis, axes, may_push};
+use numerics::ode::Method;
 use numerics::scalar::Single;
 
 /// Longest flight, s: 30 days.
@@ -37,6 +39,16 @@ pub(super) struct Marks {
     pub ground_m: f64,
     /// Time that ends a flight, s.
     pub end_s: f64,
+    /// Axes of the tables of the case that are looked up.
+    pub axes: Vec<Axis>,
+    /// Whether the case refuses to go on beyond one of them.
+    pub refuses: bool,
+    /// Whether the drag coefficient may fall below zero.
+    pub may_push: bool,
+    /// Energy that the wind may give, J/kg, where the step is fixed and the energy is watched.
+    pub wind_energy_j_kg: Option<f64>,
+    /// Number of times the vehicle may leave the atmosphere before that ends its flight.
+    pub exits: u32,
     /// Which steps are kept.
     pub keep: Keep,
 }
@@ -44,7 +56,8 @@ pub(super) struct Marks {
 impl Marks {
     /// The marks of a motion.
     pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
-        let mission = motion.point().mission;
+        let (mission, body) = (motion.point().mission, motion.point().body);
+        let axes = axes(mission, body);
         let heating = &mission.heating;
         let mut kinks_m_s = heating.radiative.kinks_m_s();
         kinks_m_s.extend(heating.convective.kink_m_s());
@@ -59,6 +72,12 @@ impl Marks {
                 .collect(),
             ground_m: mission.stop.altitude_m.unwrap_or(DEEPEST_M),
             end_s: mission.stop.time_s.unwrap_or(LONGEST_FLIGHT_S),
+            refuses: axes.iter().any(Axis::refuses),
+            axes,
+            may_push: may_push(body),
+            wind_energy_j_kg: matches!(mission.solver.method, Method::Rk4 { .. })
+                .then(|| 4.0 * mission.wind.fastest_m_s() * mission.wind.fastest_m_s()),
+            exits: mission.stop.exits(),
             keep,
         }
     }

@@ -103,6 +103,38 @@ pub struct Load {
     pub moment_n_m: [f64; 3],
 }
 
+impl Load {
+    /// The same with a parachute that pulls at a point, given like the centre of gravity, m, against the velocity that the
+    /// point has relative to the air.
+    ///
+    /// ```text
+    /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F
+    /// ```
+    pub fn with_canopy(
+        self,
+        stream: &Stream,
+        drag_area_m2: f64,
+        attachment_m: [f64; 3],
+        cg_m: [f64; 3],
+    ) -> Load {
+        // x aft, y right, z down become forward, right, down from the centre of gravity.
+        let arm_m = [
+            cg_m[0] - attachment_m[0],
+            attachment_m[1] - cg_m[1],
+            attachment_m[2] - cg_m[2],
+        ];
+        let swing = cross(stream.rates_rad_s, arm_m);
+        let [u, v, w] = core::array::from_fn(|i| stream.velocity_m_s[i] + swing[i]);
+        let pull = -0.5 * stream.density_kg_m3 * (u * u + v * v + w * w).sqrt() * drag_area_m2;
+        let force = [pull * u, pull * v, pull * w];
+        let moment = cross(arm_m, force);
+        Load {
+            force_n: core::array::from_fn(|i| self.force_n[i] + force[i]),
+            moment_n_m: core::array::from_fn(|i| self.moment_n_m[i] + moment[i]),
+        }
+    }
+}
+
 /// Coefficients of a body of revolution at one total angle of attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Static {
@@ -314,6 +346,18 @@ mod tests {
         for (moment, expected) in load.moment_n_m.iter().zip([-0.4, -0.225, -0.4]) {
             assert!((moment - expected).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn a_parachute_behind_the_centre_of_gravity_turns_the_nose_into_the_air() {
+        // 3-4-5: ½ 0.01 · 5 · 2 m² = 0.05 on each part; arm −0.5 m along the axis
+        let air = stream([3.0, 0.0, 4.0]);
+        let load = Load::default().with_canopy(&air, 2.0, [0.8, 0.0, 0.0], [0.3, 0.0, 0.0]);
+        for (force, expected) in load.force_n.iter().zip([-0.15, 0.0, -0.2]) {
+            assert!((force - expected).abs() < 1e-15);
+        }
+        // M = r × F: (−0.5, 0, 0) × (−0.15, 0, −0.2) = (0, −0.1, 0): nose down, towards the velocity
+        assert!((load.moment_n_m[1] + 0.1).abs() < 1e-15, "{load:?}");
     }
 
     #[test]

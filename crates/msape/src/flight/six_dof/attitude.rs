@@ -13,7 +13,7 @@
 //!
 //! # Valid
 //! Everywhere; where the air is at rest against the body, α and β are counted against the direction that the case gives
-//! the velocity.
+//! the velocity, and where the velocity is vertical, against the azimuth that the case gives it.
 //!
 //! # References
 //! - \[stevens-lewis-2016\] sections 1.4 and 2.3.
@@ -46,12 +46,13 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
             let [east_m_s, north_m_s] = mission.wind.east_north_m_s(local.altitude_m);
             let [north, east, up] = horizon.parts(start.velocity_m_s);
             let (north, east) = (north - north_m_s, east - east_m_s);
-            let at_rest = north == 0.0 && east == 0.0 && up == 0.0;
-            let (psi, gamma) = if at_rest {
-                let given = start.relative;
+            let along = math::hypot(north, east);
+            let given = start.relative;
+            let (psi, gamma) = if along == 0.0 && up == 0.0 {
                 (given.azimuth_rad, given.flight_path_angle_rad)
+            } else if along < UPRIGHT * up.abs() {
+                (given.azimuth_rad, math::atan2(up, along))
             } else {
-                let along = math::hypot(north, east);
                 (math::atan2(east, north), math::atan2(up, along))
             };
             let stream = Quaternion::of_yaw_pitch_roll([psi, gamma, *bank]);
@@ -60,6 +61,9 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
     };
     Quaternion::of_matrix(&to_planet).after(&level).unit()
 }
+
+/// Tangent of the angle to the vertical within which a velocity has no azimuth of its own.
+const UPRIGHT: f64 = 1e-9;
 
 /// From local north, east and down to planet-fixed axes.
 fn of_horizon(horizon: &Horizon<f64>) -> Matrix {

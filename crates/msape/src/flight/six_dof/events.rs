@@ -15,6 +15,7 @@
 use super::motion::{RATES, RIGID_STATES, RigidMotion};
 use crate::flight::integration::{Leg, Record};
 use crate::flight::motion::{Motion, head};
+use crate::flight::phase::Stage;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
 use serde::{Deserialize, Serialize};
@@ -81,7 +82,7 @@ pub struct Marks {
 pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) -> AttitudeEvents {
     let course = Course { motion, record };
     let end_s = record.legs.last().map_or(0.0, |leg| leg.step.t1);
-    let initial = course.alpha_rad(&record.start, record.start_layer);
+    let initial = course.alpha_rad(&record.start, &record.start_stage);
     let mut highest = Highest::from(0.0, initial);
     let heated_s = marks.peak_heating_time_s;
     let mut after_heating = Highest::from(heated_s, course.alpha_at_rad(heated_s));
@@ -92,7 +93,7 @@ pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) 
     let mut turning = 0.0_f64;
     let mut before = initial;
     for leg in &record.legs {
-        let motion = course.motion.in_layer(leg.layer);
+        let motion = course.motion.in_stage(&leg.stage);
         let alpha = |t: f64| motion.total_alpha_in_rad(&leg.step, t);
         let (t0, t1) = (leg.step.t0, leg.step.t1);
         let part = (t1 - t0) / f64::from(PARTS);
@@ -184,28 +185,28 @@ struct Course<'a, 'r> {
 }
 
 impl Course<'_, '_> {
-    fn alpha_rad(&self, y: &[f64; RIGID_STATES], layer: usize) -> f64 {
-        self.motion.in_layer(layer).total_alpha_rad(y)
+    fn alpha_rad(&self, y: &[f64; RIGID_STATES], stage: &Stage) -> f64 {
+        self.motion.in_stage(stage).total_alpha_rad(y)
     }
 
     /// State and piece of the atmosphere at a time, s.
-    fn state(&self, t: f64) -> ([f64; RIGID_STATES], usize) {
+    fn state(&self, t: f64) -> ([f64; RIGID_STATES], Stage) {
         let legs = &self.record.legs;
         let leg = legs.partition_point(|leg| leg.step.t1 < t);
         match legs.get(leg.min(legs.len().saturating_sub(1))) {
-            Some(leg) => (leg.step.at(t), leg.layer),
-            None => (self.record.start, self.record.start_layer),
+            Some(leg) => (leg.step.at(t), leg.stage),
+            None => (self.record.start, self.record.start_stage),
         }
     }
 
     fn alpha_at_rad(&self, t: f64) -> f64 {
-        let (y, layer) = self.state(t);
-        self.alpha_rad(&y, layer)
+        let (y, stage) = self.state(t);
+        self.alpha_rad(&y, &stage)
     }
 
     fn knudsen(&self, t: f64) -> f64 {
-        let (y, layer) = self.state(t);
-        let motion = self.motion.in_layer(layer);
+        let (y, stage) = self.state(t);
+        let motion = self.motion.in_stage(&stage);
         motion.point.knudsen(&motion.point.surroundings(&head(&y)))
     }
 }

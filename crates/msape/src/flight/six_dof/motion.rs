@@ -11,7 +11,7 @@
 //! M in N·m from [`super::aerodynamics`].
 //!
 //! # Valid
-//! Rigid bodies of constant mass. Gravity has no moment. Heating is that of the nose forward, whatever the attitude.
+//! Rigid bodies; where a phase changes the mass, centre of gravity and shape of the inertia stay. Gravity has no moment. Heating is that of the nose forward, whatever the attitude.
 //!
 //! # References
 //! - \[stevens-lewis-2016\] section 1.7; \[samareh-2014\] section 3.2.
@@ -24,6 +24,7 @@ use crate::aero::{Drag, DragTable};
 use crate::flight::equations::{Equations, STATES, Surroundings};
 use crate::flight::integration::point_tolerance;
 use crate::flight::motion::{AttitudeSample, Motion, head};
+use crate::flight::reach::Arguments;
 use crate::flight::sample::Loads;
 use crate::planet::wind::Wind;
 use numerics::ode::{Step, Tolerance};
@@ -111,6 +112,28 @@ impl RigidMotion<'_> {
         self.rigid.aerodynamics.load(stream, self.rigid)
     }
 
+    /// Force and moment, those of a parachute included.
+    #[inline]
+    fn whole_load(&self, t: f64, stream: &Stream) -> Load {
+        let load = self.load(stream);
+        if !self.point.is_phased() {
+            return load;
+        }
+        let changed = self.point.changed();
+        load.with_canopy(
+            stream,
+            changed.canopy_m2(t),
+            changed.attachment_m,
+            self.rigid.cg_m,
+        )
+    }
+
+    /// Mass as a part of that at the start: inertia keeps its shape when a phase changes the mass.
+    #[inline]
+    fn part_of_mass(&self) -> f64 {
+        self.point.numbers().mass_kg / self.point.body.mass_kg
+    }
+
     /// Mach and Knudsen number, where the coefficients depend on them.
     #[inline]
     fn mach_knudsen(&self, around: &Surroundings<f64>) -> [f64; 2] {
@@ -180,7 +203,7 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
     }
 
     #[inline]
-    fn derivative(&self, _t: f64, y: &[f64; RIGID_STATES]) -> [f64; RIGID_STATES] {
+    fn derivative(&self, t: f64, y: &[f64; RIGID_STATES]) -> [f64; RIGID_STATES] {
         let Instant {
             point,
             around,
@@ -191,14 +214,18 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         let Load {
             force_n,
             moment_n_m,
-        } = self.load(&stream);
-        let over_mass = 1.0 / self.point.body.mass_kg;
+        } = self.whole_load(t, &stream);
+        let over_mass = 1.0 / self.point.numbers().mass_kg;
         let force = turned(&to_planet, force_n).map(|force| force * over_mass);
         let of_point = self.point.moved_by(&point, &around, force);
         let spin = self.point.mission.planet.rotation_rate_rad_s;
         let of_planet = turned_back(&to_planet, [0.0, 0.0, spin]);
         let relative = core::array::from_fn(|i| stream.rates_rad_s[i] - of_planet[i]);
         let of_attitude = attitude.derivative(relative);
+        let moment_n_m = match self.point.is_phased() {
+            true => moment_n_m.map(|moment| moment / self.part_of_mass()),
+            false => moment_n_m,
+        };
         let of_rates = self
             .rigid
             .inertia
@@ -210,10 +237,10 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         })
     }
 
-    fn loads_around(&self, _t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
+    fn loads_around(&self, t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
         let Instant { around, stream, .. } = self.instant(y);
-        let [x, y, z] = self.load(&stream).force_n;
-        let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.body.mass_kg;
+        let [x, y, z] = self.whole_load(t, &stream).force_n;
+        let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.numbers().mass_kg;
         let loads = Loads::new(&self.point, &around, deceleration_m_s2);
         (loads, around)
     }
@@ -234,6 +261,13 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         let force = self.load(&unit).force_n;
         let against: f64 = -(force[0] * along[0] + force[1] * along[1] + force[2] * along[2]);
         against / self.rigid.reference.area_m2
+    }
+
+    fn arguments(&self, t: f64, y: &[f64; RIGID_STATES]) -> Arguments<f64> {
+        let Instant { around, stream, .. } = self.instant(y);
+        let [_, knudsen] = stream.mach_knudsen;
+        let alpha_rad = total_alpha_rad(stream.velocity_m_s);
+        self.point.arguments(t, &around, alpha_rad, knudsen)
     }
 
     fn attitude(&self, y: &[f64; RIGID_STATES]) -> Option<AttitudeSample> {

@@ -4,6 +4,7 @@
 //! r = R(q) b,   R = 1 + 2/|q|² (w [v]ₓ + [v]ₓ²),   q = (w, v)
 //! q̇ = ½ q ⊗ ω + k (1 − |q|²) q
 //! yaw = atan2(R₂₁, R₁₁),  pitch = −asin R₃₁,  roll = atan2(R₃₂, R₃₃)
+//! yaw = atan2(−R₁₂, R₂₂),  roll = 0                                        where the pitch is ±90 deg
 //! ```
 //!
 //! with b a vector in axes of the body, ω the rates of the body against the axes of r, in rad/s. R does not depend on the
@@ -121,10 +122,18 @@ impl Quaternion {
     }
 }
 
+/// Cosine of the pitch below which roll counts as nought.
+const UPRIGHT: f64 = 1e-8;
+
 /// Yaw, pitch and roll of a matrix from the axes of the body to those against which they are counted, rad.
 pub fn yaw_pitch_roll_rad(m: &Matrix) -> [f64; 3] {
     let [[xx, ..], [yx, ..], [zx, zy, zz]] = *m;
     let level = math::hypot(xx, yx);
+    if level < UPRIGHT {
+        // Only yaw ∓ roll is known: roll is nought, and yaw is seen on the second axis.
+        let [[_, xy, _], [_, yy, _], _] = *m;
+        return [math::atan2(-xy, yy), math::atan2(-zx, level), 0.0];
+    }
     [
         math::atan2(yx, xx),
         math::atan2(-zx, level),
@@ -182,6 +191,23 @@ mod tests {
             for (angle, back) in angles.iter().zip(back) {
                 assert!((angle - back).abs() < 1e-13, "{angles:?}");
             }
+        }
+    }
+
+    #[test]
+    fn straight_up_and_down_roll_is_nought_and_yaw_keeps_the_difference_or_the_sum() {
+        for (yaw, pitch, roll, expected) in [
+            (0.2, FRAC_PI_2, 0.0, 0.2),
+            (0.2, FRAC_PI_2, 0.5, -0.3),
+            (0.2, -FRAC_PI_2, 0.5, 0.7),
+        ] {
+            let q = Quaternion::of_yaw_pitch_roll([yaw, pitch, roll]);
+            let back = yaw_pitch_roll_rad(&q.matrix());
+            assert!((back[0] - expected).abs() < 1e-13, "{back:?}");
+            assert!(
+                (back[1] - pitch).abs() < 1e-15 && back[2] == 0.0,
+                "{back:?}"
+            );
         }
     }
 

@@ -8,7 +8,8 @@ const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
 const REPORT_DAMPING: &str = "NASA/TM-2014-218507, section 3.3.7";
 
 /// Inputs whose table is a single row, which may be written without the outer brackets.
-pub(super) const ONE_ROW: [&str; 3] = [
+pub(super) const ONE_ROW: [&str; 4] = [
+    "phase.attachment_m",
     "vehicle.cg_m",
     "attitude.quaternion",
     "attitude.body_rates_deg_s",

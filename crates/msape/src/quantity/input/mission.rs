@@ -8,6 +8,8 @@ const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
 const CONVENTION: &str = "convention of this program";
 
 const POSITIVE: Range = Range::above(0.0, 1e30);
+/// From an asteroid to a plane, m: altitudes keep two millimetres.
+const RADIUS: Range = Range::closed(100.0, 1e13);
 
 pub(super) const INPUTS: &[Input] = &[
     Input::new("entry.planet", "Planet", Group::Models, Kind::Choice(Choices::Planets))
@@ -61,15 +63,15 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .preset(Preset::Name("relative"))
     .help("Whether speed, angle and azimuth are relative to the rotating planet or inertial, both in the local geodetic horizon.", CONVENTION),
-    Input::number("planet.mu_m3_s2", "Gravitational Parameter", Group::Models, Dimension::GravitationalParameter, POSITIVE)
+    Input::number("planet.mu_m3_s2", "Gravitational Parameter", Group::Models, Dimension::GravitationalParameter, Range::above(0.0, 1e28))
         .unit("m^3/s^2")
         .aliases(&["planet.mu_m3s2", "planet.gravitational_parameter_m3_s2"])
         .help("Gravitational parameter of a planet given in the case itself.", CONVENTION),
-    Input::number("planet.equatorial_radius_m", "Equatorial Radius", Group::Models, Dimension::Length, POSITIVE)
+    Input::number("planet.equatorial_radius_m", "Equatorial Radius", Group::Models, Dimension::Length, RADIUS)
         .unit("m")
         .aliases(&["planet.radius_m", "planet.r_equatorial_m"])
         .help("Equatorial radius of a planet given in the case itself; alone it makes a sphere.", CONVENTION),
-    Input::number("planet.polar_radius_m", "Polar Radius", Group::Models, Dimension::Length, POSITIVE)
+    Input::number("planet.polar_radius_m", "Polar Radius", Group::Models, Dimension::Length, RADIUS)
         .unit("m")
         .aliases(&["planet.r_polar_m"])
         .help("Polar radius of a planet given in the case itself; the equatorial radius when absent.", CONVENTION),
@@ -83,7 +85,7 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Zonal coefficient of degree 3; zero when absent.", REPORT_FLIGHT),
     Input::number("planet.j4", "J4", Group::Models, Dimension::One, Range::closed(-1.0, 1.0))
         .help("Zonal coefficient of degree 4; zero when absent.", REPORT_FLIGHT),
-    Input::number("planet.j_reference_radius_m", "Reference Radius of J2-J4", Group::Models, Dimension::Length, POSITIVE)
+    Input::number("planet.j_reference_radius_m", "Reference Radius of J2-J4", Group::Models, Dimension::Length, RADIUS)
         .unit("m")
         .aliases(&["planet.reference_radius_m", "planet.j_ref_radius_m"])
         .help("Radius to which the zonal coefficients belong; the equatorial radius when absent.", CONVENTION),
@@ -203,7 +205,10 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Geodetic altitude at which a falling vehicle ends its flight; 0 m when nothing else ends it.", CONVENTION),
     Input::number("stop.time_s", "Final Time", Group::Mission, Dimension::Time, Range::above(0.0, 1e7))
         .unit("s")
-        .help("Time after the start at which the flight ends.", CONVENTION),
+        .help("Time after the start at which the flight ends; a vehicle that leaves the atmosphere on a bound orbit flies on until then.", CONVENTION),
+    Input::number("stop.passes", "Passes", Group::Mission, Dimension::One, Range::closed(1.0, 1000.0))
+        .whole()
+        .help("Number of passes through the atmosphere after which leaving it ends the flight; when absent the first, or with a final time none: a vehicle on a bound orbit flies on to its next entry.", CONVENTION),
     Input::number("solver.tolerance", "Integration Tolerance", Group::Solver, Dimension::One, Range::closed(1e-13, 1e-2))
         .help("Relative error allowed in one step; when absent, chosen so that peak deceleration and heat load are good to 1e-5.", CONVENTION),
     Input::new(

@@ -1,0 +1,99 @@
+//! Where phases begin, and where a parachute is full.
+//!
+//! ```text
+//! x(t) − value changes its sign in the direction of the phase
+//! ```
+//!
+//! with x an altitude in m, a Mach number, a dynamic pressure in Pa or a deceleration in Earth g.
+//!
+//! # Valid
+//! A quantity that goes through its value once at most in a quarter of a step.
+//!
+//! # References
+//! - Own convention.
+
+use super::course::Course;
+use super::gate::Gate;
+use crate::flight::motion::{Motion, head};
+use crate::flight::phase::{Begin, Direction, Mark, Phase};
+use crate::flight::sample;
+use numerics::ode::Step;
+use numerics::scalar::Single;
+
+/// Parts of a step at whose ends it is looked at.
+const PARTS: u32 = 4;
+
+impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
+    /// The phase that is to begin next.
+    fn next_phase(&self) -> Option<&'a Phase> {
+        let mission = self.motion.point().mission;
+        mission.phases.get(self.stage.phases)
+    }
+
+    /// Where a step fills the parachute.
+    pub(super) fn filled_in(&self, step: &Step<N, S>) -> Option<(S, Gate)> {
+        let full_s = self.full_s?;
+        (step.t1.value() >= full_s).then(|| (step.time(full_s.max(step.t0.value())), Gate::Full))
+    }
+
+    /// Where the next phase begins in a step.
+    pub(super) fn phase_in(&self, step: &Step<N, S>) -> Option<(S, Gate)> {
+        let Begin {
+            mark,
+            value,
+            direction,
+        } = self.next_phase()?.begin;
+        let (t0, t1) = (step.t0.value(), step.t1.value());
+        if mark == Mark::Time {
+            return (t1 >= value).then(|| (step.time(value.max(t0)), Gate::Phase));
+        }
+        let sign = match direction {
+            Direction::Rising => -1.0,
+            Direction::Falling => 1.0,
+        };
+        let gap = |y: &[S; N], t: S| (self.quantity(mark, t, y) - value) * sign;
+        let (mut from, mut before) = (t0, gap(&step.y0, step.t0).value());
+        for i in 1..=PARTS {
+            let to = match i {
+                PARTS => t1,
+                _ => t0 + (t1 - t0) * (f64::from(i) / f64::from(PARTS)),
+            };
+            let t = step.time(to);
+            let after = gap(&step.at(t), t).value();
+            if before > 0.0 && after <= 0.0 {
+                return Some((self.when_at(step, [from, to], gap), Gate::Phase));
+            }
+            (from, before) = (to, after);
+        }
+        None
+    }
+
+    fn quantity(&self, mark: Mark, t: S, y: &[S; N]) -> S {
+        let point = self.motion.point();
+        match mark {
+            Mark::Time => t,
+            Mark::Altitude => point.ellipsoid.local([y[0], y[1], y[2]]).altitude_m,
+            Mark::Mach => sample::mach(point, &head(y)),
+            Mark::DynamicPressure => self.motion.loads(t, y).dynamic_pressure_pa,
+            Mark::Deceleration => self.motion.loads(t, y).deceleration_earth_g,
+        }
+    }
+
+    /// The next phase begins where the integration stands.
+    pub(super) fn begin_phase(&mut self) {
+        let Some(phase) = self.next_phase() else {
+            return;
+        };
+        let (t, y) = self.now();
+        self.stage.phases += 1;
+        if phase.change.canopy.is_some() {
+            self.stage.canopy_since_s = t;
+        }
+        if let Some(canopy) = phase.change.canopy {
+            let inflates = canopy.inflation_s > 0.0;
+            self.full_s = inflates.then(|| t.value() + canopy.inflation_s);
+        }
+        self.motion.point_mut().change(&phase.change, t);
+        self.record.begun.push((t, y, self.stage));
+    }
+}

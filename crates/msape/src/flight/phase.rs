@@ -1,0 +1,247 @@
+//! Phases of a flight: what begins when, and what it changes.
+//!
+//! ```text
+//! D = ½ ρ |u| u (C_D A + (C_D S)(t)),   (C_D S)(t) = C_D S min(1, (t − t₀)/t_i)
+//! ```
+//!
+//! with D in N, ρ in kg/m³, u the velocity relative to the air in m/s, C_D A of the vehicle and C_D S of the parachute in m²,
+//! t₀ the begin of the phase and t_i the time of inflation in s.
+//!
+//! # Valid
+//! Phases begin in the order in which they are given. A parachute is a drag along the velocity of its attachment point; it has
+//! no mass of its own, and its drag area grows evenly while it inflates.
+//!
+//! # References
+//! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
+
+use super::mission::Mission;
+use crate::finding::range::short;
+use crate::finding::{Finding, Severity};
+use numerics::scalar::Scalar;
+use serde::{Deserialize, Serialize};
+
+/// A phase.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phase {
+    /// Its name.
+    pub name: String,
+    /// When it begins.
+    pub begin: Begin,
+    /// What it changes.
+    pub change: Change,
+}
+
+/// When a phase begins: where a quantity goes through a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Begin {
+    /// The quantity.
+    pub mark: Mark,
+    /// Its value, SI; Earth g for the deceleration.
+    pub value: f64,
+    /// Which way it goes.
+    pub direction: Direction,
+}
+
+/// What begins a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Time after the start, s.
+    Time,
+    /// Geodetic altitude, m.
+    Altitude,
+    /// Mach number.
+    Mach,
+    /// Dynamic pressure, Pa.
+    DynamicPressure,
+    /// Aerodynamic force over mass, Earth g.
+    Deceleration,
+}
+
+impl Mark {
+    /// Name and unit in a sentence.
+    pub fn name(self) -> (&'static str, &'static str) {
+        match self {
+            Mark::Time => ("time", " s"),
+            Mark::Altitude => ("altitude", " m"),
+            Mark::Mach => ("Mach number", ""),
+            Mark::DynamicPressure => ("dynamic pressure", " Pa"),
+            Mark::Deceleration => ("deceleration", " Earth g"),
+        }
+    }
+}
+
+/// Which way a quantity goes through a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Upwards.
+    Rising,
+    /// Downwards.
+    Falling,
+}
+
+/// What a phase changes; what is absent stays.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Change {
+    /// Mass from then on, kg.
+    pub mass_kg: Option<f64>,
+    /// Area to which the drag coefficient belongs, m².
+    pub reference_area_m2: Option<f64>,
+    /// Drag coefficient of the vehicle, the same at every Mach number.
+    pub drag_coefficient: Option<f64>,
+    /// Parachute, in the place of the one before.
+    pub canopy: Option<Canopy>,
+}
+
+/// A parachute.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Canopy {
+    /// Drag coefficient times area, m².
+    pub drag_area_m2: f64,
+    /// Time in which it grows to that, s.
+    pub inflation_s: f64,
+    /// Where it pulls: x aft of the virtual apex, y to the right, z down, m; of a rigid body only.
+    pub attachment_m: [f64; 3],
+}
+
+/// What the phases so far have changed in the equations of a point mass, one a lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Changed<S> {
+    /// 1 where the drag coefficient is the same at every Mach number by a phase, else 0.
+    pub constant_drag: S,
+    /// Full drag area of the parachute, m².
+    pub canopy_m2: S,
+    /// When it began to inflate, s after the start.
+    pub canopy_since_s: S,
+    /// Time in which it inflates, s; above zero.
+    pub inflation_s: S,
+    /// Where it pulls, as [`Canopy::attachment_m`].
+    pub attachment_m: [S; 3],
+}
+
+impl<S: Scalar> Changed<S> {
+    /// Nothing.
+    pub fn nothing() -> Self {
+        let zero = S::constant(0.0);
+        Changed {
+            constant_drag: zero,
+            canopy_m2: zero,
+            canopy_since_s: zero,
+            inflation_s: S::constant(1.0),
+            attachment_m: [zero; 3],
+        }
+    }
+
+    /// Drag area of the parachute at a time, s, in m².
+    #[inline]
+    pub fn canopy_m2(&self, t: S) -> S {
+        let part = (t - self.canopy_since_s) / self.inflation_s;
+        let none = S::constant(0.0);
+        self.canopy_m2 * part.max(none).min(S::constant(1.0))
+    }
+
+    /// Replaces one lane.
+    pub fn set_lane(&mut self, lane: usize, of: &Changed<S::Lane>) {
+        self.constant_drag.set_lane(lane, of.constant_drag);
+        self.canopy_m2.set_lane(lane, of.canopy_m2);
+        self.canopy_since_s.set_lane(lane, of.canopy_since_s);
+        self.inflation_s.set_lane(lane, of.inflation_s);
+        for (all, one) in self.attachment_m.iter_mut().zip(of.attachment_m) {
+            all.set_lane(lane, one);
+        }
+    }
+}
+
+/// Where a part of a flight lies: piece of the atmosphere, phases so far, and when the parachute began to inflate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage<S = f64> {
+    /// Piece of the atmosphere.
+    pub layer: usize,
+    /// Number of phases that have begun.
+    pub phases: usize,
+    /// When the parachute began to inflate, s after the start.
+    pub canopy_since_s: S,
+}
+
+impl<S: Scalar> Stage<S> {
+    /// A piece of the atmosphere before any phase.
+    pub fn of_layer(layer: usize) -> Self {
+        Stage {
+            layer,
+            phases: 0,
+            canopy_since_s: S::constant(0.0),
+        }
+    }
+}
+
+/// A phase that has begun.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Begun<S = f64> {
+    /// Its name.
+    pub name: String,
+    /// Time after the start, s.
+    pub time_s: S,
+    /// Geodetic altitude, m.
+    pub altitude_m: S,
+    /// Speed relative to the planet, m/s.
+    pub speed_m_s: S,
+    /// Mach number.
+    pub mach: S,
+    /// Dynamic pressure, Pa.
+    pub dynamic_pressure_pa: S,
+    /// Largest deceleration until the next phase or the end, Earth g.
+    pub peak_deceleration_earth_g: S,
+}
+
+/// What is said of phases that never began.
+pub fn findings(mission: &Mission, begun: usize) -> Vec<Finding> {
+    let late = mission.phases.iter().enumerate().skip(begun);
+    let said = late.map(|(index, phase)| {
+        let Begin {
+            mark,
+            value,
+            direction,
+        } = phase.begin;
+        let (quantity, unit) = mark.name();
+        let before = match index.checked_sub(1).and_then(|i| mission.phases.get(i)) {
+            Some(before) => format!(" after {} had begun", before.name),
+            None => String::new(),
+        };
+        let way = match (mark, direction) {
+            (Mark::Time, _) => "never reached",
+            (_, Direction::Rising) => "never rose through",
+            (_, Direction::Falling) => "never fell through",
+        };
+        Finding {
+            severity: Severity::Exceeded,
+            model: "phases".to_string(),
+            key: format!("phase.{}", index + 1),
+            value: Some(value),
+            valid: (None, None),
+            message: format!(
+                "Phase {} did not begin: the {quantity} {way} {}{unit}{before}.",
+                phase.name,
+                short(value)
+            ),
+            source: "the case".to_string(),
+            field: Some(format!("phase.{}.name", index + 1)),
+        }
+    });
+    said.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parachute_grows_evenly_and_stays() {
+        let changed = Changed {
+            canopy_m2: 8.0,
+            canopy_since_s: 100.0,
+            inflation_s: 4.0,
+            ..Changed::nothing()
+        };
+        let areas = [99.0, 100.0, 101.0, 104.0, 200.0].map(|t| changed.canopy_m2(t));
+        assert_eq!(areas, [0.0, 0.0, 2.0, 8.0, 8.0]);
+    }
+}

@@ -1,0 +1,44 @@
+//! Checks that a start comes down where only a descent can be flown.
+
+use super::flight::Angle;
+use crate::case::Reader;
+use crate::flight::mission::{Model, Solver, Start, Stop};
+use crate::planet::Planet;
+use crate::planet::horizon::Velocity;
+use numerics::math::RADIANS_PER_DEGREE;
+
+/// The fault of a design that begins below the altitude at which it ends.
+pub(super) fn above_end(reader: &mut Reader, planet: &Planet, start: &Start, stop: Stop) {
+    let start_m = planet.local(start.position_m).altitude_m;
+    let ground_m = stop.altitude_m.unwrap_or(0.0);
+    if start_m <= ground_m {
+        let message = format!(
+            "got {start_m:.0} m, must be above the final altitude of {ground_m} m: a design enters"
+        );
+        reader.fault("entry.altitude_m", message);
+    }
+}
+
+/// Faults of a start from which the closed form does not come down: it flies the early passes of a design, too.
+pub(super) fn descends(reader: &mut Reader, start: &Start, solver: &Solver, angle: Angle) {
+    let who = match (angle, solver.model) {
+        (Angle::Descending, _) => "a design enters",
+        (Angle::Any, Model::AllenEggers) => "the closed form enters",
+        (Angle::Any, _) => return,
+    };
+    let Velocity {
+        speed_m_s,
+        flight_path_angle_rad,
+        ..
+    } = start.relative;
+    if speed_m_s == 0.0 {
+        let message = format!("got 0 m/s relative to the planet, must be above 0 m/s: {who}");
+        reader.fault("entry.speed_m_s", message);
+    } else if flight_path_angle_rad >= 0.0 && angle == Angle::Any {
+        let message = format!(
+            "got {:.3} deg relative to the planet, must be below 0 deg: {who}",
+            flight_path_angle_rad / RADIANS_PER_DEGREE
+        );
+        reader.fault("entry.flight_path_angle_deg", message);
+    }
+}
