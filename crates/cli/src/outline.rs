@@ -49,12 +49,15 @@ pub fn outline(arguments: &Outline) -> Done {
             }
         }
         let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
-        let notes: String = notes
+        // those of the file stand on standard error
+        let notes: String = body
+            .notes
             .iter()
             .map(|note| format!("{}\n", printable(note)))
             .collect();
         format!("{}\n{lines}{notes}", printable(&body.name))
     };
+    loaded.tell();
     output::write(&text, arguments.output.as_deref())?;
     Ok(ExitCode::SUCCESS)
 }
