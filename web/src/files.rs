@@ -70,7 +70,15 @@ fn hand_over(name: &str, blob: &Blob) -> Result<(), JsValue> {
 /// A sentence for the user.
 pub async fn read(file: web_sys::File) -> Result<String, String> {
     let bytes = bytes(file).await?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(text_of(&bytes))
+}
+
+/// Text in whatever encoding; what is none keeps what can be read of it.
+pub fn text_of(bytes: &[u8]) -> String {
+    match cad::text::decode(bytes) {
+        Ok(decoded) => decoded.text,
+        Err(_) => String::from_utf8_lossy(bytes).into_owned(),
+    }
 }
 
 /// Bytes of a file that the user chose.

@@ -21,7 +21,7 @@ pub enum Ask {
     /// For one entry of a design from a set of attitudes and rates, by its number in the set.
     Turn(Box<Case>, u32),
     /// To read a table of coefficients.
-    ReadTable(String),
+    ReadTable(Vec<u8>),
 }
 
 /// What the worker replies.
@@ -37,8 +37,17 @@ pub enum Told {
     Aerodynamics(Box<Result<Curves, Vec<Fault>>>),
     /// An entry of the set, or every fault of its case.
     Turned(Box<Result<Turn, Vec<Fault>>>),
-    /// Rows of a table, or every fault of its text.
-    TableRead(Result<Vec<Vec<f64>>, Vec<String>>),
+    /// A table, or every fault of its file.
+    TableRead(Result<ReadTable, Vec<String>>),
+}
+
+/// A table of coefficients from a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadTable {
+    /// Rows as a case takes them.
+    pub rows: Vec<Vec<f64>>,
+    /// What the reader decided.
+    pub remarks: Vec<String>,
 }
 
 /// Repetitions of a job of [`benchmark::JOBS`].

@@ -65,7 +65,9 @@ impl Solver {
             ))),
             Ask::Attitude(case) => Told::Flown(Box::new(self.attitude(&case))),
             Ask::Turn(case, number) => Told::Turned(Box::new(self.turn(&case, number))),
-            Ask::ReadTable(text) => Told::TableRead(aerodynamics::read_table(&text)),
+            Ask::ReadTable(bytes) => {
+                Told::TableRead(aerodynamics::read_table(&bytes, &self.library))
+            }
         })
     }
 

@@ -7,7 +7,7 @@ pub mod preferences;
 
 use crate::aerodynamics::{Curves, Question};
 use crate::clock::now_ms;
-use crate::protocol::{Batch, Fault, Reply};
+use crate::protocol::{Batch, Fault, ReadTable, Reply};
 use crate::worker::{News, WorkerLink};
 use check::{Check, Checks, check_inputs};
 use document::Document;
@@ -262,16 +262,16 @@ impl State {
         link.aerodynamics(question).await
     }
 
-    /// Rows of a table of coefficients, or every fault of its text.
+    /// A table of coefficients, or every fault of its file.
     ///
     /// # Errors
     /// Why the worker did not answer.
     pub async fn read_table(
         self,
-        text: String,
-    ) -> Result<Result<Vec<Vec<f64>>, Vec<String>>, String> {
+        bytes: Vec<u8>,
+    ) -> Result<Result<ReadTable, Vec<String>>, String> {
         let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.read_table(text).await
+        link.ok_or("there is no worker")?.read_table(bytes).await
     }
 
     /// Takes the last change back.

@@ -2,7 +2,7 @@
 //! benchmark and flights come after it.
 
 use crate::aerodynamics::{Curves, Question};
-use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
+use crate::protocol::{Ask, Batch, Fault, Job, ReadTable, Reply, Told, decode, encode};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;
 use msape::flight::six_dof::turning::Turn;
@@ -121,16 +121,16 @@ impl WorkerLink {
         }
     }
 
-    /// Rows of a table of coefficients, or every fault of its text.
+    /// A table of coefficients, or every fault of its file.
     ///
     /// # Errors
     /// Why the worker did not answer.
     pub async fn read_table(
         &self,
-        text: String,
-    ) -> Result<Result<Vec<Vec<f64>>, Vec<String>>, String> {
-        match self.ask(Ask::ReadTable(text)).await? {
-            Told::TableRead(rows) => Ok(rows),
+        bytes: Vec<u8>,
+    ) -> Result<Result<ReadTable, Vec<String>>, String> {
+        match self.ask(Ask::ReadTable(bytes)).await? {
+            Told::TableRead(table) => Ok(table),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }

@@ -3,10 +3,12 @@
 //!
 //! - [`export`]: the vehicle as CAD, mesh and drawing files.
 //! - [`outline`]: outlines of rigid bodies from CSV and DXF.
-//! - [`table`]: rows of an atmosphere, a wind or aerodynamic coefficients from text.
+//! - [`table`]: rows of an atmosphere, a wind, drag, bank or aerodynamic coefficients from text.
+//! - [`text`]: bytes of a file as text.
 //!
 //! A case holds rows, never files: who calls this crate reads a file into rows before the case is checked.
 
 pub mod export;
 pub mod outline;
 pub mod table;
+pub mod text;

@@ -18,6 +18,8 @@ pub mod dxf;
 pub mod half_section;
 pub mod halves;
 
+use crate::table::TableFault;
+use crate::text::{Decoded, decode};
 use dxf::group::Place;
 use thiserror::Error;
 
@@ -122,6 +124,9 @@ pub enum ImportFault {
     /// A heading that is not known, or comes twice, or is missing.
     #[error("header: {0}")]
     Header(String),
+    /// A fault of a table of points.
+    #[error("{0}")]
+    Table(TableFault),
     /// A line that cannot be read.
     #[error("line {line}: {reason}")]
     Unreadable {
@@ -200,16 +205,17 @@ pub fn read(
     if ending == "dxf" || ending == "dwg" {
         return dxf::read(bytes, unit);
     }
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let byte = error.valid_up_to() + 1;
-        vec![ImportFault::NotText(byte)]
-    })?;
-    match ending.as_str() {
-        "csv" if half_section::is_half_section(text) => half_section::read(text, unit),
-        "csv" | "txt" | "tsv" | "dat" => csv::read(text, unit).map(|rows| Imported {
-            rows,
-            remarks: Vec::new(),
-        }),
-        _ => Err(vec![ImportFault::UnknownKind(shown(name))]),
+    if !["csv", "txt", "tsv", "dat"].contains(&ending.as_str()) {
+        return Err(vec![ImportFault::UnknownKind(shown(name))]);
     }
+    let of_text = |fault| vec![ImportFault::Table(TableFault::NotText(fault))];
+    let Decoded { text, encoding } = decode(bytes).map_err(of_text)?;
+    let mut imported = if half_section::is_half_section(&text) {
+        half_section::read(&text, unit)?
+    } else {
+        csv::read(&text, unit)?
+    };
+    let remark = encoding.map(|encoding| format!("the file is read as {encoding}"));
+    imported.remarks.splice(0..0, remark);
+    Ok(imported)
 }

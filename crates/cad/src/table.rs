@@ -1,4 +1,323 @@
-//! Tables from text files, whatever the dialect.
+//! Tables from text files, one reader for all of them: atmosphere, wind, drag, lift, bank, aerodynamic coefficients, damping
+//! and the points of an outline.
+//!
+//! A file is read in four steps, each in a module of its own: bytes to text ([`crate::text`]), text to cells, cells to columns
+//! with names and units, columns to the rows that an input of a case takes. What had to be decided on the way comes back as
+//! remarks; what cannot be decided is a fault with its line.
 
-pub mod aerodynamics;
-pub mod atmosphere;
+mod aerodynamics;
+mod altitude;
+mod atmosphere;
+mod cells;
+mod columns;
+mod curve;
+mod heading;
+mod number;
+pub(crate) mod quantity;
+pub(crate) mod sheet;
+mod wind;
+
+use crate::text::{NotText, decode};
+use msape::case::Value;
+use msape::library::named;
+use msape::planet::atmosphere::Atmosphere;
+use msape::{Case, Library};
+use thiserror::Error;
+
+/// Faults are listed up to this number.
+pub(crate) const MOST_FAULTS: usize = 100;
+/// Characters of a text from a file that a message shows.
+const MOST_SHOWN: usize = 40;
+
+/// Facts of the planet that some columns need.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// Radius by which geopotential altitudes become geometric, m.
+    pub radius_m: f64,
+    /// Gas constant of the air, J/(kg K), where it is known.
+    pub gas_constant_j_kg_k: Option<f64>,
+    /// The standard atmosphere to which pressure altitudes belong: of the Earth only.
+    pub standard: Option<Atmosphere>,
+}
+
+/// Name of the standard atmosphere of the Earth.
+const STANDARD: &str = "us-1976";
+
+/// Effective radius of the Earth in the standard atmosphere, m; \[coesa-1976\].
+const EARTH_RADIUS_M: f64 = 6_356_766.0;
+
+impl Ground {
+    /// That of the planet of a case; of a planet that is no part of the library, or not known, the mean radius alone.
+    pub fn of(case: &Case, library: &Library) -> Ground {
+        let radius = |key: &str| match case.values.get(key) {
+            Some(Value::Number(radius_m)) if *radius_m > 0.0 => Some(*radius_m),
+            _ => None,
+        };
+        let mean = |equatorial_m: f64, polar_m: f64| (2.0 * equatorial_m + polar_m) / 3.0;
+        if let Some(equatorial_m) = radius("planet.equatorial_radius_m") {
+            let polar_m = radius("planet.polar_radius_m").unwrap_or(equatorial_m);
+            return Ground {
+                radius_m: mean(equatorial_m, polar_m),
+                gas_constant_j_kg_k: None,
+                standard: None,
+            };
+        }
+        let name = case.text("entry.planet").unwrap_or_default().to_lowercase();
+        let found = library.planets.iter().find(|(known, _)| *known == name);
+        match found {
+            Some((name, planet)) if !name.starts_with("earth") => Ground {
+                radius_m: mean(planet.equatorial_radius_m, planet.polar_radius_m),
+                gas_constant_j_kg_k: gas_constant_j_kg_k(library, &planet.atmosphere),
+                standard: None,
+            },
+            _ => Ground::earth(library),
+        }
+    }
+
+    /// That of the Earth, as in its standard atmosphere.
+    pub fn earth(library: &Library) -> Ground {
+        Ground {
+            radius_m: EARTH_RADIUS_M,
+            gas_constant_j_kg_k: gas_constant_j_kg_k(library, STANDARD),
+            standard: named(&library.atmospheres, STANDARD).map(|(_, standard)| standard.clone()),
+        }
+    }
+}
+
+/// Gas constant of an atmosphere of the library, J/(kg K).
+fn gas_constant_j_kg_k(library: &Library, atmosphere: &str) -> Option<f64> {
+    let (_, atmosphere) = named(&library.atmospheres, atmosphere)?;
+    Some(atmosphere.planet_air().gas.gas_constant_j_kg_k)
+}
+
+/// Rows for an input of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Key of the input, such as `atmosphere.table`.
+    pub key: &'static str,
+    /// Its rows, in SI and degrees.
+    pub rows: Vec<Vec<f64>>,
+    /// What the reader decided or left out, one sentence each without its full stop.
+    pub remarks: Vec<String>,
+}
+
+/// One thing wrong with a file; lines are counted from 1.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum TableFault {
+    /// Bytes that are no text.
+    #[error("{0}")]
+    NotText(#[from] NotText),
+    /// No line of numbers.
+    #[error("the file holds no row of numbers")]
+    Empty,
+    /// A cell that is not a number.
+    #[error("line {line}: column {column}: got \"{text}\", must be a number")]
+    NotANumber {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The cell, shortened.
+        text: String,
+    },
+    /// A blank cell where every number counts.
+    #[error(
+        "line {line}: column {column}: got \"{text}\", must be a number; the table has a hole there"
+    )]
+    Hole {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The cell, shortened.
+        text: String,
+    },
+    /// Too few or too many cells.
+    #[error("line {line}: got {found} fields, must be {wanted}")]
+    Fields {
+        /// Line of the file.
+        line: u64,
+        /// Cells in it.
+        found: usize,
+        /// Cells of the other lines.
+        wanted: usize,
+    },
+    /// Decimal points and decimal commas in one file.
+    #[error("both signs stand for the decimal sign: \"{}\" (line {}) and \"{}\" (line {}); use one of them", texts[0], lines[0], texts[1], lines[1])]
+    TwoDecimalSigns {
+        /// Lines of the two.
+        lines: [u64; 2],
+        /// The cells, shortened.
+        texts: [String; 2],
+    },
+    /// A sign that groups thousands, or stands for decimals.
+    #[error(
+        "line {line}: got \"{text}\", which may be thousands or decimals; write it without the sign, or with other decimals"
+    )]
+    Thousands {
+        /// Line of the file.
+        line: u64,
+        /// The cell, shortened.
+        text: String,
+    },
+    /// A heading of which nothing is known.
+    #[error("line {line}: header: got {names}; must be of {expected}, with their units")]
+    UnknownHeading {
+        /// Line of the file.
+        line: u64,
+        /// Its cells, shortened.
+        names: String,
+        /// Names that are understood.
+        expected: String,
+    },
+    /// Rows that no heading names, and that may not go without.
+    #[error(
+        "the rows have {columns} columns and no heading names them; name {expected} above them"
+    )]
+    NoHeading {
+        /// Columns of the rows.
+        columns: usize,
+        /// Names that are understood.
+        expected: String,
+    },
+    /// A column that is named twice.
+    #[error(
+        "line {line}: header: column {column}: \"{text}\" is {name} a second time; take one of the two out"
+    )]
+    TwiceNamed {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The heading, shortened.
+        text: String,
+        /// The quantity.
+        name: &'static str,
+    },
+    /// A unit that is not known for its column.
+    #[error("header: column {column}: got the unit \"{unit}\", must be one of {expected}")]
+    UnknownUnit {
+        /// Column, from 1.
+        column: usize,
+        /// The unit, shortened.
+        unit: String,
+        /// Units that are understood.
+        expected: &'static str,
+    },
+    /// A needed column is missing.
+    #[error("header: no column for {name}{}", if others.is_empty() { String::new() } else { format!("; the others are {others}") })]
+    MissingColumn {
+        /// The quantity.
+        name: &'static str,
+        /// Columns that are not understood.
+        others: String,
+    },
+    /// A line between heading and numbers that is neither.
+    #[error("line {line}: neither units of the heading above nor numbers")]
+    NeitherUnitsNorNumbers {
+        /// Line of the file.
+        line: u64,
+    },
+    /// Angles in radians under a heading that does not say so.
+    #[error("header: the largest angle is {0}, which is pi; name its unit, alpha_deg or alpha_rad")]
+    Radians(f64),
+    /// A plain H on the Earth.
+    #[error(
+        "header: H is geopotential altitude in standard atmospheres and height elsewhere; name it geopotential_altitude or altitude"
+    )]
+    CapitalH,
+    /// A table without heading whose second column is no density.
+    #[error(
+        "line {line}: the second column grows with height, as no density does; name the columns in a heading"
+    )]
+    NotADensity {
+        /// Line of the file.
+        line: u64,
+    },
+    /// A pressure that gives no density, as the gas is not known.
+    #[error(
+        "header: no column for density; it is not found from pressure and temperature, as the gas of this planet is not known"
+    )]
+    UnknownGas,
+    /// Pressure altitudes off the Earth, or without temperature and density.
+    #[error("header: pressure altitude is a pressure; {0}")]
+    PressureAltitude(&'static str),
+    /// Rows that are in no order.
+    #[error("line {line}: {name} {value} after {before}; rows must ascend in it, or descend")]
+    Order {
+        /// Line of the file.
+        line: u64,
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// That of the row before.
+        before: f64,
+    },
+    /// What the table itself says of its rows.
+    #[error("{0}")]
+    Rows(String),
+}
+
+/// The keys that name a file.
+pub const FILES: [&str; 7] = [
+    "atmosphere.file",
+    "wind.file",
+    "vehicle.drag_file",
+    "vehicle.lift_file",
+    "vehicle.bank_file",
+    "vehicle.aerodynamics.file",
+    "vehicle.aerodynamics.damping_file",
+];
+
+/// The rows of a file that a case names under `key`, or everything that is wrong with it.
+///
+/// ```
+/// use cad::table::{Ground, read};
+/// use msape::Library;
+///
+/// let earth = Ground::earth(&Library::builtin().unwrap());
+/// let file = "T [°C];Höhe (km);Dichte (g/m³)\n15,0;0;1225,0\n-56,5;11;364,8\n";
+/// let table = read("atmosphere.file", file.as_bytes(), &earth).unwrap();
+/// assert_eq!(table.key, "atmosphere.table");
+/// assert_eq!(table.rows[1][0], 11_000.0);
+/// ```
+///
+/// # Errors
+/// Every fault of the file, up to a hundred.
+pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
+    let decoded = decode(bytes).map_err(|fault| vec![fault.into()])?;
+    let text = with_plain_line_ends(decoded.text);
+    let mut table = match key {
+        "wind.file" => wind::read(&text, ground),
+        "vehicle.drag_file" => curve::drag(&text),
+        "vehicle.lift_file" => curve::lift(&text),
+        "vehicle.bank_file" => curve::bank(&text),
+        "vehicle.aerodynamics.file" => aerodynamics::read(&text),
+        "vehicle.aerodynamics.damping_file" => aerodynamics::damping(&text),
+        _ => atmosphere::read(&text, ground),
+    }?;
+    if let Some(encoding) = decoded.encoding {
+        table
+            .remarks
+            .insert(0, format!("the file is read as {encoding}"));
+    }
+    Ok(table)
+}
+
+/// Ends of lines of Unix in the place of others.
+pub(crate) fn with_plain_line_ends(text: String) -> String {
+    if text.contains('\r') {
+        text.replace("\r\n", "\n").replace('\r', "\n")
+    } else {
+        text
+    }
+}
+
+/// A text from a file, short enough for a message.
+fn shown(text: &str) -> String {
+    text.chars().take(MOST_SHOWN).collect()
+}
+
+#[cfg(test)]
+mod tests;

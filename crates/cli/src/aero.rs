@@ -1,6 +1,6 @@
 //! `aero`: coefficients over the angle of attack.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, cut, printable};
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
 use clap::{Args, ValueEnum};
@@ -62,6 +62,9 @@ pub struct Aero {
     /// Set a key of the case
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder below which files that the case names may lie; without it, that of the case
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// One JSON object: name, results, trim, findings
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -89,7 +92,10 @@ pub enum Regime {
 
 /// Answers and writes.
 pub fn run(arguments: &Aero) -> Done {
-    let (mut case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    output::check(arguments.output.as_deref(), &loaded.files)?;
+    let mut faults = std::mem::take(&mut loaded.faults);
+    let case = &mut loaded.case;
     let library = Library::builtin()?;
     let angles = angles(&arguments.alpha, &mut faults);
     for (key, value) in [
@@ -100,8 +106,8 @@ pub fn run(arguments: &Aero) -> Done {
             case.set(key, &value.to_string());
         }
     }
-    let theory = theory(arguments, &case, &mut faults);
-    let found = msape::problem::aero(&case, &library);
+    let theory = theory(arguments, case, &mut faults);
+    let found = msape::problem::aero(case, &library);
     let (body, database) = match found {
         Ok(found) if faults.is_empty() => found,
         Ok(_) => return Err(Failure::Input(faults)),
@@ -119,7 +125,9 @@ pub fn run(arguments: &Aero) -> Done {
     }
     refuse(&database, &theory, &angles)?;
     let polar = polar::polar(&polar::Aero::new(&body, theory, Some(&database)), &angles);
-    let findings = remarks(&polar, &theory, &database);
+    let mut findings = remarks(&polar, &theory, &database);
+    findings.extend(loaded.findings());
+    let case = &loaded.case;
     let text = if arguments.json {
         format!("{:#}\n", polar.json(&case.name, &findings))
     } else if arguments.csv {
@@ -216,7 +224,8 @@ fn angles(text: &str, faults: &mut Vec<String>) -> Vec<f64> {
                 }
             }
             _ => faults.push(format!(
-                "--alpha: got \"{part}\", must be an angle of -180 to 180 deg, or from:to:step"
+                "--alpha: got \"{}\", must be an angle of -180 to 180 deg, or from:to:step",
+                cut(part)
             )),
         }
     }
@@ -248,8 +257,7 @@ fn refuse(database: &Database, theory: &Theory, angles: &[f64]) -> Result<(), Fa
 }
 
 fn table(name: &str, body: &AeroBody, polar: &Polar, findings: &[Finding]) -> String {
-    let name: String = name.chars().filter(|c| !c.is_control()).collect();
-    let mut text = format!("{name}: {}\n\n", body.name);
+    let mut text = format!("{}: {}\n\n", printable(name), printable(&body.name));
     let mut columns = Columns::new(&[Align::Right; COLUMNS.len()]);
     columns.push(COLUMNS.map(|(key, _)| key.to_string()).to_vec());
     for row in &polar.rows {

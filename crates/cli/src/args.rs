@@ -70,6 +70,9 @@ pub struct Run {
     /// value takes the key away
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder below which files that the case names may lie; without it, that of the case
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// Form of the output.
     #[command(flatten)]
     pub form: Form,
@@ -109,6 +112,9 @@ pub struct Reorientation {
     /// Set a key of the case, as for design
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder below which files that the case names may lie; without it, that of the case
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// One JSON object: name, outcome, reason, reorientation
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -152,6 +158,9 @@ pub struct Export {
     /// Set a key of the case, as for design
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder below which files that the case names may lie; without it, that of the case
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// Format of the file; without it the ending of its name says it
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     pub format: Option<Format>,
@@ -183,6 +192,9 @@ pub struct Outline {
     /// Set a key of the case
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder below which files that the case names may lie; without it, that of the case
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,

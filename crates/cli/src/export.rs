@@ -18,9 +18,11 @@ pub fn export(arguments: &Export) -> Done {
             format.name()
         )));
     }
-    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    output::check(path, &loaded.files)?;
+    let mut faults = std::mem::take(&mut loaded.faults);
     let library = Library::builtin()?;
-    let model = match model(&case, &library) {
+    let model = match model(&loaded.case, &library) {
         Ok(model) if faults.is_empty() => model?,
         Ok(_) => return Err(Failure::Input(faults)),
         Err(found) => {
@@ -28,6 +30,7 @@ pub fn export(arguments: &Export) -> Done {
             return Err(Failure::Input(faults));
         }
     };
+    loaded.tell();
     output::write(format.write(&model, &Info::default()), path)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,7 +1,7 @@
 //! What can go wrong, and the code to end with.
 
 use msape::library::DataError;
-use std::io;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Why there is no answer.
@@ -37,18 +37,15 @@ impl Failure {
         match self {
             Failure::Input(faults) => {
                 for fault in faults.iter().take(FAULTS_SHOWN) {
-                    eprintln!("msape: {}", printable(fault));
+                    say(fault);
                 }
                 if faults.len() > FAULTS_SHOWN {
-                    eprintln!("msape: and {} more", faults.len() - FAULTS_SHOWN);
+                    say(&format!("and {} more", faults.len() - FAULTS_SHOWN));
                 }
                 ExitCode::from(2)
             }
             Failure::Program(message) => {
-                eprintln!(
-                    "msape: this is a fault of the program, please report it: {}",
-                    printable(message)
-                );
+                say(&format!("{OUR_FAULT}: {message}"));
                 ExitCode::from(1)
             }
             Failure::ReaderGone => ExitCode::SUCCESS,
@@ -62,11 +59,32 @@ impl From<DataError> for Failure {
     }
 }
 
-/// Text of unknown origin without what would steer a terminal.
+/// What is said before a fault of the program.
+pub const OUR_FAULT: &str = "this is a fault of the program, please report it";
+/// Most characters of a text of the user that a message repeats.
+const SHOWN_MAX: usize = 100;
+
+/// Says something on standard error. Where nobody can hear it, the code to end with still tells.
+pub fn say(text: &str) {
+    let _ = writeln!(io::stderr(), "msape: {}", printable(text));
+}
+
+/// A text of the user short enough for a message.
+pub fn cut(text: &str) -> String {
+    match text.char_indices().nth(SHOWN_MAX) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_string(),
+    }
+}
+
+/// Text of unknown origin without what would steer a terminal: control characters, and signs that turn the direction of reading.
 pub fn printable(text: &str) -> String {
     text.chars()
         .map(|c| match c {
             '\n' => "\n  ".to_string(),
+            '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
+                c.escape_unicode().to_string()
+            }
             c if c.is_control() => c.escape_default().to_string(),
             c => c.to_string(),
         })
@@ -80,5 +98,6 @@ mod tests {
     #[test]
     fn a_terminal_is_not_steered_by_the_input() {
         assert_eq!(printable("a\u{1b}[2Jb\nc"), "a\\u{1b}[2Jb\n  c");
+        assert_eq!(printable("a\u{202e}b"), "a\\u{202e}b");
     }
 }

@@ -24,7 +24,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     // A panic is a fault of the program: say so, and end with the code of such faults.
     std::panic::set_hook(Box::new(|panic| {
-        eprintln!("msape: this is a fault of the program, please report it: {panic}");
+        failure::say(&format!("{}: {panic}", failure::OUR_FAULT));
         std::process::exit(1);
     }));
     let arguments = Arguments::parse();

@@ -1,7 +1,7 @@
 //! `outline`: facts of the outline of a case.
 
 use crate::args::Outline;
-use crate::failure::Failure;
+use crate::failure::{Failure, printable};
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
 use msape::units::number::rounded;
@@ -13,9 +13,11 @@ const DIGITS: usize = 8;
 
 /// Prints the facts of the outline of a case.
 pub fn outline(arguments: &Outline) -> Done {
-    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    output::check(arguments.output.as_deref(), &loaded.files)?;
+    let mut faults = std::mem::take(&mut loaded.faults);
     let library = Library::builtin()?;
-    let found = match problem::rigid_body(&case, &library) {
+    let found = match problem::rigid_body(&loaded.case, &library) {
         Ok(found) => found,
         Err(errors) => {
             faults.extend(errors.iter().map(ToString::to_string));
@@ -31,8 +33,9 @@ pub fn outline(arguments: &Outline) -> Done {
         }
         return Err(Failure::Input(faults));
     };
-    let object =
-        serde_json::json!({ "name": body.name, "outline": body.facts(), "notes": body.notes });
+    let of_file = loaded.findings().map(|finding| finding.message);
+    let notes: Vec<String> = body.notes.iter().cloned().chain(of_file).collect();
+    let object = serde_json::json!({ "name": body.name, "outline": body.facts(), "notes": notes });
     let text = if arguments.json {
         format!("{object:#}\n")
     } else {
@@ -46,9 +49,15 @@ pub fn outline(arguments: &Outline) -> Done {
             }
         }
         let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
-        let notes: String = body.notes.iter().map(|note| format!("{note}\n")).collect();
-        format!("{}\n{lines}{notes}", body.name)
+        // those of the file stand on standard error
+        let notes: String = body
+            .notes
+            .iter()
+            .map(|note| format!("{}\n", printable(note)))
+            .collect();
+        format!("{}\n{lines}{notes}", printable(&body.name))
     };
+    loaded.tell();
     output::write(&text, arguments.output.as_deref())?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,17 +1,84 @@
 //! Writes to standard output, or to a file that is replaced only as a whole.
 
 use crate::failure::Failure;
+use std::fmt;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+/// Code after a signal that ends a program, as shells have it for Ctrl-C.
+const INTERRUPTED: i32 = 130;
 
 /// Writes text or bytes to the file, or to standard output when there is none.
 pub fn write(content: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
-    let content = content.as_ref();
+    write_with(path, |out| out.write_all(content.as_ref()))
+}
+
+/// Writes what is spelled piece by piece.
+pub fn write_text(
+    path: Option<&Path>,
+    spell: impl FnOnce(&mut dyn fmt::Write) -> fmt::Result,
+) -> Result<(), Failure> {
+    write_with(path, |out| {
+        let mut text = Text { out, error: None };
+        match (spell(&mut text), text.error) {
+            (_, Some(error)) => Err(error),
+            (Err(_), None) => Err(io::Error::other("cannot be spelled")),
+            (Ok(()), None) => Ok(()),
+        }
+    })
+}
+
+/// Refuses to write over a file that was read.
+pub fn check(path: Option<&Path>, files: &[PathBuf]) -> Result<(), Failure> {
+    let Some(path) = path else {
+        return Ok(());
+    };
+    match files.iter().find(|file| is_same(path, file)) {
+        None => Ok(()),
+        Some(_) => Err(Failure::input(format!(
+            "cannot write {}: it is the case itself, or a file that it names",
+            path.display()
+        ))),
+    }
+}
+
+#[cfg(unix)]
+fn is_same(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |path: &Path| fs::metadata(path).map(|there| (there.dev(), there.ino()));
+    matches!((identity(one), identity(other)), (Ok(one), Ok(other)) if one == other)
+}
+
+#[cfg(not(unix))]
+fn is_same(one: &Path, other: &Path) -> bool {
+    matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
+}
+
+/// Text on its way to bytes; keeps the error of the writer.
+struct Text<'w> {
+    out: &'w mut dyn Write,
+    error: Option<io::Error>,
+}
+
+impl fmt::Write for Text<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.out.write_all(text.as_bytes()).map_err(|error| {
+            self.error = Some(error);
+            fmt::Error
+        })
+    }
+}
+
+fn write_with(
+    path: Option<&Path>,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
     match path {
         None => {
-            let mut out = io::stdout().lock();
-            out.write_all(content)
+            let mut out = BufWriter::new(io::stdout().lock());
+            content(&mut out)
                 .and_then(|()| out.flush())
                 .map_err(|error| Failure::writing(&error))
         }
@@ -20,36 +87,79 @@ pub fn write(content: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failu
     }
 }
 
-fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
+fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let there = fs::metadata(path).ok();
+    if there.is_none() && fs::symlink_metadata(path).is_ok() {
+        return Err(io::Error::other("it is a link to nothing"));
+    }
     if there
         .as_ref()
         .is_some_and(|there| !there.is_file() && !there.is_dir())
     {
         // A device or a pipe is written to, not replaced.
-        return OpenOptions::new()
-            .write(true)
-            .open(path)?
-            .write_all(content);
+        let mut out = BufWriter::new(OpenOptions::new().write(true).open(path)?);
+        return content(&mut out).and_then(|()| out.flush());
     }
     if there.as_ref().is_some_and(fs::Metadata::is_dir) {
         return Err(io::Error::other("it is a folder"));
     }
+    if there
+        .as_ref()
+        .is_some_and(|there| there.permissions().readonly())
+    {
+        return Err(io::Error::other("it is read-only"));
+    }
     // A link stays: what it points to is replaced.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let beside = beside(&path)?;
-    let written = File::create_new(&beside).and_then(|mut file| {
+    let unfinished = Unfinished::new(&beside);
+    let written = File::create_new(&beside).and_then(|file| {
         if let Some(there) = there {
             file.set_permissions(there.permissions())?;
         }
-        file.write_all(content)?;
-        file.sync_all()
+        let mut out = BufWriter::new(file);
+        content(&mut out)?;
+        out.into_inner()?.sync_all()
     });
     let done = written.and_then(|()| fs::rename(&beside, &path));
     if done.is_err() {
         let _ = fs::remove_file(&beside);
     }
+    drop(unfinished);
     done
+}
+
+/// The file that is being written; a signal that ends the program takes it away.
+struct Unfinished;
+
+static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+static WATCHED: OnceLock<bool> = OnceLock::new();
+
+impl Unfinished {
+    fn new(path: &Path) -> Unfinished {
+        Self::put(Some(path.to_path_buf()));
+        // Where signals cannot be watched, a file may stay, which is no reason to write nothing.
+        WATCHED.get_or_init(|| ctrlc::set_handler(Self::ended).is_ok());
+        Unfinished
+    }
+
+    fn put(path: Option<PathBuf>) {
+        *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = path;
+    }
+
+    fn ended() {
+        let path = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(path) = path.as_deref() {
+            let _ = fs::remove_file(path);
+        }
+        std::process::exit(INTERRUPTED);
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        Self::put(None);
+    }
 }
 
 /// A name in the same folder that nobody else takes.

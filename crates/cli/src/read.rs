@@ -1,19 +1,71 @@
 //! Reads a case from a file or from standard input, with what the command line sets and the files it names.
+//!
+//! A case may come from anybody: the files it names are read below its own folder, or below `--root`, and nowhere else. A file
+//! that the command line names with `--set` is the user's own word and may lie anywhere.
 
-use crate::failure::{Failure, printable};
-use cad::outline::{self, Imported, LengthUnit};
-use cad::table::atmosphere::{self, Kind};
+mod place;
+
+use crate::failure::{Failure, cut, say};
+use cad::outline::{self, LengthUnit};
+use cad::table::{self, Ground, Table};
 use msape::case::Value;
-use msape::{Case, InputError};
+use msape::finding::{Finding, Severity};
+use msape::{Case, InputError, Library};
+use place::Place;
+use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{self, Read, Write};
-use std::path::Path;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
 
 /// Largest file that is read.
 const SIZE_MAX: u64 = 64 * 1024 * 1024;
+const OUTLINE: &str = "outline.file";
 
-/// The case of `path` with `settings` applied, and faults found on the way that do not keep it from being checked.
-pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Failure> {
+/// A case with the rows of its files in the place of their names.
+pub struct Loaded {
+    /// The case.
+    pub case: Case,
+    /// Faults that do not keep it from being checked.
+    pub faults: Vec<String>,
+    /// What the readers of the files decided.
+    pub remarks: Vec<Remark>,
+    /// The files that were read, itself included.
+    pub files: Vec<PathBuf>,
+}
+
+/// What the reader of a file decided or left out.
+pub struct Remark {
+    /// Key that names the file.
+    key: &'static str,
+    /// Name of the file, and a sentence without its full stop.
+    message: String,
+}
+
+impl Loaded {
+    /// The remarks as findings.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        self.remarks.iter().map(|Remark { key, message }| Finding {
+            severity: Severity::Note,
+            model: "file".to_string(),
+            key: (*key).to_string(),
+            value: None,
+            valid: (None, None),
+            message: format!("{message}."),
+            source: "convention of this program".to_string(),
+            field: Some((*key).to_string()),
+        })
+    }
+
+    /// Says the remarks on standard error, where the output has no place for them.
+    pub fn tell(&self) {
+        for Remark { key, message } in &self.remarks {
+            say(&format!("note: {key}: {message}"));
+        }
+    }
+}
+
+/// The case of `path` with `settings` applied; files that it names may lie below `root` as well.
+pub fn case(path: &Path, settings: &[String], root: Option<&Path>) -> Result<Loaded, Failure> {
     let unreadable = |faults: Vec<InputError>| {
         let named = faults
             .iter()
@@ -22,36 +74,52 @@ pub fn case(path: &Path, settings: &[String]) -> Result<(Case, Vec<String>), Fai
     };
     let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;
     let mut faults = Vec::new();
-    let [mut air_here, mut outline_here] = [folder(path); 2];
+    let mut set_here = BTreeSet::new();
     for setting in settings {
         match setting.split_once('=') {
             Some(("name", name)) => case.name = name.to_string(),
             Some((key, value)) if !key.trim().is_empty() => {
                 case.set(key.trim(), value);
-                // Named on the command line, a file is looked for from where the command is given.
-                match key.trim() {
-                    "atmosphere.file" => air_here = Path::new(""),
-                    "outline.file" => outline_here = Path::new(""),
-                    _ => {}
-                }
+                set_here.insert(key.trim());
             }
-            _ => faults.push(format!("--set {setting}: must be KEY=VALUE")),
+            _ => faults.push(format!("--set {}: must be KEY=VALUE", cut(setting))),
         }
     }
     if case.name.is_empty() {
         case.name = title(path);
     }
-    resolve_atmosphere(&mut case, air_here, &mut faults);
-    resolve_outline(&mut case, outline_here, &mut faults);
-    resolve_aerodynamics(&mut case, folder(path), &mut faults);
-    Ok((case, faults))
+    let mut loaded = Loaded {
+        case,
+        faults,
+        remarks: Vec::new(),
+        files: Vec::new(),
+    };
+    if !is_standard_input(path) {
+        loaded.files.push(path.to_path_buf());
+    }
+    let place = |key: &str| {
+        if set_here.contains(key) {
+            Place::Anywhere
+        } else {
+            Place::Below {
+                folder: folder(path),
+                root,
+            }
+        }
+    };
+    let ground = Ground::of(&loaded.case, &Library::builtin()?);
+    for key in table::FILES {
+        resolve_table(&mut loaded, key, &place(key), &ground);
+    }
+    resolve_outline(&mut loaded, &place(OUTLINE));
+    Ok(loaded)
 }
 
 fn folder(path: &Path) -> &Path {
-    if is_standard_input(path) {
-        return Path::new("");
+    match path.parent() {
+        Some(folder) if !is_standard_input(path) && folder != Path::new("") => folder,
+        _ => Path::new("."),
     }
-    path.parent().unwrap_or(Path::new(""))
 }
 
 fn title(path: &Path) -> String {
@@ -76,151 +144,137 @@ fn display(path: &Path) -> String {
     }
 }
 
-/// The text of a file, or of standard input for `-`.
+/// The text of a case: UTF-8, or UTF-16 with its mark.
 fn text(path: &Path) -> Result<String, Failure> {
-    String::from_utf8(bytes(path)?).map_err(|error| {
-        Failure::input(format!(
-            "{}: is not text: byte {} is not UTF-8",
-            display(path),
+    let name = display(path);
+    let fault = |message: String| Failure::input(format!("{name}: {message}"));
+    if !is_standard_input(path) && path.is_dir() {
+        return Err(fault("is a folder; give the file of a case".to_string()));
+    }
+    let bytes = if is_standard_input(path) {
+        bytes(io::stdin().lock())
+    } else {
+        File::open(path)
+            .map_err(|error| format!("cannot be read: {error}"))
+            .and_then(bytes)
+    };
+    let bytes = bytes.map_err(fault)?;
+    if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] = bytes.as_slice() {
+        return match cad::text::decode(&bytes) {
+            Ok(decoded) => Ok(decoded.text),
+            Err(error) => Err(fault(error.to_string())),
+        };
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        fault(format!(
+            "is not text: byte {} is not UTF-8",
             error.utf8_error().valid_up_to() + 1
         ))
     })
 }
 
-/// The bytes of a file, or of standard input for `-`.
-fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    let name = display(path);
-    let fault = |message: String| Failure::input(format!("{name}: {message}"));
+fn bytes(from: impl Read) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
-    let read = if is_standard_input(path) {
-        io::stdin()
-            .lock()
-            .take(SIZE_MAX + 1)
-            .read_to_end(&mut bytes)
-    } else if path.is_dir() {
-        return Err(fault("is a folder; give the file of a case".to_string()));
-    } else {
-        File::open(path).and_then(|file| file.take(SIZE_MAX + 1).read_to_end(&mut bytes))
-    };
-    read.map_err(|error| fault(format!("cannot be read: {error}")))?;
+    from.take(SIZE_MAX + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| format!("cannot be read: {error}"))?;
     if bytes.len() as u64 > SIZE_MAX {
-        return Err(fault(format!("is larger than {} MiB", SIZE_MAX >> 20)));
+        return Err(format!("is larger than {} MiB", SIZE_MAX >> 20));
     }
     Ok(bytes)
 }
 
-/// Puts the rows of the file that `atmosphere.file` names in its place.
-fn resolve_atmosphere(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
-    let Some(Value::Text(name)) = case.values.get("atmosphere.file").cloned() else {
-        return;
-    };
-    case.values.remove("atmosphere.file");
-    if case.values.contains_key("atmosphere.table") {
-        faults.push(
-            "atmosphere.file: there is an atmosphere.table as well; give one of them".to_string(),
-        );
-        return;
+impl Loaded {
+    /// Takes a key that names a file out of the case and reads the file.
+    fn file(&mut self, key: &'static str, place: &Place) -> Option<(String, Vec<u8>)> {
+        let Some(Value::Text(name)) = self.case.values.get(key).cloned() else {
+            return None;
+        };
+        self.case.values.remove(key);
+        let read = place.find(&name).and_then(|path| {
+            let file = File::open(&path).map_err(|error| format!("cannot be read: {error}"));
+            let bytes = file.and_then(bytes)?;
+            self.files.push(path);
+            Ok(bytes)
+        });
+        match read {
+            Ok(bytes) => Some((cut(&name), bytes)),
+            Err(message) => {
+                self.faults
+                    .push(format!("{key}: {}: {message}", cut(&name)));
+                None
+            }
+        }
     }
-    let path = here.join(&name);
-    let rows = match text(&path) {
-        Ok(text) => atmosphere::read(&text, Kind::Atmosphere),
-        Err(Failure::Input(messages)) => {
-            faults.extend(messages.iter().map(|m| format!("atmosphere.file: {m}")));
+
+    fn take(&mut self, key: &'static str, name: &str, table: Table) {
+        if self.case.values.contains_key(table.key) {
+            let (key, table) = (key, table.key);
+            self.faults.push(format!(
+                "{key}: there is a {table} as well; give one of them"
+            ));
             return;
         }
-        Err(_) => return,
-    };
-    match rows {
-        Ok(rows) => {
-            case.values
-                .insert("atmosphere.table".to_string(), Value::Rows(rows));
-        }
-        Err(found) => faults.extend(
-            found
-                .iter()
-                .map(|fault| format!("atmosphere.file: {}: {fault}", path.display())),
-        ),
+        self.case
+            .values
+            .insert(table.key.to_string(), Value::Rows(table.rows));
+        let remarks = table.remarks.into_iter().map(|remark| Remark {
+            key,
+            message: format!("{name}: {remark}"),
+        });
+        self.remarks.extend(remarks);
+    }
+
+    fn refuse<T: ToString>(&mut self, key: &str, name: &str, found: &[T]) {
+        let named = found
+            .iter()
+            .map(|fault| format!("{key}: {name}: {}", fault.to_string()));
+        self.faults.extend(named);
     }
 }
 
-/// Puts the points of the file that `outline.file` names in its place.
-fn resolve_outline(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
-    let Some(Value::Text(name)) = case.values.get("outline.file").cloned() else {
+/// Puts the rows of a table in the place of the name of its file.
+fn resolve_table(loaded: &mut Loaded, key: &'static str, place: &Place, ground: &Ground) {
+    let Some((name, bytes)) = loaded.file(key, place) else {
         return;
     };
-    case.values.remove("outline.file");
-    let unit = match case.values.remove("outline.file_unit") {
+    match table::read(key, &bytes, ground) {
+        Ok(table) => loaded.take(key, &name, table),
+        Err(found) => loaded.refuse(key, &name, &found),
+    }
+}
+
+/// Puts the points of an outline in the place of the name of its file.
+fn resolve_outline(loaded: &mut Loaded, place: &Place) {
+    if !matches!(loaded.case.values.get(OUTLINE), Some(Value::Text(_))) {
+        return;
+    }
+    let unit = match loaded.case.values.remove("outline.file_unit") {
         Some(Value::Text(symbol)) => match LengthUnit::of(&symbol) {
             Some(unit) => Some(unit),
             None => {
-                faults.push(format!(
-                    "outline.file_unit: got \"{symbol}\", must be one of m, cm, mm, in, ft"
+                loaded.case.values.remove(OUTLINE);
+                loaded.faults.push(format!(
+                    "outline.file_unit: got \"{}\", must be one of m, cm, mm, in, ft",
+                    cut(&symbol)
                 ));
                 return;
             }
         },
         _ => None,
     };
-    if case.values.contains_key("outline.points") {
-        let message = "outline.file: there are outline.points as well; give one of them";
-        faults.push(message.to_string());
-        return;
-    }
-    let path = here.join(&name);
-    let read = match bytes(&path) {
-        Ok(bytes) => outline::read(&name, &bytes, unit),
-        Err(Failure::Input(messages)) => {
-            faults.extend(messages.iter().map(|m| format!("outline.file: {m}")));
-            return;
-        }
-        Err(_) => return,
-    };
-    match read {
-        Ok(Imported { rows, remarks }) => {
-            for remark in remarks {
-                // a standard error that is full is no reason to stop
-                let named = printable(&format!("outline.file: {}: {remark}", path.display()));
-                let _ = writeln!(io::stderr(), "msape: note: {named}");
-            }
-            case.values
-                .insert("outline.points".to_string(), Value::Rows(rows));
-        }
-        Err(found) => faults.extend(
-            found
-                .iter()
-                .map(|fault| format!("outline.file: {}: {fault}", path.display())),
-        ),
-    }
-}
-
-/// Puts the rows of the file that `vehicle.aerodynamics.file` names in its place.
-fn resolve_aerodynamics(case: &mut Case, here: &Path, faults: &mut Vec<String>) {
-    let key = "vehicle.aerodynamics.file";
-    let table = "vehicle.aerodynamics.table";
-    let Some(Value::Text(name)) = case.values.get(key).cloned() else {
+    let Some((name, bytes)) = loaded.file(OUTLINE, place) else {
         return;
     };
-    case.values.remove(key);
-    if case.values.contains_key(table) {
-        faults.push(format!(
-            "{key}: there is a {table} as well; give one of them"
-        ));
-        return;
-    }
-    let path = here.join(&name);
-    let found = match text(&path) {
-        Ok(text) => cad::table::aerodynamics::read(&text),
-        Err(Failure::Input(messages)) => Err(messages),
-        Err(_) => return,
-    };
-    match found {
-        Ok(rows) => {
-            case.values.insert(table.to_string(), Value::Rows(rows));
+    match outline::read(&name, &bytes, unit) {
+        Ok(points) => {
+            let table = Table {
+                key: "outline.points",
+                rows: points.rows,
+                remarks: points.remarks,
+            };
+            loaded.take(OUTLINE, &name, table);
         }
-        Err(found) => faults.extend(
-            found
-                .iter()
-                .map(|fault| format!("{key}: {}: {fault}", path.display())),
-        ),
+        Err(found) => loaded.refuse(OUTLINE, &name, &found),
     }
 }

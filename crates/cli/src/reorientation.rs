@@ -1,7 +1,7 @@
 //! `reorientation`: entries of one vehicle from a set of attitudes and rates.
 
 use crate::args::Reorientation;
-use crate::failure::Failure;
+use crate::failure::{Failure, printable};
 use crate::terminal::{self, Paint};
 use crate::{Done, output, read, show};
 use msape::answer::turning;
@@ -22,9 +22,12 @@ struct Flown {
 
 /// Flies the entries and writes them.
 pub fn reorientation(arguments: &Reorientation) -> Done {
-    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    output::check(arguments.output.as_deref(), &loaded.files)?;
+    let mut faults = std::mem::take(&mut loaded.faults);
+    let case = &loaded.case;
     let library = Library::builtin()?;
-    let flown = flown(&case, &library);
+    let flown = flown(case, &library);
     watched();
     let flown = match flown {
         Ok(flown) if faults.is_empty() => flown,
@@ -34,7 +37,9 @@ pub fn reorientation(arguments: &Reorientation) -> Done {
             return Err(Failure::Input(faults));
         }
     };
-    output::write(text(arguments, &case, &flown), arguments.output.as_deref())?;
+    loaded.tell();
+    let text = text(arguments, case, &flown);
+    output::write(text, arguments.output.as_deref())?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -108,5 +113,8 @@ fn text(arguments: &Reorientation, case: &Case, flown: &Flown) -> String {
         Some(turning) => show::entries(turning, paint),
         None => String::new(),
     };
-    format!("{}{outcome}{reason}\n{table}", paint.heading(&case.name))
+    format!(
+        "{}{outcome}{reason}\n{table}",
+        paint.heading(&printable(&case.name))
+    )
 }

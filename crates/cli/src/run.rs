@@ -3,6 +3,7 @@
 use crate::args::{Form, Run};
 use crate::failure::Failure;
 use crate::{Done, output, read, reorientation, show};
+use msape::flight::Trajectory;
 use msape::problem::add_turning;
 use msape::quantity::Job;
 use msape::table::{self, Manner, Solved, kml};
@@ -20,10 +21,12 @@ pub enum Entries {
 
 /// Solves a case and writes the answer.
 pub fn run(arguments: &Run, job: Job, entries: Entries) -> Done {
-    let (case, mut faults) = read::case(&arguments.case, &arguments.set)?;
+    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    output::check(arguments.output.as_deref(), &loaded.files)?;
+    let mut faults = std::mem::take(&mut loaded.faults);
     let library = Library::builtin()?;
     let request = request(arguments);
-    let answer = match solve(&case, &library, request, (job, entries)) {
+    let mut answer = match solve(&loaded.case, &library, request, (job, entries)) {
         Ok(answer) if faults.is_empty() => answer,
         Ok(_) => return Err(Failure::Input(faults)),
         Err(found) => {
@@ -31,8 +34,8 @@ pub fn run(arguments: &Run, job: Job, entries: Entries) -> Done {
             return Err(Failure::Input(faults));
         }
     };
-    let text = text(arguments, job, &case, &answer)?;
-    output::write(&text, arguments.output.as_deref())?;
+    answer.findings.extend(loaded.findings());
+    write(arguments, job, &loaded.case, &answer)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -61,43 +64,52 @@ fn request(arguments: &Run) -> Request {
     }
 }
 
-fn text(arguments: &Run, job: Job, case: &Case, answer: &Answer) -> Result<String, Failure> {
+fn write(arguments: &Run, job: Job, case: &Case, answer: &Answer) -> Result<(), Failure> {
+    let path = arguments.output.as_deref();
     let solved = Solved { case, answer };
     match arguments.form {
-        Form { json: true, .. } => Ok(answer::text(answer, job)),
-        Form { csv: true, .. } => Ok(csv(arguments, job, solved, Manner::Report)),
-        Form { csv_si: true, .. } => Ok(csv(arguments, job, solved, Manner::Si)),
-        Form { kml: true, .. } => kml::kml(answer, arguments.epoch).ok_or_else(|| {
-            Failure::input(format!(
-                "--kml: there is no trajectory; the case is {}",
-                answer.outcome.name()
-            ))
-        }),
+        Form { json: true, .. } => output::write_text(path, |out| answer::write(answer, job, out)),
+        Form { csv: true, .. } => csv(arguments, job, solved, Manner::Report),
+        Form { csv_si: true, .. } => csv(arguments, job, solved, Manner::Si),
+        Form { kml: true, .. } => {
+            let has_track = answer
+                .flight
+                .as_ref()
+                .is_some_and(|f| f.trajectory.is_some());
+            let nothing = || {
+                Failure::input(format!(
+                    "--kml: there is no trajectory; the case is {}",
+                    answer.outcome.name()
+                ))
+            };
+            if !has_track {
+                return Err(nothing());
+            }
+            output::write_text(path, |out| {
+                kml::write(answer, arguments.epoch, out).unwrap_or(Ok(()))
+            })
+        }
         Form {
             mass_tree: true, ..
         } => match &answer.design {
-            Some(design) => Ok(table::mass_tree(&design.vehicle).to_csv()),
+            Some(design) => output::write(table::mass_tree(&design.vehicle).to_csv(), path),
             None => Err(Failure::input(format!(
                 "--mass-tree: there is no designed vehicle; the case is {}",
                 answer.outcome.name()
             ))),
         },
-        _ => Ok(show::answer(answer, job, arguments.output.is_some())),
+        _ => output::write(show::answer(answer, job, path.is_some()), path),
     }
 }
 
 /// The time history where one is asked for, else the results.
-fn csv(arguments: &Run, job: Job, solved: Solved, manner: Manner) -> String {
-    let history_wanted = arguments.trajectory || arguments.trajectory_step.is_some();
-    let table = if history_wanted {
-        let trajectory = solved
-            .answer
-            .flight
-            .as_ref()
-            .and_then(|f| f.trajectory.clone());
-        table::history(&trajectory.unwrap_or_default(), manner)
-    } else {
-        table::results(&[solved], job, manner)
-    };
-    table.to_csv()
+fn csv(arguments: &Run, job: Job, solved: Solved, manner: Manner) -> Result<(), Failure> {
+    let path = arguments.output.as_deref();
+    if arguments.trajectory || arguments.trajectory_step.is_some() {
+        let none = Trajectory::default();
+        let flight = solved.answer.flight.as_ref();
+        let trajectory = flight.and_then(|f| f.trajectory.as_ref()).unwrap_or(&none);
+        return output::write_text(path, |out| table::write_history(trajectory, manner, out));
+    }
+    output::write(table::results(&[solved], job, manner).to_csv(), path)
 }

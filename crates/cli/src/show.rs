@@ -2,6 +2,7 @@
 
 pub mod columns;
 
+use crate::failure::printable;
 use crate::terminal::Paint;
 use columns::{Align, Columns};
 use msape::Outcome;
@@ -58,7 +59,7 @@ fn head(answer: &Answer, paint: Paint) -> String {
         Outcome::Converged | Outcome::Landed | Outcome::Stopped => paint.good(outcome),
         _ => paint.bad(outcome),
     };
-    let name: String = answer.name.chars().filter(|c| !c.is_control()).collect();
+    let name = printable(&answer.name);
     let reason = answer
         .reason
         .as_ref()

@@ -8,7 +8,7 @@ pub(crate) mod sample;
 pub mod surface;
 pub mod turning;
 
-pub use json::{json, text};
+pub use json::{json, text, write};
 pub use output::{Output, outputs};
 
 use crate::design::{Design, Pass};

@@ -4,6 +4,7 @@
 //! reports all faults at once.
 
 mod check;
+mod node;
 mod read;
 pub mod schema;
 pub mod version;
@@ -31,7 +32,7 @@ pub enum Value {
     Flag(bool),
     /// Rows of numbers.
     Rows(Vec<Vec<f64>>),
-    /// Something no input takes, described.
+    /// Something no input takes, as TOML spells it; null of JSON as `null`.
     Other(String),
 }
 
@@ -101,7 +102,7 @@ impl Case {
             ("false", _) => Value::Flag(false),
             (_, Ok(number)) => Value::Number(number),
             _ => takes_rows(&key)
-                .then(|| read::rows_of_text(text))
+                .then(|| node::rows_of_text(text))
                 .flatten()
                 .unwrap_or_else(|| Value::Text(text.to_string())),
         };

@@ -16,9 +16,10 @@ use crate::answer::Answer;
 use crate::answer::{Output, outputs};
 use crate::case::Case;
 use crate::flight::Trajectory;
-use crate::quantity::{Input, Job, inputs};
+use crate::quantity::{self, Input, Job, inputs};
 use crate::units::Unit;
 use crate::units::number::shortest;
+use std::fmt;
 
 pub use mass_tree::mass_tree;
 pub use turning::turning;
@@ -84,41 +85,56 @@ pub fn pairs(solved: Solved, job: Job, manner: Manner) -> Vec<(String, String)> 
 
 /// One row for each time of a trajectory.
 pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
-    let value = |x: f64, unit: Option<&Unit>| match (manner, unit) {
-        (Manner::Report, Some(unit)) => shortest(unit.from_canonical(x)),
-        _ => shortest(x),
-    };
-    let header = |label: &str, unit: &str| {
-        if unit.is_empty() {
-            label.to_string()
-        } else {
-            format!("{label} ({unit})")
-        }
-    };
     Table {
-        headers: trajectory
-            .columns()
-            .map(|(column, _)| match manner {
-                Manner::Report => header(column.label, column.unit),
-                Manner::Si => column.key.to_string(),
-            })
-            .collect(),
+        headers: history_headers(trajectory, manner),
         rows: (0..trajectory.rows())
-            .map(|row| {
-                trajectory
-                    .columns()
-                    .map(|(column, values)| {
-                        let unit = Unit::find(column.unit);
-                        let cell = |x: &f64| match trajectory.name(column, *x) {
-                            Some(name) => name.to_string(),
-                            None => value(*x, unit),
-                        };
-                        values.get(row).map_or_else(String::new, cell)
-                    })
-                    .collect()
-            })
+            .map(|row| history_row(trajectory, manner, row))
             .collect(),
     }
+}
+
+/// Writes the rows of [`history`] as CSV, one by one.
+///
+/// # Errors
+/// What the writer refuses.
+pub fn write_history(
+    trajectory: &Trajectory,
+    manner: Manner,
+    out: &mut dyn fmt::Write,
+) -> fmt::Result {
+    let mut line = String::new();
+    let mut write = |cells: &[String]| {
+        line.clear();
+        csv::push_row(&mut line, cells.iter().map(String::as_str));
+        out.write_str(&line)
+    };
+    write(&history_headers(trajectory, manner))?;
+    (0..trajectory.rows()).try_for_each(|row| write(&history_row(trajectory, manner, row)))
+}
+
+fn history_headers(trajectory: &Trajectory, manner: Manner) -> Vec<String> {
+    let header = |(column, _): (&quantity::trajectory::Column, &[f64])| match manner {
+        Manner::Report if column.unit.is_empty() => column.label.to_string(),
+        Manner::Report => format!("{} ({})", column.label, column.unit),
+        Manner::Si => column.key.to_string(),
+    };
+    trajectory.columns().map(header).collect()
+}
+
+fn history_row(trajectory: &Trajectory, manner: Manner, row: usize) -> Vec<String> {
+    let cell = |(column, values): (&quantity::trajectory::Column, &[f64])| {
+        let unit = match manner {
+            Manner::Report => Unit::find(column.unit),
+            Manner::Si => None,
+        };
+        values
+            .get(row)
+            .map_or_else(String::new, |x| match trajectory.name(column, *x) {
+                Some(name) => name.to_string(),
+                None => shortest(unit.map_or(*x, |unit| unit.from_canonical(*x))),
+            })
+    };
+    trajectory.columns().map(cell).collect()
 }
 
 fn result_columns(solved: &[Solved], job: Job, manner: Manner) -> Vec<Column> {

@@ -6,6 +6,7 @@
 pub mod number;
 mod text;
 
+pub(crate) use text::{SHOWN_MAX, cut};
 pub use text::{TextError, parse_number};
 
 /// What a number measures; units of one dimension convert into each other.

@@ -53,6 +53,8 @@ fn escaped(text: &str) -> String {
             '<' => safe.push_str("&lt;"),
             '>' => safe.push_str("&gt;"),
             '&' => safe.push_str("&amp;"),
+            // no characters of XML
+            '\u{fffe}' | '\u{ffff}' => {}
             c if c.is_control() => safe.push(' '),
             c => safe.push(c),
         }

@@ -132,6 +132,14 @@ pub fn FileImport(
     }
 }
 
+/// What the reader of a file decided, as sentences after another one.
+pub fn notes(remarks: &[String]) -> String {
+    remarks
+        .iter()
+        .map(|remark| format!(" Note: {remark}."))
+        .collect()
+}
+
 /// The name of a file without its ending.
 pub fn stem(name: &str) -> String {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

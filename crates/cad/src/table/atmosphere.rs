@@ -1,387 +1,160 @@
-//! Rows of an atmosphere or wind table from a text file, whatever the dialect.
+//! Rows of an atmosphere from a file.
 //!
 //! ```text
-//! field separator: semicolon, tab or comma, whichever the first lines hold;  # begins a comment
-//! decimal comma:   read as a point unless the comma separates the fields
-//! header:          one line of names with units, such as  altitude (km); density (kg/m3); T [K]
+//! ρ = p / (R T)                            where the file gives no density, as a sounding
+//! H₂ − H₁ = R T̄ / g₀ · ln(p₁ / p₂)         between two pressure altitudes
 //! ```
 //!
-//! Numbers come out in SI. Without a header the columns are those of [`Kind`] in their order, in SI.
+//! with H in m, R in J/(kg K) (on the Earth R*/M₀ of the standard atmosphere), p in Pa, T in K, T̄ the logarithmic mean of two rows, as of a temperature that is linear between them, g₀ = 9.80665 m/s².
 //!
 //! # Valid
-//! One table a file. A header must name a unit where the number is not in SI.
+//! Density of the gas of the planet. Pressure altitude only on the Earth, where it is the geopotential altitude at which the standard
+//! atmosphere has the pressure; the lowest row is taken to stand at its own pressure altitude, as the pressure at sea level is
+//! not known.
 //!
 //! # References
-//! - Own convention.
+//! - \[coesa-1976\] for geopotential altitude, constants and pressure; \[wmo-8\] for soundings.
 
-mod heading;
+use super::altitude::{G_0_M_S2, Heights, geometric_m};
+use super::curve::{ascending, in_order};
+use super::quantity::Quantity;
+use super::sheet::{Layout, sheet};
+use super::{Ground, Table, TableFault};
+use numerics::math::ln;
 
-use heading::{Quantity, name_and_unit};
-use thiserror::Error;
+const ATMOSPHERE: Layout = Layout {
+    quantities: &[
+        Quantity::Altitude,
+        Quantity::Geopotential,
+        Quantity::PressureAltitude,
+        Quantity::Density,
+        Quantity::Temperature,
+        Quantity::Pressure,
+    ],
+    bare: (
+        &[
+            Quantity::Altitude,
+            Quantity::Density,
+            Quantity::Temperature,
+            Quantity::Pressure,
+        ],
+        2,
+    ),
+    whole: false,
+};
 
-/// Faults are listed up to this number.
-const MOST_FAULTS: usize = msape::planet::rows::MOST_FAULTS;
-/// Characters of a field that a message shows.
-const MOST_SHOWN: usize = 40;
-
-/// What the file holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Altitude, density, temperature, pressure; the last two optional.
-    Atmosphere,
-    /// Altitude, eastward, northward wind.
-    Wind,
-}
-
-/// One thing wrong with a file; lines are counted from 1.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum CsvFault {
-    /// No row of numbers.
-    #[error("the file holds no row of numbers")]
-    Empty,
-    /// A field that is not a number.
-    #[error("line {line}: column {column}: got \"{text}\", must be a number")]
-    NotANumber {
-        /// Line of the file.
-        line: u64,
-        /// Column, from 1.
-        column: usize,
-        /// The field, shortened.
-        text: String,
-    },
-    /// A column name that is not known, or comes twice.
-    #[error("header: column {column}: got \"{text}\", must be one of {expected}, each once")]
-    UnknownColumn {
-        /// Column, from 1.
-        column: usize,
-        /// The name, shortened.
-        text: String,
-        /// Names that are understood.
-        expected: &'static str,
-    },
-    /// A unit that is not known for its column.
-    #[error("header: column {column}: got the unit \"{unit}\", must be one of {expected}")]
-    UnknownUnit {
-        /// Column, from 1.
-        column: usize,
-        /// The unit, shortened.
-        unit: String,
-        /// Units that are understood.
-        expected: &'static str,
-    },
-    /// A needed column is missing.
-    #[error("header: no column for {name}")]
-    MissingColumn {
-        /// The quantity.
-        name: &'static str,
-    },
-    /// A line that cannot be read as text.
-    #[error("line {line}: {reason}")]
-    Unreadable {
-        /// Line of the file.
-        line: u64,
-        /// Why.
-        reason: String,
-    },
-}
-
-/// A column of the file: what it is, and SI = factor × number + offset.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Reading {
-    quantity: Quantity,
-    factor: f64,
-    offset: f64,
-}
-
-impl Kind {
-    fn quantities(self) -> &'static [Quantity] {
-        match self {
-            Self::Atmosphere => &[
-                Quantity::Altitude,
-                Quantity::Density,
-                Quantity::Temperature,
-                Quantity::Pressure,
-            ],
-            Self::Wind => &[Quantity::Altitude, Quantity::Eastward, Quantity::Northward],
-        }
+/// Altitude, density and, where the file has them, temperature and pressure.
+pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
+    let mut sheet = sheet(text, &ATMOSPHERE)?;
+    let heights = Heights::of(&sheet, ground)?;
+    let [has_density, has_temperature, has_pressure] =
+        [Quantity::Density, Quantity::Temperature, Quantity::Pressure].map(|q| sheet.has(q));
+    let gas_constant = ground.gas_constant_j_kg_k;
+    let pressures = has_pressure || heights == Heights::Pressure;
+    let from_pressure = !has_density && has_temperature && pressures;
+    if !has_density && !from_pressure {
+        return Err(vec![sheet.missing("density")]);
     }
-
-    fn needed(self) -> usize {
-        match self {
-            Self::Atmosphere => 2,
-            Self::Wind => 3,
-        }
-    }
-
-    fn expected(self) -> &'static str {
-        match self {
-            Self::Atmosphere => "altitude, density, temperature, pressure",
-            Self::Wind => "altitude, eastward, northward",
-        }
-    }
-}
-
-/// Rows in SI and in the order of the case file: altitude, density, temperature, pressure, or altitude, eastward,
-/// northward; or what is wrong with the file, up to a hundred faults.
-pub fn read(text: &str, kind: Kind) -> Result<Vec<Vec<f64>>, Vec<CsvFault>> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let delimiter = delimiter(text);
-    let mut reader = ::csv::ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .has_headers(false)
-        .flexible(true)
-        .trim(::csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let (mut rows, mut faults) = (Vec::new(), Vec::new());
-    let mut readings: Option<Vec<Reading>> = None;
-    for record in reader.records() {
-        if faults.len() >= MOST_FAULTS {
-            break;
-        }
-        let record = match record {
-            Ok(record) => record,
-            Err(error) => {
-                let line = error.position().map_or(0, |p| p.line());
-                faults.push(CsvFault::Unreadable {
-                    line,
-                    reason: error.to_string(),
-                });
-                continue;
-            }
-        };
-        let line = record.position().map_or(0, |p| p.line());
-        // A separator at the end of the line makes no column.
-        let mut fields: Vec<&str> = record.iter().collect();
-        while fields.last().is_some_and(|field| field.is_empty()) {
-            fields.pop();
-        }
-        if fields.is_empty() {
-            continue;
-        }
-        if readings.is_none()
-            && rows.is_empty()
-            && fields.iter().all(|f| number(f, delimiter).is_none())
-        {
-            match header(&fields, kind) {
-                Ok(found) => readings = Some(found),
-                Err(found) => return Err(found),
-            }
-            continue;
-        }
-        let before = faults.len();
-        let mut row = Vec::with_capacity(fields.len());
-        for (i, field) in fields.iter().enumerate() {
-            match number(field, delimiter) {
-                Some(value) => row.push(value),
-                None => faults.push(CsvFault::NotANumber {
-                    line,
-                    column: i + 1,
-                    text: shorten(field),
-                }),
-            }
-        }
-        if faults.len() == before {
-            rows.push(
-                readings
-                    .as_ref()
-                    .map_or(row.clone(), |readings| in_order(&row, readings, kind)),
-            );
-        }
-    }
-    if rows.is_empty() && faults.is_empty() {
-        faults.push(CsvFault::Empty);
-    }
-    if faults.is_empty() {
-        Ok(rows)
-    } else {
-        Err(faults)
-    }
-}
-
-/// The separator of the first line that is not a comment.
-fn delimiter(text: &str) -> u8 {
-    let first = text
-        .lines()
-        .find(|line| !line.trim().is_empty() && !line.starts_with('#'))
-        .unwrap_or("");
-    [b';', b'\t', b',']
-        .into_iter()
-        .find(|d| first.as_bytes().contains(d))
-        .unwrap_or(b',')
-}
-
-fn number(field: &str, delimiter: u8) -> Option<f64> {
-    match field.parse() {
-        Ok(value) => Some(value),
-        Err(_) if delimiter != b',' => field.replace(',', ".").parse().ok(),
-        Err(_) => None,
-    }
-}
-
-fn shorten(text: &str) -> String {
-    text.chars().take(MOST_SHOWN).collect()
-}
-
-/// What each column of the header is.
-fn header(fields: &[&str], kind: Kind) -> Result<Vec<Reading>, Vec<CsvFault>> {
-    let (mut readings, mut faults): (Vec<Reading>, Vec<CsvFault>) = (Vec::new(), Vec::new());
-    for (i, field) in fields.iter().enumerate() {
-        let column = i + 1;
-        let (name, unit) = name_and_unit(field);
-        let known = kind
-            .quantities()
-            .iter()
-            .copied()
-            .find(|quantity| quantity.names().1.contains(&name.as_str()));
-        let quantity = match known {
-            Some(quantity) if readings.iter().all(|r| r.quantity != quantity) => quantity,
-            _ => {
-                let (text, expected) = (shorten(field), kind.expected());
-                faults.push(CsvFault::UnknownColumn {
-                    column,
-                    text,
-                    expected,
-                });
-                continue;
-            }
-        };
-        let (expected, units) = quantity.units();
-        let found = if unit.is_empty() {
-            units.first()
-        } else {
-            units.iter().find(|u| u.0.contains(&unit.as_str()))
-        };
-        match found {
-            Some((_, factor, offset)) => readings.push(Reading {
-                quantity,
-                factor: *factor,
-                offset: *offset,
-            }),
-            None => faults.push(CsvFault::UnknownUnit {
-                column,
-                unit: shorten(&unit),
-                expected,
-            }),
-        }
-        if faults.len() >= MOST_FAULTS {
-            break;
-        }
-    }
-    let needed = kind.quantities().iter().enumerate();
-    for (i, quantity) in needed {
-        let found = readings.iter().any(|r| r.quantity == *quantity);
-        let later = kind
-            .quantities()
-            .iter()
-            .skip(i + 1)
-            .any(|q| readings.iter().any(|r| r.quantity == *q));
-        // Temperature may be missing, but not before a pressure: rows are told apart by their length.
-        if !found && faults.is_empty() && (i < kind.needed() || later) {
-            faults.push(CsvFault::MissingColumn {
-                name: quantity.names().0,
-            });
-        }
-    }
-    if faults.is_empty() {
-        Ok(readings)
-    } else {
-        Err(faults)
-    }
-}
-
-/// The row in SI and in the order of its kind; a number too many or too few is left for the checks of the table.
-fn in_order(row: &[f64], readings: &[Reading], kind: Kind) -> Vec<f64> {
-    if row.len() != readings.len() {
-        return row.to_vec();
-    }
-    let pick = |quantity: &Quantity| {
-        let pair = readings
-            .iter()
-            .zip(row)
-            .find(|(reading, _)| reading.quantity == *quantity);
-        pair.map(|(reading, value)| value * reading.factor + reading.offset)
+    let r = match (from_pressure || heights == Heights::Pressure, gas_constant) {
+        (true, None) => return Err(vec![TableFault::UnknownGas]),
+        (_, gas_constant) => gas_constant.unwrap_or_default(),
     };
-    kind.quantities().iter().filter_map(pick).collect()
+    if has_pressure && !has_temperature {
+        sheet
+            .remarks
+            .push("the pressure is left out, as there is no temperature beside it".to_owned());
+    }
+    if from_pressure {
+        sheet.remarks.push(format!(
+            "density is p/(R T) of the planet's gas with R = {r:.3} J/(kg K)"
+        ));
+    }
+    let mut rows: Vec<(u64, Vec<f64>)> = Vec::with_capacity(sheet.rows.len());
+    for (line, row) in &sheet.rows {
+        let value = |q: Quantity| sheet.value(row, q);
+        let altitude_m = heights.altitude_m(&sheet, row, ground);
+        let standard = ground
+            .standard
+            .as_ref()
+            .filter(|_| heights == Heights::Pressure);
+        let of_altitude = standard.map(|air| {
+            air.air(geometric_m(altitude_m, ground.radius_m))
+                .pressure_pa
+        });
+        // a pressure altitude is the pressure itself
+        let pressure_pa = of_altitude.or(value(Quantity::Pressure));
+        let given_k = value(Quantity::Temperature);
+        let given_kg_m3 = value(Quantity::Density);
+        let density_kg_m3 = given_kg_m3.or_else(|| Some(pressure_pa? / (r * given_k?)));
+        let temperature_k = given_k.or_else(|| Some(of_altitude? / (r * given_kg_m3?)));
+        let mut cells = vec![altitude_m, density_kg_m3.unwrap_or_default()];
+        cells.extend(temperature_k);
+        if temperature_k.is_some() {
+            cells.extend(pressure_pa);
+        }
+        rows.push((*line, cells));
+    }
+    if !sheet.headed {
+        falls_with_height(&rows)?;
+    }
+    sheet.remarks.extend(heights.remark(ground));
+    ascending(&mut rows, "altitude", &mut sheet.remarks);
+    without_repeats(&mut rows, &mut sheet.remarks);
+    in_order(&rows, "altitude")?;
+    let mut rows: Vec<Vec<f64>> = rows.into_iter().map(|(_, row)| row).collect();
+    if heights == Heights::Pressure {
+        stacked(&mut rows, r, ground);
+    }
+    Ok(Table {
+        key: "atmosphere.table",
+        rows,
+        remarks: sheet.remarks,
+    })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn german_file_with_units_in_another_order() {
-        let text =
-            "# radiosonde\nT [°C];Altitude (km);Density (g/m³)\n15,0;0,0;1225,0\n-56,5;11;364,8;\n";
-        let rows = read(text, Kind::Atmosphere).unwrap();
-        assert_eq!(rows.len(), 2);
-        // 15 + 273.15, 1225 × 1e-3; 11 km = 11000 m
-        assert!((rows[0][1] - 1.225).abs() < 1e-12 && (rows[0][2] - 288.15).abs() < 1e-12);
-        assert_eq!(rows[1][0], 11_000.0);
+/// Heights of rows that stand at pressure altitudes, m: each layer as thick as its mean temperature makes it.
+fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
+    let mut below: Option<[f64; 3]> = None;
+    for row in rows {
+        let [altitude, _, temperature, pressure] = row.as_mut_slice() else {
+            continue;
+        };
+        let height = below.map_or(*altitude, |[height, pressure_below, temperature_below]| {
+            let warmer = *temperature - temperature_below;
+            let mean = if warmer == 0.0 {
+                *temperature
+            } else {
+                warmer / ln(*temperature / temperature_below)
+            };
+            height + gas_constant * mean / G_0_M_S2 * ln(pressure_below / *pressure)
+        });
+        below = Some([height, *pressure, *temperature]);
+        *altitude = geometric_m(height, ground.radius_m);
     }
+}
 
-    #[test]
-    fn keys_of_the_case_file_are_headings() {
-        let rows = read(
-            "altitude_m,density_kg_m3,temperature_K,pressure_Pa\n0,1.2,288,1e5\n",
-            Kind::Atmosphere,
-        );
-        assert_eq!(rows.unwrap(), [[0.0, 1.2, 288.0, 1e5]]);
-        let rows = read(
-            "altitude_m\teastward_m_s\tnorthward_m_s\n0\t5\t-1\n",
-            Kind::Wind,
-        )
-        .unwrap();
-        assert_eq!(rows, [[0.0, 5.0, -1.0]]);
-        let rows = read("alt_ft,rho (slug/ft^3)\n1000,0.002377\n", Kind::Atmosphere).unwrap();
-        // 1000 × 0.3048; 0.002377 × 515.3788 = 1.22506
-        assert!((rows[0][0] - 304.8).abs() < 1e-10 && (rows[0][1] - 1.22506).abs() < 1e-5);
+/// Leaves out rows that stand at the altitude of the row before, as levels of soundings do.
+pub(super) fn without_repeats(rows: &mut Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) {
+    let before = rows.len();
+    rows.dedup_by(|b, a| a.1 == b.1);
+    if rows.len() < before {
+        remarks.push(format!(
+            "{} repeated rows are left out",
+            before - rows.len()
+        ));
     }
+}
 
-    #[test]
-    fn without_a_header_columns_are_in_order_and_in_si() {
-        let rows = read("0.0, 1.225\n1000.0, 1.112\n", Kind::Atmosphere).unwrap();
-        assert_eq!(rows, [[0.0, 1.225], [1000.0, 1.112]]);
+/// A fault where a table without heading has a second column that no density is.
+fn falls_with_height(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
+    let ends = rows.first().zip(rows.last());
+    let Some(((line, first), (last_line, last))) = ends else {
+        return Ok(());
+    };
+    let (rises, grows) = (last[0] > first[0], last[1] >= first[1]);
+    if rows.len() > 1 && rises == grows {
+        let line = *line.max(last_line);
+        return Err(vec![TableFault::NotADensity { line }]);
     }
-
-    #[test]
-    fn faults_name_line_column_and_text() {
-        let faults = read(
-            "altitude_m,density_kg_m3\n0,1.2\n1000,dense\n2000,thin\n",
-            Kind::Atmosphere,
-        )
-        .unwrap_err();
-        assert_eq!(faults.len(), 2);
-        assert_eq!(
-            faults[0].to_string(),
-            "line 3: column 2: got \"dense\", must be a number"
-        );
-        let faults = read("altitude (furlong),humidity\n0,1\n", Kind::Atmosphere).unwrap_err();
-        assert!(
-            faults[0]
-                .to_string()
-                .contains("got the unit \"furlong\", must be one of m, km, ft, kft")
-        );
-        assert!(faults[1].to_string().contains("got \"humidity\""));
-        assert_eq!(
-            read("altitude_m,temperature_K\n0,288\n", Kind::Atmosphere).unwrap_err(),
-            [CsvFault::MissingColumn { name: "density" }]
-        );
-        assert_eq!(
-            read("# nothing\n\n", Kind::Atmosphere).unwrap_err(),
-            [CsvFault::Empty]
-        );
-    }
-
-    #[test]
-    fn ten_megabytes_of_garbage_make_a_hundred_faults_at_most() {
-        let garbage = "1;x;y\n".repeat(1_700_000);
-        let faults = read(&garbage, Kind::Atmosphere).unwrap_err();
-        assert!(
-            (2..=MOST_FAULTS + 2).contains(&faults.len()),
-            "{}",
-            faults.len()
-        );
-        assert!(read(&"\u{1}ÿ,\"".repeat(2_000_000), Kind::Atmosphere).is_err());
-    }
+    Ok(())
 }

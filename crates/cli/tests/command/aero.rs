@@ -152,7 +152,7 @@ fn a_table_of_ones_own_is_read_checked_and_extrapolated_as_asked() {
     let faulty = msape(&["aero", path(&case), "--mach", "1", "--json"]);
     assert_eq!((faulty.code, faulty.out.as_str()), (Some(2), ""));
     assert!(
-        faulty.err.contains("table.csv: line 4: got \"\""),
+        faulty.err.contains("table.csv: line 4: column 3: got \"\""),
         "{}",
         faulty.err
     );

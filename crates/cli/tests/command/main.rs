@@ -5,6 +5,8 @@ mod answers;
 mod bad_input;
 mod drawing;
 mod export;
+mod files;
+mod outputs;
 mod reorientation;
 mod schema;
 

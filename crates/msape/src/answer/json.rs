@@ -4,84 +4,139 @@
 
 use super::Answer;
 use crate::answer::{landing, outputs, turning};
+use crate::flight::Trajectory;
 use crate::quantity::Job;
-use serde_json::{Map, Value, json as value};
+use serde_json::{Number, Value, json as value};
+use std::fmt;
 
 /// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, where some began `phases`, of a design
 /// `mass_tree`, `structure`, `stability` and, where it was flown, `reorientation` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
-    let mut object = Map::new();
-    object.insert("name".to_string(), value!(answer.name));
-    object.insert("outcome".to_string(), value!(answer.outcome.name()));
-    object.insert("reason".to_string(), value!(answer.reason));
-    object.insert("results".to_string(), results(answer, job));
-    object.insert("findings".to_string(), value!(answer.findings));
-    object.insert("adjustments".to_string(), value!(answer.adjustments));
-    object.insert("passes".to_string(), value!(answer.passes));
-    let begun = answer.flight.as_ref().map(|flight| &flight.phases);
-    if let Some(phases) = begun.filter(|phases| !phases.is_empty()) {
-        object.insert("phases".to_string(), value!(phases));
-    }
-    if let Some(design) = &answer.design {
-        let tree = design.vehicle.mass_tree();
-        object.insert("mass_tree".to_string(), value!(tree));
-    }
-    if let Some(structural) = answer.design.as_ref().and_then(|d| d.structural.as_ref()) {
-        object.insert("structure".to_string(), value!(structural));
-    }
-    if let Some(design) = &answer.design {
-        if let Some(stability) = &design.stability {
-            object.insert("stability".to_string(), value!(stability));
-        }
-        if let Some(flown) = &design.turning {
-            object.insert("reorientation".to_string(), turning::json(flown));
-        }
-    }
-    if let Some(trajectory) = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref()) {
-        let history = trajectory
-            .columns()
-            .map(|(column, values)| {
+    let trajectory = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
+    let member = |(key, member): (&str, Value)| match (key, trajectory) {
+        ("trajectory", Some(trajectory)) => {
+            let columns = trajectory.columns();
+            let history = columns.map(|(column, values)| {
                 let named = values.iter().map(|x| trajectory.name(column, *x));
                 let values = match named.collect::<Option<Vec<&str>>>() {
                     Some(names) if !names.is_empty() => value!(names),
                     _ => value!(values),
                 };
                 (column.key.to_string(), values)
-            })
-            .collect();
-        object.insert("trajectory".to_string(), Value::Object(history));
+            });
+            (key.to_string(), Value::Object(history.collect()))
+        }
+        _ => (key.to_string(), member),
+    };
+    Value::Object(members(answer, job).into_iter().map(member).collect())
+}
+
+/// The members of the object in their order; the time history is left null, as it may be long.
+fn members(answer: &Answer, job: Job) -> Vec<(&'static str, Value)> {
+    let mut members = vec![
+        ("name", value!(answer.name)),
+        ("outcome", value!(answer.outcome.name())),
+        ("reason", value!(answer.reason)),
+        ("results", results(answer, job)),
+        ("findings", value!(answer.findings)),
+        ("adjustments", value!(answer.adjustments)),
+        ("passes", value!(answer.passes)),
+    ];
+    let begun = answer.flight.as_ref().map(|flight| &flight.phases);
+    if let Some(phases) = begun.filter(|phases| !phases.is_empty()) {
+        members.push(("phases", value!(phases)));
+    }
+    if let Some(design) = &answer.design {
+        members.push(("mass_tree", value!(design.vehicle.mass_tree())));
+        if let Some(structural) = &design.structural {
+            members.push(("structure", value!(structural)));
+        }
+        if let Some(stability) = &design.stability {
+            members.push(("stability", value!(stability)));
+        }
+        if let Some(flown) = &design.turning {
+            members.push(("reorientation", turning::json(flown)));
+        }
+    }
+    if answer
+        .flight
+        .as_ref()
+        .is_some_and(|f| f.trajectory.is_some())
+    {
+        members.push(("trajectory", Value::Null));
         if let Some(design) = &answer.design {
             let history =
                 landing::keyed(&design.landing).map(|(key, values)| (key, value!(values)));
-            object.insert("landing".to_string(), Value::Object(history.collect()));
+            members.push(("landing", Value::Object(history.collect())));
         }
     }
-    Value::Object(object)
+    members
 }
 
 /// The same object as text, a line for each number and for each column of the time history.
 pub fn text(answer: &Answer, job: Job) -> String {
-    let Value::Object(object) = json(answer, job) else {
-        return String::new();
-    };
-    let members = object
-        .iter()
-        .map(|(key, member)| match (key.as_str(), member) {
-            ("trajectory" | "landing" | "structure" | "stability", Value::Object(history)) => {
-                lines(
-                    history
-                        .iter()
-                        .map(|(column, values)| format!("{}: {values}", quoted(column))),
-                )
-                .map_or_else(
-                    || format!("{}: {{}}", quoted(key)),
-                    |inner| format!("{}: {{\n{inner}\n}}", quoted(key)),
-                )
+    let mut text = String::new();
+    // Writing into a String cannot fail.
+    let _ = write(answer, job, &mut text);
+    text
+}
+
+/// Writes that text piece by piece: a time history is never a whole in memory but as numbers.
+///
+/// # Errors
+/// What the writer refuses.
+pub fn write(answer: &Answer, job: Job, out: &mut dyn fmt::Write) -> fmt::Result {
+    let trajectory = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
+    let mut first = true;
+    out.write_char('{')?;
+    for (key, member) in members(answer, job) {
+        out.write_str(if first { "\n  " } else { ",\n  " })?;
+        first = false;
+        write!(out, "{}: ", quoted(key))?;
+        match (key, member) {
+            ("trajectory", _) => {
+                write_history(out, trajectory)?;
+            }
+            ("landing" | "structure" | "stability", Value::Object(object)) => {
+                if object.is_empty() {
+                    out.write_str("{}")?;
+                }
+                for (i, (column, values)) in object.iter().enumerate() {
+                    out.write_str(if i == 0 { "{\n    " } else { ",\n    " })?;
+                    write!(out, "{}: {values}", quoted(column))?;
+                }
+                if !object.is_empty() {
+                    out.write_str("\n  }")?;
+                }
             }
             // Line breaks inside strings are escaped, so every line break here is layout.
-            _ => format!("{}: {member:#}", quoted(key)),
-        });
-    format!("{{\n{}\n}}\n", lines(members).unwrap_or_default())
+            (_, member) => out.write_str(&format!("{member:#}").replace('\n', "\n  "))?,
+        }
+    }
+    out.write_str("\n}\n")
+}
+
+fn write_history(out: &mut dyn fmt::Write, trajectory: Option<&Trajectory>) -> fmt::Result {
+    let mut empty = true;
+    if let Some(trajectory) = trajectory {
+        for (column, values) in trajectory.columns() {
+            out.write_str(if empty { "{\n    " } else { ",\n    " })?;
+            empty = false;
+            write!(out, "{}: [", quoted(column.key))?;
+            for (i, number) in values.iter().enumerate() {
+                if i > 0 {
+                    out.write_char(',')?;
+                }
+                match (trajectory.name(column, *number), Number::from_f64(*number)) {
+                    (Some(name), _) => write!(out, "{}", quoted(name))?,
+                    (None, Some(number)) => write!(out, "{number}")?,
+                    (None, None) => out.write_str("null")?,
+                }
+            }
+            out.write_char(']')?;
+        }
+    }
+    out.write_str(if empty { "{}" } else { "\n  }" })
 }
 
 fn results(answer: &Answer, job: Job) -> Value {
@@ -92,13 +147,6 @@ fn results(answer: &Answer, job: Job) -> Value {
         })
         .collect();
     Value::Object(results)
-}
-
-/// Members divided by commas, one step further in; `None` when there are none.
-fn lines(members: impl Iterator<Item = String>) -> Option<String> {
-    members
-        .map(|member| format!("  {}", member.replace('\n', "\n  ")))
-        .reduce(|all, member| format!("{all},\n{member}"))
 }
 
 fn quoted(text: &str) -> Value {

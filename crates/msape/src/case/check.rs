@@ -4,7 +4,7 @@ use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key,
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
 use crate::quantity::input::{self, Input, Kind, Preset};
-use crate::units::{canonical, parse_number};
+use crate::units::{canonical, cut, parse_number};
 use std::fmt;
 
 /// A fault of the input: which key, what was given, what is allowed.
@@ -39,10 +39,22 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// Faulty cells of a table that are listed.
+/// Unknown keys that are told; a file with more of them is no case.
+const UNKNOWN_MAX: usize = 50;
+/// Faults of one table that are told.
 const ROW_FAULTS_MAX: usize = 100;
-/// Unknown keys that get a hint at the nearest known one; a file with more of them is no case.
-const HINTS_MAX: usize = 100;
+
+/// Keys of files and of the rows in them; who reads files puts the rows in their place.
+const FILES: [(&str, &str); 5] = [
+    ("wind.file", "wind.table"),
+    ("vehicle.drag_file", "vehicle.drag_table"),
+    ("vehicle.lift_file", "vehicle.lift_table"),
+    ("vehicle.bank_file", "vehicle.bank_table_deg"),
+    (
+        "vehicle.aerodynamics.damping_file",
+        "vehicle.aerodynamics.damping_table",
+    ),
+];
 
 /// Reads checked values out of a case and collects the faults on the way.
 pub struct Reader<'a> {
@@ -62,13 +74,19 @@ impl<'a> Reader<'a> {
             findings: case.version_note().into_iter().collect(),
         };
         let known = |key: &str| input::find(key).is_some() && !input::phase::is_repeated(key);
-        for key in case.values.keys().filter(|key| !known(key)) {
-            let message = if reader.faults.len() < HINTS_MAX {
-                unknown_key(key)
-            } else {
-                "unknown key".to_string()
-            };
-            reader.fault(key, message);
+        let mut unknown = case.values.keys().filter(|key| !known(key));
+        for key in unknown.by_ref().take(UNKNOWN_MAX) {
+            reader.fault(key, unknown_key(key));
+        }
+        let more = unknown.count();
+        if more > 0 {
+            reader.fault("", format!("and {more} more unknown keys"));
+        }
+        for (file, table) in FILES
+            .into_iter()
+            .filter(|(file, _)| case.values.contains_key(*file))
+        {
+            reader.fault(file, format!("was not read; give its rows as {table}"));
         }
         reader
     }
@@ -76,7 +94,7 @@ impl<'a> Reader<'a> {
     /// Notes a fault.
     pub fn fault(&mut self, key: &str, message: impl Into<String>) {
         self.faults.push(InputError {
-            key: key.to_string(),
+            key: cut(key),
             message: message.into(),
         });
     }
@@ -135,7 +153,11 @@ impl<'a> Reader<'a> {
             Some(other) => {
                 self.fault(
                     key,
-                    format!("got {}, {}", shown(other), must_be(&allowed, unit.symbol)),
+                    format!(
+                        "got {}, {}",
+                        shown(other, false),
+                        must_be(&allowed, unit.symbol)
+                    ),
                 );
                 return None;
             }
@@ -216,7 +238,10 @@ impl<'a> Reader<'a> {
             (None, Preset::Flag(flag)) => Some(flag),
             (None, _) => None,
             (Some(other), _) => {
-                self.fault(key, format!("got {}, must be true or false", shown(other)));
+                self.fault(
+                    key,
+                    format!("got {}, must be true or false", shown(other, false)),
+                );
                 None
             }
         }
@@ -227,7 +252,7 @@ impl<'a> Reader<'a> {
         match self.case.values.get(key)? {
             Value::Text(text) => Some(text.clone()),
             other => {
-                self.fault(key, format!("got {}, must be text", shown(other)));
+                self.fault(key, format!("got {}, must be text", shown(other, false)));
                 None
             }
         }
@@ -243,7 +268,11 @@ impl<'a> Reader<'a> {
             (Some(other), _) => {
                 self.fault(
                     key,
-                    format!("got {}, must be one of {}", shown(other), names.join(", ")),
+                    format!(
+                        "got {}, must be one of {}",
+                        shown(other, false),
+                        names.join(", ")
+                    ),
                 );
                 return None;
             }
@@ -259,7 +288,8 @@ impl<'a> Reader<'a> {
             self.fault(
                 key,
                 format!(
-                    "got \"{wanted}\", must be one of {}{hint}",
+                    "got \"{}\", must be one of {}{hint}",
+                    cut(&wanted),
                     names.join(", ")
                 ),
             );
@@ -280,7 +310,7 @@ impl<'a> Reader<'a> {
                     key,
                     format!(
                         "got {}, must be rows of {}",
-                        shown(other),
+                        shown(other, true),
                         column_names(input)
                     ),
                 );
@@ -296,6 +326,9 @@ impl<'a> Reader<'a> {
             );
         }
         for (i, row) in rows.iter().enumerate() {
+            if self.faults.len() - before >= ROW_FAULTS_MAX {
+                break;
+            }
             if row.len() < fewest || row.len() > columns.len() || row.len() != rows[0].len() {
                 let message = format!(
                     "row {} has {} numbers, must be {}",

@@ -1,59 +1,12 @@
 //! Reads a case from TOML or JSON: one model, two spellings.
 
+use super::node::{Node, describe, rows, spelled};
 use super::{Case, InputError, SCHEMA, Value, Version};
 use crate::quantity::input::phase::SECTION;
 use crate::quantity::input::{self, Kind};
-
-/// A value of TOML or JSON.
-enum Node {
-    Number(f64),
-    Text(String),
-    Flag(bool),
-    List(Vec<Node>),
-    Map(Vec<(String, Node)>),
-    Other(&'static str),
-}
-
-impl Node {
-    fn is_map(&self) -> bool {
-        matches!(self, Node::Map(_))
-    }
-}
-
-impl From<toml::Value> for Node {
-    fn from(value: toml::Value) -> Node {
-        match value {
-            toml::Value::Float(number) => Node::Number(number),
-            toml::Value::Integer(number) => Node::Number(number as f64),
-            toml::Value::String(text) => Node::Text(text),
-            toml::Value::Boolean(flag) => Node::Flag(flag),
-            toml::Value::Array(list) => Node::List(list.into_iter().map(Node::from).collect()),
-            toml::Value::Table(map) => {
-                Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
-            }
-            toml::Value::Datetime(_) => Node::Other("a date"),
-        }
-    }
-}
-
-impl From<serde_json::Value> for Node {
-    fn from(value: serde_json::Value) -> Node {
-        match value {
-            serde_json::Value::Number(number) => number
-                .as_f64()
-                .map_or(Node::Other("a number too large"), Node::Number),
-            serde_json::Value::String(text) => Node::Text(text),
-            serde_json::Value::Bool(flag) => Node::Flag(flag),
-            serde_json::Value::Array(list) => {
-                Node::List(list.into_iter().map(Node::from).collect())
-            }
-            serde_json::Value::Object(map) => {
-                Node::Map(map.into_iter().map(|(k, v)| (k, v.into())).collect())
-            }
-            serde_json::Value::Null => Node::Other("null"),
-        }
-    }
-}
+use crate::units::cut;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Longest piece of a foreign message that is passed on.
 const MESSAGE_MAX: usize = 300;
@@ -104,9 +57,9 @@ impl Case {
     /// As [`Case::from_text`].
     pub fn from_json(text: &str) -> Result<Case, Vec<InputError>> {
         let text = text.trim_start_matches('\u{feff}');
-        let value: serde_json::Value =
+        let node: Node =
             serde_json::from_str(text).map_err(|e| syntax_error("JSON", &e.to_string()))?;
-        Case::from_node(value.into())
+        Case::from_node(node)
     }
 
     fn from_node(node: Node) -> Result<Case, Vec<InputError>> {
@@ -125,30 +78,40 @@ impl Case {
             ..Case::default()
         };
         let mut schema = None;
+        let mut taken = Taken::default();
         for (key, node) in map {
+            if ["schema", "name", "version"].contains(&key.as_str()) {
+                taken.take(&key, &key);
+            }
             match (key.as_str(), node) {
                 ("schema", Node::Text(text)) => schema = Some(text),
                 ("schema", other) => return Err(schema_error(&describe(&other))),
                 ("name", Node::Text(text)) => case.name = text,
+                ("name", other) => {
+                    return Err(vec![InputError {
+                        key,
+                        message: format!("got {}, must be text", describe(&other)),
+                    }]);
+                }
                 ("version", node) => case.version = version(&node)?,
-                (_, node) => case.flatten(key, node),
+                (_, node) => case.flatten(key, node, &mut taken),
             }
         }
         match schema.as_deref() {
-            Some(SCHEMA) => Ok(case),
-            Some(other) => Err(schema_error(&format!("\"{other}\""))),
+            Some(SCHEMA) if taken.twice.is_empty() => Ok(case),
+            Some(SCHEMA) => Err(taken.twice),
+            Some(other) => Err(schema_error(&format!("\"{}\"", cut(other)))),
             None => Err(schema_error("nothing")),
         }
     }
 
-    fn flatten(&mut self, key: String, node: Node) {
-        let known = input::find(&key);
+    fn flatten(&mut self, key: String, node: Node, taken: &mut Taken) {
         let node = match node {
             Node::List(list) if key == SECTION && list.iter().all(Node::is_map) => {
                 for (i, phase) in list.into_iter().enumerate() {
                     if let Node::Map(map) = phase {
                         for (part, child) in map {
-                            self.flatten(format!("{key}.{}.{part}", i + 1), child);
+                            self.flatten(format!("{key}.{}.{part}", i + 1), child, taken);
                         }
                     }
                 }
@@ -156,71 +119,82 @@ impl Case {
             }
             Node::Map(map) if !map.is_empty() => {
                 for (part, child) in map {
-                    self.flatten(format!("{key}.{part}"), child);
+                    self.flatten(format!("{key}.{part}"), child, taken);
                 }
                 return;
             }
             other => other,
         };
+        let known = input::find(&key);
         // A table given where a database is named is a drag table.
-        let key = match (&node, known) {
+        let (known, place) = match (&node, known) {
             (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
-                "vehicle.drag_table".to_string()
+                let place = "vehicle.drag_table";
+                (input::find(place), place.to_string())
             }
-            (_, Some(_)) => input::canonical_key(&key),
-            _ => key,
+            _ => (known, input::canonical_key(&key)),
         };
-        let rows_expected =
-            input::find(&key).is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
+        let rows_expected = known.is_some_and(|input| matches!(input.kind, Kind::Rows(_)));
         let value = match node {
             Node::Number(number) => Value::Number(number),
             Node::Text(text) => Value::Text(text),
             Node::Flag(flag) => Value::Flag(flag),
-            Node::List(list) if rows_expected => rows(list),
-            other => Value::Other(describe(&other)),
+            other => match rows_expected.then(|| rows(&other)) {
+                Some(Ok(rows)) => Value::Rows(rows),
+                _ => Value::Other(spelled(&other)),
+            },
         };
-        self.values.insert(key, value);
-    }
-}
-
-/// Rows of numbers typed as text in brackets; `None` where the text is nothing of the kind.
-pub(super) fn rows_of_text(text: &str) -> Option<Value> {
-    let mut table: toml::Table = toml::from_str(&format!("rows = {text}")).ok()?;
-    match Node::from(table.remove("rows")?) {
-        Node::List(list) if table.is_empty() => Some(rows(list)),
-        _ => None,
-    }
-}
-
-fn rows(list: Vec<Node>) -> Value {
-    // Numbers without brackets of their own are one row.
-    let is_row = !list.is_empty() && list.iter().all(|node| matches!(node, Node::Number(_)));
-    let list = if is_row { vec![Node::List(list)] } else { list };
-    let mut rows = Vec::with_capacity(list.len());
-    for (i, row) in list.into_iter().enumerate() {
-        let Node::List(cells) = row else {
-            return Value::Other(format!("row {} that is not a list of numbers", i + 1));
-        };
-        let mut numbers = Vec::with_capacity(cells.len());
-        for cell in cells {
-            let Node::Number(number) = cell else {
-                return Value::Other(format!("row {} with {}", i + 1, describe(&cell)));
-            };
-            numbers.push(number);
+        match known {
+            Some(_) => {
+                taken.take(&place, &key);
+                self.values.insert(place, value);
+            }
+            // what is not known has one spelling
+            None => match self.values.entry(key) {
+                Entry::Vacant(place) => {
+                    place.insert(value);
+                }
+                Entry::Occupied(place) => taken.fault(place.key(), STANDS_TWICE.to_string()),
+            },
         }
-        rows.push(numbers);
     }
-    Value::Rows(rows)
 }
 
-fn describe(node: &Node) -> String {
-    match node {
-        Node::Number(number) => number.to_string(),
-        Node::Text(text) => format!("\"{text}\""),
-        Node::Flag(flag) => flag.to_string(),
-        Node::List(_) => "a list".to_string(),
-        Node::Map(_) => "an empty table".to_string(),
-        Node::Other(what) => (*what).to_string(),
+const STANDS_TWICE: &str = "stands twice; give it once";
+/// Most keys that stand twice and are told.
+const TWICE_MAX: usize = 100;
+
+/// Known keys that have been given, each with its spelling, and faults of keys given twice.
+#[derive(Default)]
+struct Taken {
+    spellings: BTreeMap<String, String>,
+    twice: Vec<InputError>,
+}
+
+impl Taken {
+    fn take(&mut self, key: &str, spelling: &str) {
+        let Some(first) = self.spellings.insert(key.to_string(), spelling.to_string()) else {
+            return;
+        };
+        let message = if first == spelling {
+            STANDS_TWICE.to_string()
+        } else {
+            format!(
+                "stands twice, as {} and as {}; give one of them",
+                cut(&first),
+                cut(spelling)
+            )
+        };
+        self.fault(key, message);
+    }
+
+    fn fault(&mut self, key: &str, message: String) {
+        if self.twice.len() < TWICE_MAX {
+            self.twice.push(InputError {
+                key: cut(key),
+                message,
+            });
+        }
     }
 }
 
@@ -280,6 +254,7 @@ fn place_of(text: &str, offset: usize) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::node::described;
     use super::*;
 
     #[test]
@@ -304,6 +279,72 @@ mod tests {
         assert!(error("schema = \"msape/1\"\nname = ").contains("line 2"));
         assert!(error("{\"schema\": ").contains("JSON"));
         assert!(error(&"\u{1}garbage ".repeat(100_000)).len() < 500);
+    }
+
+    #[test]
+    fn a_key_stands_once_whatever_its_spelling() {
+        let twice = |text: &str| {
+            let faults = Case::from_text(text).unwrap_err();
+            faults[0].to_string()
+        };
+        let told = "entry.speed_m_s: stands twice; give it once";
+        for entries in [
+            r#""entry":{"speed_m_s":1,"speed_m_s":2}"#,
+            r#""entry":{"speed_m_s":1},"entry.speed_m_s":2"#,
+            r#""entry":{"speed_m_s":1},"entry":{"speed_m_s":2}"#,
+            r#""entry.speed_m_s":1,"entry.speed_m_s":2"#,
+        ] {
+            assert_eq!(
+                twice(&format!("{{\"schema\":\"msape/1\",{entries}}}")),
+                told
+            );
+        }
+        assert_eq!(
+            twice("schema='msape/1'\n\"entry.speed_m_s\"=1\n[entry]\nspeed_m_s=2\n"),
+            told
+        );
+        let spellings = twice(
+            "schema='msape/1'\n[planet]\nradius_m=1.0\nequatorial_radius_m=2.0\nr_equatorial_m=3.0\n",
+        );
+        assert!(
+            spellings.starts_with("planet.equatorial_radius_m: stands twice, as planet."),
+            "{spellings}"
+        );
+        let drag = twice(
+            "schema='msape/1'\n[vehicle]\naerodynamics=[[0.0,1.0]]\ndrag_table=[[0.0,1.0]]\n",
+        );
+        assert_eq!(
+            drag,
+            "vehicle.drag_table: stands twice, as vehicle.aerodynamics and as vehicle.drag_table; give one of them"
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","schema":"msape/1"}"#).starts_with("schema: stands twice")
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","a":{"b":1},"a.b":2}"#).starts_with("a.b: stands twice")
+        );
+        assert!(
+            twice(r#"{"schema":"msape/1","name":"a","name":"b"}"#)
+                .starts_with("name: stands twice")
+        );
+        assert!(twice("schema='msape/1'\n[entry]\nspeed_m_s=1\nspeed_m_s=2\n").contains("TOML"));
+        assert!(twice("schema='msape/1'\nname=3\n").contains("must be text"));
+    }
+
+    #[test]
+    fn what_no_input_takes_is_kept_as_it_was_spelled() {
+        let case = Case::from_toml("schema='msape/1'\nwhen=1979-05-27\nlist=[1,'a',[],{b=2}]\n[atmosphere]\ntable=[[0,1.2],[1,'x']]\n").unwrap();
+        assert_eq!(case.values["when"], Value::Other("1979-05-27".to_string()));
+        assert_eq!(described("1979-05-27", false), "a date");
+        let Value::Other(table) = &case.values["atmosphere.table"] else {
+            unreachable!()
+        };
+        assert_eq!(described(table, true), "row 2 with \"x\"");
+        assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+        assert_eq!(
+            Case::from_json(&case.to_json()).unwrap().values["list"],
+            case.values["list"]
+        );
     }
 
     #[test]

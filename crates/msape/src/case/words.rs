@@ -1,8 +1,10 @@
 //! The words of a fault: ranges, values and names as a person reads them.
 
 use super::Value;
+use super::node::described;
 use crate::quantity::input::{self, Input, Kind, Range, inputs};
 use crate::units::canonical;
+use crate::units::{SHOWN_MAX, cut};
 
 pub(super) fn column_names(input: &Input) -> String {
     match input.kind {
@@ -40,13 +42,13 @@ pub(super) fn must_be(range: &Range, unit: &str) -> String {
     }
 }
 
-pub(super) fn shown(value: &Value) -> String {
+pub(super) fn shown(value: &Value, rows_expected: bool) -> String {
     match value {
         Value::Number(number) => number.to_string(),
-        Value::Text(text) => format!("\"{text}\""),
+        Value::Text(text) => format!("\"{}\"", cut(text)),
         Value::Flag(flag) => flag.to_string(),
         Value::Rows(_) => "rows of numbers".to_string(),
-        Value::Other(what) => what.clone(),
+        Value::Other(spelling) => described(spelling, rows_expected),
     }
 }
 
@@ -82,8 +84,11 @@ pub(super) fn unknown_key(key: &str) -> String {
     }
 }
 
-/// The name with the smallest edit distance, if that is below half of its length.
+/// The name with the smallest edit distance, if that is below half of its length; a text that is too long is no misspelling.
 pub(super) fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    if wanted.len() > SHOWN_MAX {
+        return None;
+    }
     names
         .map(|name| {
             (

@@ -6,10 +6,10 @@ use crate::quantity::input::{find, inputs};
 use std::fmt::Write;
 
 impl Case {
-    /// Keys that are given, known ones first in the order of the list, then the others.
+    /// Keys that are given with the place where each is written, known ones first in the order of the list, then the others.
     ///
     /// A name that shares its key with a section stands in the section: `vehicle.aerodynamics.name`.
-    fn ordered(&self) -> Vec<(String, &Value)> {
+    fn ordered(&self) -> Vec<(Place, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
         let is_known = |key: &str| inputs().any(|input| input.key == key);
         let of_phase = |key: &str| find(key).is_some() && !is_known(key);
@@ -30,12 +30,37 @@ impl Case {
             .collect()
     }
 
-    fn place(&self, key: &str) -> String {
+    /// Whether a key below this one is given.
+    fn holds_below(&self, key: &str) -> bool {
         let section = format!("{key}.");
         let after = self.values.range(section.clone()..).next();
-        match after {
-            Some((next, _)) if next.starts_with(&section) => format!("{section}name"),
-            _ => key.to_string(),
+        after.is_some_and(|(next, _)| next.starts_with(&section))
+    }
+
+    fn place(&self, key: &str) -> Place {
+        let named = |key: &str| self.holds_below(key) && is_named_in_section(key);
+        let mut above = key.match_indices('.').filter_map(|(end, _)| key.get(..end));
+        // what is a value of its own cannot be a section as well
+        let below_a_value = above.any(|above| self.values.contains_key(above) && !named(above));
+        let key = if named(key) {
+            format!("{key}.name")
+        } else {
+            key.to_string()
+        };
+        match key.rsplit_once('.') {
+            Some((section, name))
+                if !below_a_value && key.split('.').all(is_bare) && !is_odd_phase(section) =>
+            {
+                Place {
+                    section: section.to_string(),
+                    name: name.to_string(),
+                }
+            }
+            // quoted as a whole it stands for itself: its parts may be empty, or hold what a bare key may not
+            _ => Place {
+                section: String::new(),
+                name: key,
+            },
         }
     }
 
@@ -48,31 +73,36 @@ impl Case {
             quoted(&self.name)
         );
         let ordered = self.ordered();
-        let mut sections: Vec<&str> = Vec::new();
-        for (key, _) in &ordered {
-            let section = key.rsplit_once('.').map_or("", |(section, _)| section);
-            if !sections.contains(&section) {
-                sections.push(section);
+        let mut sections: Vec<(&str, String)> = Vec::new();
+        // Writing into a String cannot fail.
+        for (Place { section, name }, value) in &ordered {
+            let name = if is_bare(name) {
+                name.clone()
+            } else {
+                quoted_key(name)
+            };
+            let line = format!("{name} = {}\n", spelled(value));
+            if section.is_empty() {
+                text.push_str(&line);
+                continue;
+            }
+            match sections.iter_mut().find(|(other, _)| other == section) {
+                Some((_, lines)) => lines.push_str(&line),
+                None => sections.push((section, line)),
             }
         }
-        // Writing into a String cannot fail.
         let mut phases = 0;
-        for section in sections {
+        for (section, lines) in sections {
             match phase_number(section) {
                 Some(number) => {
                     // Phases that nothing is given for keep their place.
                     let before = number.saturating_sub(phases);
                     text.push_str(&format!("\n[[{SECTION}]]\n").repeat(before));
+                    text.push_str(&lines);
                     phases = number;
                 }
                 None => {
-                    let _ = write!(text, "\n[{section}]\n");
-                }
-            }
-            for (key, value) in &ordered {
-                if key.rsplit_once('.').map_or("", |(section, _)| section) == section {
-                    let name = key.rsplit_once('.').map_or(key.as_str(), |(_, name)| name);
-                    let _ = writeln!(text, "{name} = {}", spelled(value));
+                    let _ = write!(text, "\n[{section}]\n{lines}");
                 }
             }
         }
@@ -85,15 +115,15 @@ impl Case {
         root.insert("schema".to_string(), SCHEMA.into());
         root.insert("version".to_string(), self.version.to_string().into());
         root.insert("name".to_string(), self.name.as_str().into());
-        for (key, value) in self.ordered() {
+        for (Place { section, name }, value) in self.ordered() {
             let value = match value {
                 Value::Number(number) => (*number).into(),
                 Value::Text(text) => text.as_str().into(),
                 Value::Flag(flag) => (*flag).into(),
                 Value::Rows(rows) => serde_json::json!(rows),
-                Value::Other(_) => serde_json::Value::Null,
+                Value::Other(spelling) => json_of(spelling),
             };
-            insert(&mut root, &key, value);
+            insert(&mut root, &section, name, value);
         }
         if let Some(serde_json::Value::Object(numbered)) = root.get_mut(SECTION)
             && (numbered.keys())
@@ -112,6 +142,35 @@ impl Case {
     }
 }
 
+/// Where a key is written: its section, empty for none, and its name there.
+struct Place {
+    section: String,
+    name: String,
+}
+
+/// Whether a part of a key needs no quotes.
+fn is_bare(part: &str) -> bool {
+    let fits = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
+    !part.is_empty() && part.bytes().all(fits)
+}
+
+/// A key in quotes, on one line: the escapes of JSON are those of TOML, which knows one control character more.
+pub(super) fn quoted_key(key: &str) -> String {
+    let quoted = serde_json::Value::String(key.to_string()).to_string();
+    quoted.replace('\u{7f}', "\\u007f")
+}
+
+/// Whether an input may also be given as `name` in the section of its key.
+fn is_named_in_section(key: &str) -> bool {
+    find(&format!("{key}.name")).is_some_and(|input| input.key == key)
+}
+
+/// Whether a section lies beside or below the list of phases.
+fn is_odd_phase(section: &str) -> bool {
+    let first = section.split('.').next();
+    first == Some(SECTION) && phase_number(section).is_none()
+}
+
 /// The number of the phase that a section is of.
 fn phase_number(section: &str) -> Option<usize> {
     let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
@@ -119,25 +178,34 @@ fn phase_number(section: &str) -> Option<usize> {
     ((1..=MOST).contains(&index) && number == index.to_string()).then_some(index)
 }
 
-/// Puts a value under a dotted key.
+/// Puts a value into a section of dotted name.
 fn insert(
     map: &mut serde_json::Map<String, serde_json::Value>,
-    key: &str,
+    section: &str,
+    name: String,
     value: serde_json::Value,
 ) {
-    match key.split_once('.') {
-        None => {
-            map.insert(key.to_string(), value);
-        }
-        Some((section, rest)) => {
-            let child = map
-                .entry(section.to_string())
-                .or_insert_with(|| serde_json::Value::Object(serde_json::Map::new()));
-            if let serde_json::Value::Object(child) = child {
-                insert(child, rest, value);
-            }
-        }
+    let (first, rest) = section.split_once('.').unwrap_or((section, ""));
+    if first.is_empty() {
+        map.insert(name, value);
+        return;
     }
+    let child = map
+        .entry(first.to_string())
+        .or_insert_with(|| serde_json::Value::Object(serde_json::Map::new()));
+    if let serde_json::Value::Object(child) = child {
+        insert(child, rest, name, value);
+    }
+}
+
+/// A value of TOML as JSON; a date as its text.
+fn json_of(spelling: &str) -> serde_json::Value {
+    let table: Option<toml::Table> = toml::from_str(&format!("value = {spelling}")).ok();
+    let value = table.and_then(|mut table| table.remove("value"));
+    value.map_or(serde_json::Value::Null, |value| match value {
+        toml::Value::Datetime(date) => date.to_string().into(),
+        value => serde_json::to_value(value).unwrap_or(serde_json::Value::Null),
+    })
 }
 
 fn spelled(value: &Value) -> String {
@@ -160,7 +228,9 @@ fn spelled(value: &Value) -> String {
                 .collect();
             format!("[\n{}]", rows.concat())
         }
-        Value::Other(what) => quoted(what),
+        // TOML has no null
+        Value::Other(spelling) if spelling == "null" => quoted(spelling),
+        Value::Other(spelling) => spelling.clone(),
     }
 }
 
@@ -205,6 +275,53 @@ mod tests {
         );
         assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
         assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
+    }
+
+    #[test]
+    fn odd_keys_are_written_so_that_they_read_back() {
+        let odd = [
+            "description",
+            "my key",
+            "a.b c",
+            "",
+            ".",
+            "a.",
+            ".a",
+            "a..b",
+            "entry",
+            "a",
+            "a.b",
+            "a.b.c",
+            "a\"b\\c",
+            "ä.ö",
+            "entry.sped_m_s",
+            "design.density_kg_m3.foam.x",
+            "vehicle.aerodynamics.nam",
+            "x\n[y]\n",
+            "atmosphere.table.x",
+            "vehicle.aerodynamics.table.extra",
+            "#",
+            "3.14",
+            "\u{7f}\u{1b}",
+        ];
+        let mut case = Case::run_page();
+        case.set("vehicle.aerodynamics", "outline");
+        case.set("vehicle.aerodynamics.table", "[[1, 0, 1, 0]]");
+        case.set("atmosphere.table", "[[0, 1.2], [1, 1.1]]");
+        for key in odd {
+            case.values.insert(key.to_string(), Value::Number(1.0));
+        }
+        assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+        assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
+        let mut plain = Case::default();
+        plain
+            .values
+            .insert("entry.sped_m_s".to_string(), Value::Number(1.0));
+        assert!(
+            plain.to_toml().ends_with("\n[entry]\nsped_m_s = 1.0\n"),
+            "{}",
+            plain.to_toml()
+        );
     }
 
     #[test]

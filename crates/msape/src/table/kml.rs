@@ -10,7 +10,7 @@ pub use instant::Instant;
 use crate::answer::{Answer, PlanetNames};
 use crate::flight::{Flight, Trajectory};
 use crate::units::number::{rounded, shortest};
-use std::fmt::Write;
+use std::fmt;
 
 /// A place on the track.
 #[derive(Clone, Copy)]
@@ -22,13 +22,30 @@ struct Place {
 
 /// The trajectory of an answer from its start at `epoch`; `None` when the answer has no trajectory.
 pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
-    let flight = answer.flight.as_ref()?;
-    let track = Track::of(flight.trajectory.as_ref()?)?;
-    let Body { hint, remark } = Body::of(&answer.planet);
-    let name = escaped(&answer.name);
     let mut text = String::new();
     // Writing into a String cannot fail.
-    let _ = write!(
+    write(answer, epoch, &mut text).map(|_| text)
+}
+
+/// Writes that text piece by piece.
+///
+/// # Errors
+/// What the writer refuses.
+pub fn write(answer: &Answer, epoch: Instant, text: &mut dyn fmt::Write) -> Option<fmt::Result> {
+    let flight = answer.flight.as_ref()?;
+    let track = Track::of(flight.trajectory.as_ref()?)?;
+    Some(write_track(answer, flight, &track, (epoch, text)))
+}
+
+fn write_track(
+    answer: &Answer,
+    flight: &Flight,
+    track: &Track,
+    (epoch, text): (Instant, &mut dyn fmt::Write),
+) -> fmt::Result {
+    let Body { hint, remark } = Body::of(&answer.planet);
+    let name = escaped(&answer.name);
+    write!(
         text,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <kml xmlns=\"http://www.opengis.net/kml/2.2\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\"{hint}>\n<Document>\n\
@@ -38,26 +55,25 @@ pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
          <Placemark>\n<name>{name}</name>\n<styleUrl>#track</styleUrl>\n\
          <gx:Track>\n<altitudeMode>absolute</altitudeMode>\n",
         epoch.after(0.0)
-    );
+    )?;
     for time_s in track.time_s {
-        let _ = writeln!(text, "<when>{}</when>", epoch.after(*time_s));
+        writeln!(text, "<when>{}</when>", epoch.after(*time_s))?;
     }
     for time_s in track.time_s {
         let place = track.at(*time_s);
-        let _ = writeln!(
+        writeln!(
             text,
             "<gx:coord>{} {} {}</gx:coord>",
             shortest(place.longitude_deg),
             shortest(place.latitude_deg),
             shortest(place.altitude_m)
-        );
+        )?;
     }
-    text.push_str("</gx:Track>\n</Placemark>\n");
+    text.write_str("</gx:Track>\n</Placemark>\n")?;
     for event in events(flight) {
-        event.write(&mut text, &track, epoch);
+        event.write(text, track, epoch)?;
     }
-    text.push_str("</Document>\n</kml>\n");
-    Some(text)
+    text.write_str("</Document>\n</kml>\n")
 }
 
 /// How a file says over which body the track is; a viewer takes the Earth where nothing is said.
@@ -137,9 +153,9 @@ fn events(flight: &Flight) -> Vec<Event<'_>> {
 }
 
 impl Event<'_> {
-    fn write(&self, text: &mut String, track: &Track, epoch: Instant) {
+    fn write(&self, text: &mut dyn fmt::Write, track: &Track, epoch: Instant) -> fmt::Result {
         let place = track.at(self.time_s);
-        let _ = write!(
+        write!(
             text,
             "<Placemark>\n<name>{}</name>\n<description>{}, {} s after the start, geodetic altitude {} m</description>\n\
              <TimeStamp><when>{}</when></TimeStamp>\n\
@@ -152,7 +168,7 @@ impl Event<'_> {
             shortest(place.longitude_deg),
             shortest(place.latitude_deg),
             shortest(place.altitude_m)
-        );
+        )
     }
 }
 
@@ -215,7 +231,7 @@ impl<'a> Track<'a> {
 
 fn escaped(text: &str) -> String {
     text.chars()
-        .filter(|c| !c.is_control())
+        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'))
         .map(|c| match c {
             '&' => "&amp;".to_string(),
             '<' => "&lt;".to_string(),

@@ -25,6 +25,17 @@ pub enum TextError {
     },
 }
 
+/// Most characters of a key or of a text that a message repeats.
+pub(crate) const SHOWN_MAX: usize = 100;
+
+/// A text short enough for a message.
+pub(crate) fn cut(text: &str) -> String {
+    match text.char_indices().nth(SHOWN_MAX) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_string(),
+    }
+}
+
 /// Reads a number with an optional unit into the canonical unit of `dimension`; without a unit it is in `default`.
 ///
 /// Accepts a decimal comma, and a sum or product after `=`.
@@ -43,13 +54,11 @@ pub fn parse_number(text: &str, dimension: Dimension, default: &Unit) -> Result<
         find_unit(symbol, dimension)?
     };
     let value = match number.strip_prefix('=') {
-        Some(sum) => {
-            expression(sum.trim()).ok_or_else(|| TextError::NotANumber(number.to_string()))?
-        }
+        Some(sum) => expression(sum.trim()).ok_or_else(|| TextError::NotANumber(cut(number)))?,
         None => plain_number(number)?,
     };
     if !value.is_finite() {
-        return Err(TextError::NotANumber(number.to_string()));
+        return Err(TextError::NotANumber(cut(number)));
     }
     Ok(unit.to_canonical(value))
 }
@@ -84,7 +93,7 @@ fn find_unit(symbol: &str, dimension: Dimension) -> Result<&'static Unit, TextEr
         .or_else(|| units_of(dimension).find(without_caret))
         .or_else(|| (dimension == Dimension::Load && plain == "g").then(|| canonical(dimension)))
         .ok_or_else(|| TextError::UnknownUnit {
-            unit: symbol.to_string(),
+            unit: cut(symbol),
             known: units_of(dimension)
                 .map(|unit| {
                     if unit.symbol.is_empty() {
@@ -103,7 +112,7 @@ fn plain_number(text: &str) -> Result<f64, TextError> {
         .chars()
         .filter(|c| !c.is_whitespace() && *c != '_')
         .collect();
-    let fault = || TextError::NotANumber(text.to_string());
+    let fault = || TextError::NotANumber(cut(text));
     let numeric = |s: &str| {
         let ok = s
             .bytes()
@@ -123,7 +132,7 @@ fn plain_number(text: &str) -> Result<f64, TextError> {
                 && !whole.starts_with('0');
             if looks_like_thousands {
                 return Err(TextError::AmbiguousComma(
-                    text.to_string(),
+                    cut(text),
                     compact.replace(',', ""),
                     decimal,
                 ));

@@ -1,14 +1,16 @@
 //! Tables of coefficients from files, and the list of those that were imported.
 
 use super::AeroView;
-use crate::components::file_import::{FileImport, Verdict, Wording, stem};
+use crate::components::file_import::{FileImport, Verdict, Wording, notes, stem};
+use crate::files;
+use crate::protocol::ReadTable;
 use crate::state::State;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
 const WORDING: Wording = Wording {
     file: "Import a table (CSV)",
-    accept: ".csv,.txt,text/csv",
+    accept: ".csv,.txt,.tsv,.dat,text/csv,text/plain",
     id: "paste-table",
     paste: "Or paste a table (CSV)",
     placeholder: "mach, alpha_deg, ca, cn, cm",
@@ -22,12 +24,12 @@ pub fn TableImport() -> impl IntoView {
     let state = State::expect();
     let view = AeroView::expect();
     let import = move |name: String, bytes: Vec<u8>, verdict: Verdict| {
-        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let text = files::text_of(&bytes);
         spawn_local(async move {
             // Checked in the worker: a table may have many rows.
-            let read = state.read_table(text.clone()).await;
+            let read = state.read_table(bytes).await;
             match read.unwrap_or_else(|message| Err(vec![message])) {
-                Ok(rows) => {
+                Ok(ReadTable { rows, remarks }) => {
                     let (stem, count) = (stem(&name), rows.len());
                     state.edit(&format!("Import {stem}"), None, |document| {
                         document.with_tables(|tables| {
@@ -35,7 +37,8 @@ pub fn TableImport() -> impl IntoView {
                         })
                     });
                     verdict.taken(format!(
-                        "{stem} is imported with {count} rows and in use; undo takes it out again."
+                        "{stem} is imported with {count} rows and in use; undo takes it out again.{}",
+                        notes(&remarks)
                     ));
                     view.table.set(Some(stem));
                 }
@@ -76,7 +79,7 @@ pub fn TableImport() -> impl IntoView {
             }).collect_view()}
         </ul>
         <FileImport wording=WORDING import>
-            <p class="quiet">"Or drop a file here. One row for each Mach number, Knudsen number or altitude (if wanted) and angle of attack, ascending, without holes: "<code>"mach, alpha_deg, ca, cn, cm"</code>" or "<code>"cd, cl"</code>" in the place of ca, cn; "<code>"knudsen"</code>" or "<code>"altitude_m"</code>", "<code>"cmq"</code>". Moments about the virtual apex."</p>
+            <p class="quiet">"Or drop a file here. One row for each Mach number, Knudsen number or altitude (if wanted) and angle of attack, in any order, without holes: "<code>"mach, alpha_deg, ca, cn, cm"</code>" or "<code>"cd, cl"</code>" in the place of ca, cn; "<code>"knudsen"</code>" or "<code>"altitude_m"</code>", "<code>"cmq"</code>". Moments about the virtual apex."</p>
         </FileImport>
     }
 }

@@ -1,7 +1,8 @@
 //! Outlines from files.
 
 use super::facts::length_units;
-use crate::components::file_import::{FileImport, Verdict, Wording, stem};
+use crate::components::file_import::{FileImport, Verdict, Wording, notes, stem};
+use crate::files;
 use crate::state::State;
 use cad::outline::{Imported, LengthUnit, read};
 use leptos::prelude::*;
@@ -32,10 +33,13 @@ pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl Into
                         outlines.insert(stem.clone(), rows);
                     })
                 });
-                verdict.taken(taken(&stem, &remarks));
+                verdict.taken(format!(
+                    "{stem} is imported; undo takes it out again.{}",
+                    notes(&remarks)
+                ));
                 take(format!("own:{stem}"));
             }
-            Err(faults) => verdict.refused(name, &String::from_utf8_lossy(&bytes), faults),
+            Err(faults) => verdict.refused(name, &files::text_of(&bytes), faults),
         }
     };
     view! {
@@ -50,15 +54,6 @@ pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl Into
             <p class="quiet">"Or drop a file here. A CSV has points x, r from the nose on the axis to the aft end on the axis and names its unit in the header, such as "<code>"x (mm), r (mm)"</code>". Of a DXF, text or binary, what is drawn counts: lines, arcs, circles, polylines, ellipses, splines and blocks of them, one half of the section or both, the axis at y = 0. A unit chosen here stands above the one in the file."</p>
         </FileImport>
     }
-}
-
-/// What is said of a file that is taken.
-fn taken(stem: &str, remarks: &[String]) -> String {
-    let remarks: String = remarks
-        .iter()
-        .map(|remark| format!(" Note: {remark}."))
-        .collect();
-    format!("{stem} is imported; undo takes it out again.{remarks}")
 }
 
 /// The outline of a file, or every fault of the file or of the outline in it.

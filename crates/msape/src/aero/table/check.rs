@@ -19,6 +19,8 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
 const MOST_FAULTS: usize = 100;
 /// Largest difference between the two sides, in coefficients: tables are printed to three or four decimals.
 const ALIKE: f64 = 2e-3;
+/// Angles that are one, deg.
+const SAME_DEG: f64 = 1e-9;
 
 impl Grid {
     /// A table from its rows.
@@ -54,6 +56,9 @@ impl Grid {
 
 fn ranges(rows: &[Row], faults: &mut Vec<String>) {
     for row in rows {
+        if faults.len() >= MOST_FAULTS {
+            return;
+        }
         let mut within = |name: &str, value: f64, low: f64, high: f64| {
             if !(low..=high).contains(&value) {
                 faults.push(format!(
@@ -89,6 +94,9 @@ fn ranges(rows: &[Row], faults: &mut Vec<String>) {
 fn order(rows: &[Row], faults: &mut Vec<String>) {
     for pair in rows.windows(2) {
         let [before, row] = pair else { continue };
+        if faults.len() >= MOST_FAULTS {
+            return;
+        }
         let line = row.line;
         let knudsen = |row: &Row| row.knudsen.or(row.altitude_m).unwrap_or(0.0);
         if row.mach < before.mach {
@@ -119,46 +127,38 @@ fn order(rows: &[Row], faults: &mut Vec<String>) {
     }
 }
 
-/// Rows of α ≥ 0, after the other side was compared with them.
+/// Rows of α ≥ 0, after the other side was compared with them; the rows are in order.
 fn one_side(rows: &[Row], faults: &mut Vec<String>) -> Vec<Row> {
     let same = |a: &Row, b: &Row| a.mach == b.mach && a.height() == b.height();
-    for row in rows {
-        let other = rows
-            .iter()
-            .find(|other| same(other, row) && (other.alpha_deg + row.alpha_deg).abs() < 1e-9);
-        if row.alpha_deg < 0.0 {
-            match other {
+    for line in rows.chunk_by(same) {
+        // angles ascend within a line, so that the partner of one is found by halving
+        let at = |alpha_deg: f64| {
+            let before = line.partition_point(|row| row.alpha_deg < alpha_deg - SAME_DEG);
+            line.get(before)
+                .filter(|row| (row.alpha_deg - alpha_deg).abs() < SAME_DEG)
+        };
+        let two_sided = line.first().is_some_and(|row| row.alpha_deg < 0.0);
+        for row in line.iter().filter(|row| two_sided && row.alpha_deg != 0.0) {
+            match at(-row.alpha_deg) {
                 None => faults.push(format!(
                     "line {}: angle of attack {} deg has no partner at {} deg: the table is one-sided at Mach {}; give the angles from 0 upwards, or both sides alike",
                     row.line, row.alpha_deg, -row.alpha_deg, row.mach
                 )),
-                Some(other) => alike(row, other, faults),
+                Some(other) if row.alpha_deg < 0.0 => alike(row, other, faults),
+                Some(_) => {}
             }
-        } else if row.alpha_deg > 0.0
-            && other.is_none()
-            && rows
-                .iter()
-                .any(|other| same(other, row) && other.alpha_deg < 0.0)
+        }
+        if let Some(first) = line
+            .first()
+            .filter(|_| line.iter().all(|row| row.alpha_deg != 0.0))
         {
             faults.push(format!(
-                "line {}: angle of attack {} deg has no partner at {} deg: the table is one-sided at Mach {}; give the angles from 0 upwards, or both sides alike",
-                row.line, row.alpha_deg, -row.alpha_deg, row.mach
+                "line {}: no row at angle of attack 0 deg for Mach {}",
+                first.line, first.mach
             ));
         }
-    }
-    let mut first: Option<&Row> = None;
-    for row in rows {
-        if first.is_none_or(|first| !same(first, row)) {
-            first = Some(row);
-            let zero = rows
-                .iter()
-                .any(|other| same(other, row) && other.alpha_deg == 0.0);
-            if !zero {
-                faults.push(format!(
-                    "line {}: no row at angle of attack 0 deg for Mach {}",
-                    row.line, row.mach
-                ));
-            }
+        if faults.len() >= MOST_FAULTS {
+            break;
         }
     }
     rows.iter()
@@ -215,6 +215,9 @@ impl Axes {
         let mut rest = rows.iter().peekable();
         for mach in &self.mach {
             for knudsen in &self.knudsen {
+                if faults.len() >= MOST_FAULTS {
+                    return;
+                }
                 for alpha in &self.alpha_deg {
                     let here = |row: &Row| {
                         row.mach == *mach

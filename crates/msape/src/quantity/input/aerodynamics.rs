@@ -29,7 +29,7 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .help("Rows of Mach number, total angle of attack and coefficients of axial and normal force, moment about the virtual apex and pitch damping; a last column instead of the Knudsen number is the altitude.", REPORT_STATIC),
     Input::new("vehicle.aerodynamics.file", "Aerodynamic File", Group::Vehicle, Kind::Text)
-        .help("Name of a CSV file with Mach number, angle of attack, if wanted Knudsen number or altitude, and CA, CN, Cm or CD, CL.", CONVENTION),
+        .help("Name of a text file with Mach number, angle of attack, if wanted Knudsen number or altitude, and CA, CN, Cm or CD, CL; with Mach number and CD alone it is a drag table.", CONVENTION),
     Input::new(
         "vehicle.aerodynamics.extrapolation",
         "Beyond the Aerodynamic Table",
@@ -66,6 +66,8 @@ pub(super) const INPUTS: &[Input] = &[
         ]),
     )
     .help("Rows of Mach number, total angle of attack and pitch damping per unit of pitch rate times diameter over twice the speed, in the place of the model.", REPORT_DAMPING),
+    Input::new("vehicle.aerodynamics.damping_file", "Damping File", Group::Vehicle, Kind::Text)
+        .help("Name of a text file with the rows of the damping table.", CONVENTION),
     Input::new(
         "vehicle.aerodynamics.bridging",
         "Bridging",

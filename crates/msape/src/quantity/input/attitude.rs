@@ -79,6 +79,8 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Lift coefficient of a point mass at every Mach number.", CONVENTION),
     rows("vehicle.lift_table", "Lift Table", &[part("mach"), part("lift_coefficient")])
         .help("Rows of Mach number and lift coefficient of a point mass, interpolated linearly, ends held.", CONVENTION),
+    Input::new("vehicle.lift_file", "Lift File", Group::Vehicle, Kind::Text)
+        .help("Name of a text file with Mach number and lift coefficient.", CONVENTION),
     Input::new("vehicle.trim", "Fly at Trim", Group::Vehicle, Kind::Flag)
         .help("Whether a point mass flies at the angle of attack where the moment about its centre of gravity is nothing, with drag and lift of its outline.", "NASA/TM-2014-218507, section 3.3.1"),
     angle("vehicle.bank_deg", "Bank Angle", 360.0)
@@ -87,6 +89,8 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Rows of time after the start and angle of bank, interpolated linearly, ends held.", CONVENTION),
     rows("vehicle.bank_speed_table_deg", "Bank against Velocity", &[part("speed_m_s"), part("bank_deg")])
         .help("Rows of speed relative to the air and angle of bank, interpolated linearly, ends held.", CONVENTION),
+    Input::new("vehicle.bank_file", "Bank File", Group::Vehicle, Kind::Text)
+        .help("Name of a text file with time or speed and angle of bank.", CONVENTION),
     angle("attitude.yaw_deg", "Yaw", 360.0)
         .help("First angle of the attitude at the start against local north, east and down: nose from north, clockwise.", CONVENTION),
     angle("attitude.pitch_deg", "Pitch", 90.0)

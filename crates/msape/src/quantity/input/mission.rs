@@ -108,7 +108,7 @@ pub(super) const INPUTS: &[Input] = &[
     )
     .help("Rows of altitude, density and, if known, temperature and pressure; density is interpolated in its logarithm. Where two of the three are given, the third may be 0 in every row: it is that of the planet's gas.", CONVENTION),
     Input::new("atmosphere.file", "Atmosphere File", Group::Models, Kind::Text)
-        .help("Name of a CSV file with the rows of the atmosphere table.", CONVENTION),
+        .help("Name of a text file with the atmosphere: altitude (geometric, geopotential or of pressure), density or pressure and temperature, in columns with names and units.", CONVENTION),
     Input::number("atmosphere.molar_mass_kg_kmol", "Molar Mass of the Gas", Group::Models, Dimension::MolarMass, Range::closed(1.0, 200.0))
         .unit("kg/kmol")
         .help("Molar mass of the gas of an atmosphere given in the case; that of the planet's gas when absent.", CONVENTION),
@@ -131,6 +131,8 @@ pub(super) const INPUTS: &[Input] = &[
         ]),
     )
     .help("Rows of altitude and the velocity of the air towards east and north.", CONVENTION),
+    Input::new("wind.file", "Wind File", Group::Models, Kind::Text)
+        .help("Name of a text file with the wind: altitude, eastward and northward, or speed and the direction from which it blows.", CONVENTION),
     Input::number("wind.eastward_m_s", "Wind towards East", Group::Models, Dimension::Speed, Range::closed(-500.0, 500.0))
         .unit("m/s")
         .help("Velocity of the air towards the east at every altitude.", CONVENTION),

@@ -79,6 +79,10 @@ pub(super) const INPUTS: &[Input] = &[
         "Rows of Mach number and drag coefficient, interpolated linearly, ends held.",
         CONVENTION,
     ),
+    Input::new("vehicle.drag_file", "Drag File", Group::Vehicle, Kind::Text).help(
+        "Name of a text file with Mach number and drag coefficient.",
+        CONVENTION,
+    ),
     Input::new(
         "vehicle.aerodynamics",
         "Aerodynamics",

@@ -1,0 +1,307 @@
+//! Which line of a table names its columns, and which their units.
+//!
+//! ```text
+//! titles, comments     left out
+//! heading              the line above the numbers, commented or not, that names the most columns
+//! units                a line of units below it
+//! ```
+//!
+//! # Valid
+//! Columns that no table of this kind holds are named and left out.
+//!
+//! # References
+//! - Own convention.
+
+use super::cells::{self, Separator};
+use super::heading::{Heading, heading};
+use super::quantity::Quantity;
+use super::sheet::{Cells, Column, Cut, Layout, Sheet, is_rule};
+use super::{MOST_FAULTS, TableFault, shown};
+use std::borrow::Cow;
+
+/// Lines above the numbers among which the heading is looked for.
+const MOST_TITLES: usize = 40;
+/// Names that a remark lists.
+const MOST_NAMES: usize = 12;
+
+/// What the lines above the numbers say of the columns.
+pub(super) fn columns(
+    above: &[Cut],
+    width: usize,
+    separator: Separator,
+    layout: &Layout,
+) -> Result<Sheet, Vec<TableFault>> {
+    let near = above
+        .get(above.len().saturating_sub(MOST_TITLES)..)
+        .unwrap_or_default();
+    let mut best: Option<(usize, usize, Cells)> = None;
+    for (place, cut) in near.iter().enumerate().rev() {
+        for cells in ways(cut, separator)
+            .into_iter()
+            .filter(|cells| cells.len() == width)
+        {
+            let known = cells
+                .iter()
+                .filter(|cell| heading(cell, layout.quantities) != Heading::Unknown)
+                .count();
+            // one word of a comment may be a name by chance
+            let enough = if cut.line.comment { 2.min(width) } else { 1 };
+            if known >= enough && best.as_ref().is_none_or(|(most, ..)| known > *most) {
+                best = Some((known, place, cells));
+            }
+        }
+    }
+    let Some((_, place, cells)) = best else {
+        return bare(near, width, separator, layout);
+    };
+    let names: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
+    let line = near.get(place).map_or(0, |cut| cut.line.number);
+    let after = near.get(place + 1..).unwrap_or_default();
+    let units = units(after, &names, layout, separator)?;
+    named(&names, units.as_deref(), line, layout)
+}
+
+/// The ways to cut a line above the numbers into cells.
+fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
+    let text = cut.line.text;
+    let by = |sign: char| -> Cells<'t> {
+        let cells = text
+            .split(sign)
+            .map(str::trim)
+            .filter(|cell| !cell.is_empty());
+        cells
+            .map(|cell| Cow::Borrowed(cell.trim_matches('"')))
+            .collect()
+    };
+    let wide: Cells = {
+        let cells = text
+            .split("  ")
+            .flat_map(|cell| cell.split('\t'))
+            .map(str::trim);
+        cells
+            .filter(|cell| !cell.is_empty())
+            .map(Cow::Borrowed)
+            .collect()
+    };
+    let mut ways = vec![cut.cells.clone(), by('\t'), wide, by(';'), by('|'), by(',')];
+    if separator == Separator::Blanks || cut.line.comment {
+        let words = cells::split(text, Separator::Blanks);
+        // a unit in brackets belongs to the word before it
+        let mut joined: Cells = Vec::new();
+        for word in &words {
+            match joined.last_mut() {
+                Some(last) if word.starts_with(['(', '[']) => {
+                    *last = Cow::Owned(format!("{last} {word}"))
+                }
+                _ => joined.push(word.clone()),
+            }
+        }
+        ways.extend([words, joined]);
+    }
+    // name, unit, name, unit
+    let commas = by(',');
+    if commas.len() % 2 == 0 {
+        ways.push(
+            commas
+                .chunks(2)
+                .map(|pair| Cow::Owned(pair.join(", ")))
+                .collect(),
+        );
+    }
+    ways
+}
+
+/// The units of a line between heading and numbers; what is neither units nor a rule is a fault.
+fn units(
+    after: &[Cut],
+    names: &[&str],
+    layout: &Layout,
+    separator: Separator,
+) -> Result<Option<Vec<String>>, Vec<TableFault>> {
+    let mut found = None;
+    for cut in after.iter().filter(|cut| !is_rule(&cut.cells)) {
+        let strip = |cell: &str| cell.trim_matches(['(', ')', '[', ']', ' ']).to_owned();
+        let fits = |cells: &Cells| {
+            let mut known = 0;
+            let sound = cells.len() == names.len()
+                && names.iter().zip(cells).all(|(name, cell)| {
+                    let unit = strip(cell);
+                    match heading(name, layout.quantities) {
+                        Heading::Known(quantity, None)
+                            if !matches!(unit.as_str(), "" | "-" | "--") =>
+                        {
+                            known += 1;
+                            quantity.unit(&unit).is_some()
+                        }
+                        _ => true,
+                    }
+                });
+            sound && known > 0
+        };
+        match ways(cut, separator).into_iter().find(fits) {
+            Some(cells) if found.is_none() => {
+                found = Some(cells.iter().map(|cell| strip(cell)).collect())
+            }
+            None if !cut.line.comment => {
+                return Err(vec![TableFault::NeitherUnitsNorNumbers {
+                    line: cut.line.number,
+                }]);
+            }
+            _ => {}
+        }
+    }
+    Ok(found)
+}
+
+fn named(
+    names: &[&str],
+    units: Option<&[String]>,
+    line: u64,
+    layout: &Layout,
+) -> Result<Sheet, Vec<TableFault>> {
+    let mut sheet = Sheet {
+        columns: Vec::new(),
+        rows: Vec::new(),
+        headed: true,
+        unknown: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let mut faults = Vec::new();
+    for (place, name) in names.iter().enumerate() {
+        let of_row = units.and_then(|units| units.get(place)).map(String::as_str);
+        match heading(name, layout.quantities) {
+            Heading::Known(quantity, unit) => {
+                let unit = unit
+                    .or(of_row.filter(|unit| *unit != "-"))
+                    .unwrap_or_default();
+                if sheet.has(quantity) {
+                    faults.push(TableFault::TwiceNamed {
+                        line,
+                        column: place + 1,
+                        text: shown(name),
+                        name: quantity.names().0,
+                    });
+                } else if let Some((factor, offset)) = quantity.unit(unit) {
+                    sheet.columns.push(Column {
+                        quantity,
+                        place,
+                        named_unit: !unit.is_empty(),
+                        factor,
+                        offset,
+                    });
+                }
+            }
+            Heading::OddUnit(quantity, unit) => faults.push(TableFault::UnknownUnit {
+                column: place + 1,
+                unit: shown(unit),
+                expected: quantity.units().0,
+            }),
+            Heading::Unknown => sheet.unknown.push(shown(name)),
+        }
+        if faults.len() >= MOST_FAULTS {
+            break;
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    if !sheet.unknown.is_empty() {
+        let columns = if sheet.unknown.len() == 1 {
+            "column"
+        } else {
+            "columns"
+        };
+        sheet
+            .remarks
+            .push(format!("{columns} left out: {}", listed(&sheet.unknown)));
+    }
+    Ok(sheet)
+}
+
+/// The columns of a file that names none.
+fn bare(
+    near: &[Cut],
+    width: usize,
+    separator: Separator,
+    layout: &Layout,
+) -> Result<Sheet, Vec<TableFault>> {
+    let (quantities, fewest) = layout.bare;
+    let heads = |cut: &&Cut| {
+        cut.cells.len() == width
+            && width > 1
+            && !is_rule(&cut.cells)
+            && (!cut.line.comment || separator != Separator::Blanks)
+    };
+    if let Some(cut) = near.iter().rev().find(heads) {
+        return Err(vec![TableFault::UnknownHeading {
+            line: cut.line.number,
+            names: listed(&cut.cells.iter().map(|cell| shown(cell)).collect::<Vec<_>>()),
+            expected: expected(layout),
+        }]);
+    }
+    if !(fewest..=quantities.len()).contains(&width) {
+        return Err(vec![TableFault::NoHeading {
+            columns: width,
+            expected: expected(layout),
+        }]);
+    }
+    let columns = quantities
+        .iter()
+        .take(width)
+        .enumerate()
+        .map(|(place, quantity)| Column {
+            quantity: *quantity,
+            place,
+            named_unit: false,
+            factor: 1.0,
+            offset: 0.0,
+        });
+    let names: Vec<String> = quantities
+        .iter()
+        .take(width)
+        .map(|q| with_unit(*q))
+        .collect();
+    Ok(Sheet {
+        columns: columns.collect(),
+        rows: Vec::new(),
+        headed: false,
+        unknown: Vec::new(),
+        remarks: vec![format!(
+            "the file names no columns; they are taken as {}",
+            names.join(", ")
+        )],
+    })
+}
+
+fn with_unit(quantity: Quantity) -> String {
+    let (name, units) = (quantity.names().0, quantity.units().0);
+    match units.split(',').next() {
+        Some("none") | None => name.to_owned(),
+        Some("deg") if name.ends_with("_deg") => name.to_owned(),
+        Some(unit) => format!("{name} ({unit})"),
+    }
+}
+
+fn expected(layout: &Layout) -> String {
+    let names: Vec<&str> = layout
+        .quantities
+        .iter()
+        .filter(|q| **q != Quantity::CapitalH)
+        .map(|q| q.names().0)
+        .collect();
+    names.join(", ")
+}
+
+pub(super) fn listed(names: &[String]) -> String {
+    let shown = names
+        .iter()
+        .take(MOST_NAMES)
+        .map(|name| format!("\"{name}\""));
+    let more = names.len().saturating_sub(MOST_NAMES);
+    let list = shown.collect::<Vec<_>>().join(", ");
+    if more > 0 {
+        format!("{list} and {more} more")
+    } else {
+        list
+    }
+}

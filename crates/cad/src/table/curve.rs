@@ -1,0 +1,197 @@
+//! Curves of one number over another: drag and lift over the Mach number, bank over time or speed.
+//!
+//! ```text
+//! rows of one Mach number:   their mean
+//! ```
+//!
+//! # Valid
+//! Two columns, or more of which two are named. Descending rows are turned round.
+//!
+//! # References
+//! - Own convention.
+
+use super::quantity::Quantity;
+use super::sheet::{Layout, Sheet, sheet};
+use super::{MOST_FAULTS, Table, TableFault};
+
+const DRAG: Layout = Layout {
+    quantities: &[Quantity::Mach, Quantity::Drag, Quantity::Alpha],
+    bare: (&[Quantity::Mach, Quantity::Drag], 2),
+    whole: false,
+};
+const LIFT: Layout = Layout {
+    quantities: &[Quantity::Mach, Quantity::Lift, Quantity::Alpha],
+    bare: (&[Quantity::Mach, Quantity::Lift], 2),
+    whole: false,
+};
+const BANK: Layout = Layout {
+    quantities: &[Quantity::Time, Quantity::Speed, Quantity::Bank],
+    bare: (&[Quantity::Time, Quantity::Bank], 2),
+    whole: true,
+};
+
+/// Mach number and drag coefficient of a point mass; of a table over the angle of attack, the rows at 0 deg.
+pub fn drag(text: &str) -> Result<Table, Vec<TableFault>> {
+    let sheet = sheet(text, &DRAG)?;
+    curve(
+        sheet,
+        "vehicle.drag_table",
+        [Quantity::Mach, Quantity::Drag],
+    )
+}
+
+/// Mach number and lift coefficient of a point mass.
+pub fn lift(text: &str) -> Result<Table, Vec<TableFault>> {
+    let sheet = sheet(text, &LIFT)?;
+    curve(
+        sheet,
+        "vehicle.lift_table",
+        [Quantity::Mach, Quantity::Lift],
+    )
+}
+
+/// Bank over time, or over speed where the file has it.
+pub fn bank(text: &str) -> Result<Table, Vec<TableFault>> {
+    let sheet = sheet(text, &BANK)?;
+    if sheet.has(Quantity::Time) || !sheet.has(Quantity::Speed) {
+        curve(
+            sheet,
+            "vehicle.bank_table_deg",
+            [Quantity::Time, Quantity::Bank],
+        )
+    } else {
+        curve(
+            sheet,
+            "vehicle.bank_speed_table_deg",
+            [Quantity::Speed, Quantity::Bank],
+        )
+    }
+}
+
+/// The rows of two columns; over the Mach number, rows of the same one are one.
+pub(super) fn curve(
+    mut sheet: Sheet,
+    key: &'static str,
+    quantities: [Quantity; 2],
+) -> Result<Table, Vec<TableFault>> {
+    let missing: Vec<TableFault> = quantities
+        .into_iter()
+        .filter(|q| !sheet.has(*q))
+        .map(|q| sheet.missing(q.names().0))
+        .collect();
+    if !missing.is_empty() {
+        return Err(missing);
+    }
+    let [x, y] = quantities;
+    let at_zero = |row: &[f64]| {
+        sheet
+            .value(row, Quantity::Alpha)
+            .is_none_or(|alpha_deg| alpha_deg == 0.0)
+    };
+    let mut rows: Vec<(u64, Vec<f64>)> = sheet
+        .rows
+        .iter()
+        .filter(|(_, row)| at_zero(row))
+        .filter_map(|(line, row)| Some((*line, vec![sheet.value(row, x)?, sheet.value(row, y)?])))
+        .collect();
+    if rows.len() < sheet.rows.len() {
+        let remark = format!(
+            "{} of {} rows are at 0 deg of angle of attack; the others are left out",
+            rows.len(),
+            sheet.rows.len()
+        );
+        sheet.remarks.push(remark);
+    }
+    ascending(&mut rows, x.names().0, &mut sheet.remarks);
+    let mut rows = if x == Quantity::Mach {
+        means(rows, &mut sheet.remarks)
+    } else {
+        rows
+    };
+    in_order(&rows, x.names().0)?;
+    Ok(Table {
+        key,
+        rows: rows.drain(..).map(|(_, row)| row).collect(),
+        remarks: sheet.remarks,
+    })
+}
+
+/// Rows of the same first number as their mean.
+fn means(rows: Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) -> Vec<(u64, Vec<f64>)> {
+    let mut joined: Vec<(u64, Vec<f64>)> = Vec::with_capacity(rows.len());
+    let (mut groups, mut widest) = (0, (0, 0.0));
+    for same in rows.chunk_by(|(_, a), (_, b)| a.first() == b.first()) {
+        let values = || same.iter().filter_map(|(_, row)| row.get(1).copied());
+        let (Some((line, row)), Some(first)) = (same.first(), values().next()) else {
+            continue;
+        };
+        let mut row = row.clone();
+        if same.len() > 1 {
+            groups += 1;
+            let (low, high) = values().fold((first, first), |(low, high), value| {
+                (low.min(value), high.max(value))
+            });
+            if high - low > widest.1 {
+                widest = (*line, high - low);
+            }
+            if let Some(value) = row.get_mut(1) {
+                *value = values().sum::<f64>() / same.len() as f64;
+            }
+        }
+        joined.push((*line, row));
+    }
+    if groups > 0 {
+        let apart = if widest.1 > 0.0 {
+            format!("; they differ by up to {:.3} (line {})", widest.1, widest.0)
+        } else {
+            String::new()
+        };
+        remarks.push(format!(
+            "at {groups} Mach numbers stands more than one row, of which the mean is taken{apart}"
+        ));
+    }
+    joined
+}
+
+/// Turns rows round that descend.
+pub(super) fn ascending(rows: &mut [(u64, Vec<f64>)], name: &str, remarks: &mut Vec<String>) {
+    let first = |row: &(u64, Vec<f64>)| row.1.first().copied().unwrap_or_default();
+    let descends = rows.len() > 1
+        && rows
+            .windows(2)
+            .all(|pair| matches!(pair, [a, b] if first(a) >= first(b)))
+        && rows.first().map(first) != rows.last().map(first);
+    if descends {
+        rows.reverse();
+        remarks.push(format!("the rows descend in {name} and are turned round"));
+    }
+}
+
+/// Faults where rows do not ascend.
+pub(super) fn in_order(
+    rows: &[(u64, Vec<f64>)],
+    name: &'static str,
+) -> Result<(), Vec<TableFault>> {
+    let fault = |pair: &[(u64, Vec<f64>)]| match pair {
+        [(_, a), (line, b)] => match (a.first(), b.first()) {
+            (Some(before), Some(value)) if value <= before => Some(TableFault::Order {
+                line: *line,
+                name,
+                value: *value,
+                before: *before,
+            }),
+            _ => None,
+        },
+        _ => None,
+    };
+    let faults: Vec<TableFault> = rows
+        .windows(2)
+        .filter_map(fault)
+        .take(MOST_FAULTS)
+        .collect();
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
+    }
+}

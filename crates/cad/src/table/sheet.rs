@@ -1,0 +1,309 @@
+//! The numbers of a table in SI, column by column.
+//!
+//! ```text
+//! numbers     from the first to the last line that is mostly numbers
+//! notes       lines below the last one, left out with a remark
+//! ```
+//!
+//! # Valid
+//! One table a file.
+//!
+//! # References
+//! - Own convention.
+
+use super::cells::{self, Line, Separator};
+use super::columns::{columns, listed};
+use super::number::{Cell, Spelling, is_number};
+use super::quantity::Quantity;
+use super::{MOST_FAULTS, TableFault, shown};
+use std::borrow::Cow;
+
+/// What a kind of table may hold.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// Quantities that are understood.
+    pub quantities: &'static [Quantity],
+    /// Columns of a table without heading, in their order, and how many of them it must have.
+    pub bare: (&'static [Quantity], usize),
+    /// Whether a row without a number is a fault; else it is left out.
+    pub whole: bool,
+}
+
+/// A column that is understood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// What it holds.
+    pub quantity: Quantity,
+    /// Its place in the file, from 0.
+    pub place: usize,
+    /// Whether the file names its unit.
+    pub named_unit: bool,
+    /// SI units, or deg, in its unit.
+    pub factor: f64,
+    /// What is added to it.
+    pub offset: f64,
+}
+
+/// The numbers of a table in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Line of the file and a number a column; none is missing.
+    pub rows: Vec<(u64, Vec<f64>)>,
+    /// Whether the file names its columns.
+    pub headed: bool,
+    /// Columns that were left out.
+    pub unknown: Vec<String>,
+    /// What was decided on the way.
+    pub remarks: Vec<String>,
+}
+
+impl Sheet {
+    /// Whether it has a column of a quantity.
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.place(quantity).is_some()
+    }
+
+    /// Place of a quantity among the columns.
+    pub fn place(&self, quantity: Quantity) -> Option<usize> {
+        self.columns
+            .iter()
+            .position(|column| column.quantity == quantity)
+    }
+
+    /// The number of a quantity in a row.
+    pub fn value(&self, row: &[f64], quantity: Quantity) -> Option<f64> {
+        row.get(self.place(quantity)?).copied()
+    }
+
+    /// A fault that says which column is missing, and which the file has.
+    pub fn missing(&self, name: &'static str) -> TableFault {
+        TableFault::MissingColumn {
+            name,
+            others: listed(&self.unknown),
+        }
+    }
+}
+
+pub(super) type Cells<'t> = Vec<Cow<'t, str>>;
+
+/// A line in cells.
+pub(super) struct Cut<'t> {
+    pub line: Line<'t>,
+    pub cells: Cells<'t>,
+    /// Whether most of it are numbers.
+    pub data: bool,
+}
+
+/// The columns and numbers of a text.
+pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
+    let (lines, named) = cells::lines(text);
+    let separator = named.unwrap_or_else(|| cells::separator(&lines));
+    let cuts: Vec<Cut> = lines
+        .into_iter()
+        .map(|line| {
+            let cells = cells::split(line.text, separator);
+            let numbers = cells.iter().filter(|cell| is_number(cell)).count();
+            let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
+            Cut {
+                data: !line.comment && numbers > 0 && 2 * numbers >= filled,
+                line,
+                cells,
+            }
+        })
+        .collect();
+    let first = cuts.iter().position(|cut| cut.data);
+    let last = cuts.iter().rposition(|cut| cut.data);
+    let (Some(first), Some(last)) = (first, last) else {
+        return Err(vec![TableFault::Empty]);
+    };
+    let (above, rest) = cuts.split_at(first);
+    let (body, below) = rest.split_at(last + 1 - first);
+    let width = width(body);
+    let mut sheet = columns(above, width, separator, layout)?;
+    if let (Some(from), Some(to)) = (below.first(), below.last()) {
+        let lines = if from.line.number == to.line.number {
+            format!("line {}", from.line.number)
+        } else {
+            format!("lines {} to {}", from.line.number, to.line.number)
+        };
+        if below
+            .iter()
+            .any(|cut| !cut.line.comment && !is_rule(&cut.cells))
+        {
+            sheet
+                .remarks
+                .push(format!("{lines} below the numbers are left out"));
+        }
+    }
+    numbers(&mut sheet, body, (width, separator), layout)?;
+    Ok(sheet)
+}
+
+/// Cells of most lines.
+fn width(body: &[Cut]) -> usize {
+    let mut counts: Vec<usize> = body
+        .iter()
+        .filter(|cut| cut.data)
+        .map(|cut| cut.cells.len())
+        .collect();
+    counts.sort_unstable();
+    let most = counts
+        .chunk_by(|a, b| a == b)
+        .max_by_key(|alike| (alike.len(), alike[0]));
+    most.and_then(|alike| alike.first())
+        .copied()
+        .unwrap_or_default()
+}
+
+/// Whether a line only divides others.
+pub(super) fn is_rule(cells: &[Cow<str>]) -> bool {
+    cells.iter().all(|cell| {
+        cell.chars()
+            .all(|c| matches!(c, '-' | '=' | '_' | '+' | '|' | ':' | '*'))
+    })
+}
+
+/// Fills the rows of a sheet.
+fn numbers(
+    sheet: &mut Sheet,
+    body: &[Cut],
+    (width, separator): (usize, Separator),
+    layout: &Layout,
+) -> Result<(), Vec<TableFault>> {
+    let content = || {
+        body.iter()
+            .filter(|cut| !cut.line.comment && !is_rule(&cut.cells))
+    };
+    let all = content().filter(|cut| cut.data);
+    let cells = all.flat_map(|cut| {
+        cut.cells
+            .iter()
+            .map(move |cell| (cut.line.number, cell.as_ref()))
+    });
+    let spelling = Spelling::of(cells, separator).map_err(|fault| vec![fault])?;
+    if spelling.decimal == ',' {
+        sheet
+            .remarks
+            .push("the comma is the decimal sign".to_owned());
+    }
+    let columns = sheet.columns.clone();
+    let mut faults = grouped(sheet, &columns, body, spelling);
+    let (mut holes, mut short) = (Vec::new(), Vec::new());
+    for cut in content() {
+        if faults.len() >= MOST_FAULTS {
+            break;
+        }
+        let (line, found) = (cut.line.number, cut.cells.len());
+        let misses = found < width && (layout.whole || separator == Separator::Blanks);
+        if found > width || misses && (layout.whole || !cut.data) {
+            faults.push(TableFault::Fields {
+                line,
+                found,
+                wanted: width,
+            });
+            continue;
+        }
+        if misses {
+            short.push(line);
+            continue;
+        }
+        let mut row = Vec::with_capacity(columns.len());
+        let mut hole = false;
+        for column in &columns {
+            let cell = cut.cells.get(column.place).map_or("", AsRef::as_ref);
+            match spelling.read(cell) {
+                Cell::Number(value) => row.push(value * column.factor + column.offset),
+                Cell::Hole if !layout.whole => hole = true,
+                Cell::Hole => faults.push(TableFault::Hole {
+                    line,
+                    column: column.place + 1,
+                    text: shown(cell),
+                }),
+                Cell::Words => faults.push(TableFault::NotANumber {
+                    line,
+                    column: column.place + 1,
+                    text: shown(cell),
+                }),
+            }
+        }
+        if hole {
+            holes.push(line);
+        } else if row.len() == columns.len() {
+            sheet.rows.push((line, row));
+        }
+    }
+    for (lines, what) in [
+        (&holes, "a blank in a column that is read"),
+        (&short, "fewer cells than the others"),
+    ] {
+        if let Some(first) = lines.first() {
+            sheet.remarks.push(format!(
+                "{} with {what} left out, the first in line {first}",
+                rows_of(lines.len())
+            ));
+        }
+    }
+    if sheet.rows.is_empty() && faults.is_empty() {
+        faults.push(TableFault::Empty);
+    }
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
+    }
+}
+
+fn rows_of(count: usize) -> String {
+    if count == 1 {
+        "1 row".to_owned()
+    } else {
+        format!("{count} rows")
+    }
+}
+
+/// Faults where a sign may be that of thousands; altitudes in m and ft without a decimal sign may have thousands.
+fn grouped(
+    sheet: &mut Sheet,
+    columns: &[Column],
+    body: &[Cut],
+    spelling: Spelling,
+) -> Vec<TableFault> {
+    let mut faults = Vec::new();
+    for column in columns {
+        let cells = || {
+            body.iter()
+                .filter(|cut| cut.data)
+                .filter_map(|cut| Some((cut.line.number, cut.cells.get(column.place)?.as_ref())))
+        };
+        let Some((line, text)) = cells().find(|(_, cell)| spelling.is_doubtful(cell)) else {
+            continue;
+        };
+        let long = [1.0, 0.3048].contains(&column.factor);
+        let altitude = matches!(
+            column.quantity,
+            Quantity::Altitude
+                | Quantity::Geopotential
+                | Quantity::CapitalH
+                | Quantity::PressureAltitude
+        );
+        if altitude && long && !cells().any(|(_, cell)| spelling.has_plain_decimals(cell)) {
+            let sign = if spelling.decimal == '.' {
+                "commas"
+            } else {
+                "points"
+            };
+            sheet.remarks.push(format!(
+                "{sign} group the thousands of the altitude, such as {} in line {line}",
+                shown(text)
+            ));
+        } else {
+            faults.push(TableFault::Thousands {
+                line,
+                text: shown(text),
+            });
+        }
+    }
+    faults
+}

@@ -1,0 +1,139 @@
+//! What is written, where, and what stays when something goes wrong.
+
+use crate::files::{DROP, with};
+use crate::{M2, command, folder, msape, path};
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+#[cfg(unix)]
+#[test]
+fn output_never_takes_the_place_of_what_was_read_or_is_kept() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let here = folder("output");
+    let case = here.join("case.toml");
+    fs::write(
+        here.join("air.csv"),
+        "altitude_m,density_kg_m3\n0,1.2\n9000,0.4\n",
+    )
+    .unwrap();
+    let text = with(DROP, "[atmosphere]\nfile = \"air.csv\"");
+    fs::write(&case, &text).unwrap();
+    fs::hard_link(&case, here.join("same.toml")).unwrap();
+    symlink("case.toml", here.join("link.toml")).unwrap();
+    symlink("nothing", here.join("dangling")).unwrap();
+    fs::write(here.join("kept.json"), "kept").unwrap();
+    fs::set_permissions(here.join("kept.json"), fs::Permissions::from_mode(0o444)).unwrap();
+    for (name, why) in [
+        ("case.toml", "the case itself"),
+        ("same.toml", "the case itself"),
+        ("link.toml", "the case itself"),
+        ("air.csv", "a file that it names"),
+        ("kept.json", "it is read-only"),
+        ("dangling", "it is a link to nothing"),
+        (".", "it is a folder"),
+    ] {
+        let finished = msape(&["fly", path(&case), "--json", "-o", path(&here.join(name))]);
+        assert_eq!(finished.code, Some(2), "{name}");
+        assert!(finished.err.contains(why), "{name}: {}", finished.err);
+    }
+    assert_eq!(fs::read_to_string(&case).unwrap(), text);
+    assert_eq!(fs::read_to_string(here.join("kept.json")).unwrap(), "kept");
+    assert!(
+        fs::symlink_metadata(here.join("dangling"))
+            .unwrap()
+            .is_symlink()
+    );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_changes_no_code() {
+    let full = || Stdio::from(fs::File::options().write(true).open("/dev/full").unwrap());
+    let bad = command(&["fly", M2, "--set", "vehicle.mass_kg=-1"])
+        .stderr(full())
+        .output()
+        .unwrap();
+    assert_eq!(bad.status.code(), Some(2));
+    let nowhere = command(&["fly", M2, "--json"])
+        .stdout(full())
+        .stderr(full())
+        .status()
+        .unwrap();
+    assert_eq!(nowhere.code(), Some(2));
+    let wrong = command(&["flee"]).stderr(full()).status().unwrap();
+    assert_eq!(wrong.code(), Some(2));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_no_unfinished_file() {
+    for signal in ["INT", "TERM"] {
+        let here = folder(&format!("signal-{signal}"));
+        let out = here.join("history.csv");
+        fs::write(&out, "old").unwrap();
+        let mut child = command(&[
+            "fly",
+            "cases/stardust.toml",
+            "--trajectory-step",
+            "0.001",
+            "--csv-si",
+            "-o",
+            path(&out),
+        ])
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+        let names = || -> Vec<String> {
+            let entries = fs::read_dir(&here).unwrap();
+            entries
+                .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+                .collect()
+        };
+        let start = Instant::now();
+        while names().len() < 2 && start.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        let pid = child.id().to_string();
+        let sent = std::process::Command::new("kill")
+            .args(["-s", signal, &pid])
+            .status()
+            .unwrap();
+        assert!(sent.success());
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{signal}");
+        assert_eq!(names(), ["history.csv"], "{signal}");
+        assert_eq!(fs::read_to_string(&out).unwrap(), "old");
+    }
+}
+
+#[test]
+fn a_name_is_no_formula_and_no_command_of_a_terminal() {
+    let named = |name: &str, form: &str| {
+        let setting = format!("name={name}");
+        let finished = msape(&["fly", M2, "--set", &setting, form]);
+        assert_eq!(finished.code, Some(0), "{}", finished.err);
+        finished.out
+    };
+    let csv = named("=HYPERLINK(\"http://x\",\"y\")", "--csv");
+    assert!(csv.contains("\r\n\"'=HYPERLINK("), "{csv}");
+    for form in ["--csv", "--csv-si"] {
+        assert!(!named("a\u{1b}]0;b\u{7}\u{9b}2J", form).contains(['\u{1b}', '\u{7}', '\u{9b}']));
+    }
+    let text = msape(&["fly", M2, "--set", "name=a\u{1b}[2J\u{202e}b"]).out;
+    assert!(!text.contains(['\u{1b}', '\u{202e}']), "{text}");
+    let kml = named("a\u{fffe}\u{ffff}\u{1}\u{1b}<b>&", "--kml");
+    assert!(kml.contains("<name>a&lt;b&gt;&amp;</name>"), "{kml}");
+    let svg = msape(&[
+        "export",
+        "cases/run-page.toml",
+        "--format",
+        "svg",
+        "--set",
+        "name=a\u{fffe}\u{1b}b",
+    ]);
+    assert!(
+        svg.code == Some(0) && !svg.out.contains(['\u{fffe}', '\u{1b}']),
+        "{}",
+        svg.err
+    );
+}
