@@ -269,7 +269,9 @@ impl Finished<'_> {
         let reason = match outcome {
             Outcome::NotConverged | Outcome::GaveUp => {
                 let which = match outcome {
-                    Outcome::GaveUp => format!("after which the limit of work was reached, {MOST_WORK} evaluations of the equations of motion, a pass being {WORK_OF_PASS}"),
+                    Outcome::GaveUp => format!(
+                        "after which the limit of work was reached, {MOST_WORK} evaluations of the equations of motion, a pass being {WORK_OF_PASS}"
+                    ),
                     _ => "the last one allowed".to_string(),
                 };
                 let far = last.map_or(String::new(), |pass| match pass.mass_distance_kg {

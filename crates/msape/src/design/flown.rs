@@ -102,7 +102,12 @@ impl Flown {
 }
 
 /// The last flight; only it keeps its history.
-pub(super) fn with_history(input: &DesignInput, request: Request, body: &Body, flight: Flight) -> Flight {
+pub(super) fn with_history(
+    input: &DesignInput,
+    request: Request,
+    body: &Body,
+    flight: Flight,
+) -> Flight {
     if request == Request::Nothing {
         return flight;
     }
