@@ -9,7 +9,7 @@
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 //! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
-//! - [`robustness`]: cases that once gave nonsense, or took minutes, and singular directions beside an independent code.
+//! - [`robustness`]: cases that once gave nonsense, or took minutes.
 //! - [`landings`]: the limit of the payload, equations 3 and 5.
 
 mod atmosphere_tables;
