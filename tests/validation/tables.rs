@@ -164,7 +164,7 @@ fn drag_lift_bank_and_wind_say_that_they_were_left() {
         ("atmosphere.exponential.scale_height_m", ""),
         ("atmosphere.table", "[[5e3, 0.61], [80e3, 1.8e-5]]"),
     ];
-    assert_eq!(said(&flown(PLAIN, &edits), "atmosphere").len(), 1);
+    assert_eq!(said(&flown(PLAIN, &edits), "atmosphere").len(), 2);
 }
 
 /// At Mach 10 by the exponential's speed of sound the flight is over; held and extended, it goes on differently.
