@@ -4,10 +4,17 @@ use msape::{Outcome, Request};
 use msape_tests::entry::output;
 use msape_tests::text::{PLAIN, answer, case};
 
+/// What it is called, keys with their values, and what is compared.
+type Start = (
+    &'static str,
+    &'static [(&'static str, &'static str)],
+    [f64; 5],
+);
+
 /// Starts, and what an independent integration in rotating Cartesian axes (DOP853) of the same
 /// equations gives: time of flight in s, final speed in m/s, final latitude and longitude in degrees, peak deceleration in
 /// g, this one taken at samples, 1e-3. Printed to the digits that are compared.
-const SINGULAR: [(&str, &[(&str, &str)], [f64; 5]); 8] = [
+const SINGULAR: [Start; 8] = [
     (
         "straight down",
         &[
