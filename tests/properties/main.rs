@@ -9,6 +9,7 @@
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 //! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
+//! - [`robustness`]: cases that once gave nonsense, or took minutes.
 //! - [`landings`]: the limit of the payload, equations 3 and 5.
 
 mod atmosphere_tables;
@@ -20,6 +21,7 @@ mod geometry;
 mod landings;
 mod lanes;
 mod planets;
+mod robustness;
 mod text;
 mod versions;
 

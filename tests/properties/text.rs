@@ -91,6 +91,10 @@ fn any_case() -> impl Strategy<Value = Case> {
 
 /// The case with what no input takes spelled as the reader spells it.
 fn spelled(mut case: Case) -> Case {
+    // an empty list of phases is none, as the reader has it
+    let none = Value::Other("[]".to_string());
+    case.values
+        .retain(|key, value| key != "phase" || *value != none);
     for value in case.values.values_mut() {
         if let Value::Other(text) = value {
             let alone = format!("schema = 'msape/1'\nx = {text}\n");

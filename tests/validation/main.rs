@@ -7,6 +7,7 @@
 //! - [`shell`]: the shell model against closed forms, with the order of convergence.
 //! - [`outcomes`]: how flights begin and end.
 //! - [`endings`]: ends that are met or not; [`tables`]: tables that are left; [`directions`]: singular directions.
+//! - [`singular`]: straight down, over the pole, at rest, below sea level, beside an independent integration.
 //! - [`phases`]: parachutes, and what else changes on the way.
 
 mod accuracy;
@@ -19,5 +20,6 @@ mod phases;
 mod planets;
 mod published;
 mod shell;
+mod singular;
 mod six_dof;
 mod tables;

@@ -164,7 +164,7 @@ fn drag_lift_bank_and_wind_say_that_they_were_left() {
         ("atmosphere.exponential.scale_height_m", ""),
         ("atmosphere.table", "[[5e3, 0.61], [80e3, 1.8e-5]]"),
     ];
-    assert_eq!(said(&flown(PLAIN, &edits), "atmosphere").len(), 1);
+    assert_eq!(said(&flown(PLAIN, &edits), "atmosphere").len(), 2);
 }
 
 /// At Mach 10 by the exponential's speed of sound the flight is over; held and extended, it goes on differently.
@@ -208,7 +208,7 @@ fn rows_of_tables_have_ranges() {
         (
             "vehicle.lift_table",
             "[[0, 1], [1, 1e30]]",
-            "row 2, lift_coefficient: got 1000000000000000000000000000000, must be -100 to 100",
+            "row 2, lift_coefficient: got 1e30, must be -100 to 100",
         ),
         ("planet.equatorial_radius_m", "8e29", "must be 100 to"),
     ] {

@@ -11,6 +11,7 @@ use msape::aero::polar::{self, Polar, Theory, remarks};
 use msape::aero::standard::AeroBody;
 use msape::aero::table::Extrapolation;
 use msape::finding::Finding;
+use msape::units::told;
 use msape::{Case, Library};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -144,7 +145,8 @@ fn theory(arguments: &Aero, case: &Case, faults: &mut Vec<String>) -> Theory {
         if let Some(value) = value
             && !(low..=high).contains(&value)
         {
-            faults.push(format!("--{name}: got {value}, must be {low} to {high}"));
+            let got = told(value);
+            faults.push(format!("--{name}: got {got}, must be {low} to {high}"));
         }
     };
     within("mach", arguments.mach, 0.0, 1000.0);

@@ -3,7 +3,7 @@
 use cad::export::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use msape::table::kml::Instant;
-use msape::units::{Dimension, canonical, parse_number};
+use msape::units::{Dimension, canonical, parse_number, told};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -257,7 +257,8 @@ fn step(text: &str) -> Result<f64, String> {
         Ok(value)
     } else {
         Err(format!(
-            "got {value} s, must be {} to {} s",
+            "got {} s, must be {} to {} s",
+            told(value),
             STEP_S.start(),
             STEP_S.end()
         ))

@@ -16,6 +16,7 @@ use crate::finding::{Adjustment, Finding};
 use crate::flight::Flight;
 use crate::outcome::Outcome;
 use crate::planet::Planet;
+use crate::quantity::Job;
 use serde::{Deserialize, Serialize};
 
 /// The planet of an answer, by its names.
@@ -73,4 +74,19 @@ pub struct Answer {
     pub findings: Vec<Finding>,
     /// The passes of the coupling.
     pub passes: Vec<Pass>,
+}
+
+impl Answer {
+    /// The same answer, given up where one of its results is no finite number, as no outcome stands on it.
+    pub(crate) fn of_finite_results(mut self, job: Job) -> Self {
+        let wild = outputs(job)
+            .find(|output| (output.get)(&self).is_some_and(|number| !number.is_finite()));
+        if let Some(output) = wild
+            && self.outcome != Outcome::GaveUp
+        {
+            self.outcome = Outcome::GaveUp;
+            self.reason = Some(format!("{} is not a finite number", output.key));
+        }
+        self
+    }
 }

@@ -150,16 +150,22 @@ pub fn fly(mission: &Mission, body: &Body, request: Request) -> (Flight, Outcome
             (flight, record.outcome, record.reason)
         }
     };
-    match flight.not_finite() {
-        Some(name) => {
-            let reason = format!("the {name} is not a finite number");
-            (flight, Outcome::GaveUp, Some(reason))
-        }
-        None => (flight, outcome, reason),
-    }
+    let (outcome, reason) = flight.ending(outcome, reason);
+    (flight, outcome, reason)
 }
 
 impl Flight {
+    /// Outcome and reason; a flight whose results are not all finite numbers is given up.
+    pub fn ending(&self, outcome: Outcome, reason: Option<String>) -> (Outcome, Option<String>) {
+        match self.not_finite() {
+            Some(name) => (
+                Outcome::GaveUp,
+                Some(format!("the {name} is not a finite number")),
+            ),
+            None => (outcome, reason),
+        }
+    }
+
     /// A result that is not a finite number, by its name; such a flight is not to be used.
     pub fn not_finite(&self) -> Option<&'static str> {
         let peak = |name: &'static str, peak: &Peak| {

@@ -27,6 +27,7 @@ use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission, Model};
 use crate::library::Library;
+use crate::quantity::Job;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
@@ -118,6 +119,7 @@ impl FlightProblem {
             findings,
             passes: Vec::new(),
         }
+        .of_finite_results(Job::Fly)
     }
 }
 
@@ -162,6 +164,7 @@ impl DesignProblem {
             findings: solution.findings,
             passes: solution.passes,
         }
+        .of_finite_results(Job::Design)
     }
 }
 

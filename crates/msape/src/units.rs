@@ -6,6 +6,7 @@
 pub mod number;
 mod text;
 
+pub use number::told;
 pub(crate) use text::{SHOWN_MAX, cut};
 pub use text::{TextError, parse_number};
 

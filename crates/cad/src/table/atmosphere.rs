@@ -16,6 +16,7 @@
 //! - \[coesa-1976\] for geopotential altitude, constants and pressure; \[wmo-8\] for soundings.
 
 use super::altitude::{G_0_M_S2, Heights, geometric_m};
+use super::columns::without_unit;
 use super::curve::{ascending, in_order};
 use super::quantity::Quantity;
 use super::sheet::{Layout, sheet};
@@ -97,6 +98,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
     if !sheet.headed {
         falls_with_height(&rows)?;
     }
+    sheet.remarks.extend(without_unit(&sheet));
     sheet.remarks.extend(heights.remark(ground));
     ascending(&mut rows, "altitude", &mut sheet.remarks);
     without_repeats(&mut rows, &mut sheet.remarks);

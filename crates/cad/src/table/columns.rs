@@ -273,6 +273,21 @@ fn bare(
     })
 }
 
+/// What is said of columns whose heading names no unit where there is one.
+pub(super) fn without_unit(sheet: &Sheet) -> Option<String> {
+    let columns = sheet.columns.iter().filter(|column| !column.named_unit);
+    let taken = columns
+        .map(|column| with_unit(column.quantity))
+        .filter(|name| name.ends_with(')'));
+    let taken: Vec<String> = taken.collect();
+    (sheet.headed && !taken.is_empty()).then(|| {
+        format!(
+            "the heading names no unit for what is taken as {}",
+            taken.join(", ")
+        )
+    })
+}
+
 fn with_unit(quantity: Quantity) -> String {
     let (name, units) = (quantity.names().0, quantity.units().0);
     match units.split(',').next() {

@@ -145,6 +145,10 @@ fn what_was_decided_is_told() {
         air("0,1.2\n5,0.7\n").remarks,
         ["the file names no columns; they are taken as altitude (m), density (kg/m3)"]
     );
+    assert_eq!(
+        air("altitude,density (kg/m3)\n0,1.2\n5,0.7\n").remarks,
+        ["the heading names no unit for what is taken as altitude (m)"]
+    );
     assert!(
         air("altitude_m,density_kg_m3\n0,1.2\n5,0.7\n")
             .remarks

@@ -14,6 +14,7 @@
 
 use super::altitude::Heights;
 use super::atmosphere;
+use super::columns::without_unit;
 use super::curve::{ascending, in_order};
 use super::quantity::Quantity;
 use super::sheet::{Layout, sheet};
@@ -72,6 +73,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
         let altitude_m = heights.altitude_m(&sheet, row, ground);
         rows.push((*line, vec![altitude_m, east, north]));
     }
+    sheet.remarks.extend(without_unit(&sheet));
     sheet.remarks.extend(heights.remark(ground));
     ascending(&mut rows, "altitude", &mut sheet.remarks);
     atmosphere::without_repeats(&mut rows, &mut sheet.remarks);

@@ -4,7 +4,7 @@ use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key,
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
 use crate::quantity::input::{self, Input, Kind, Preset};
-use crate::units::{canonical, cut, parse_number};
+use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
 
 /// A fault of the input: which key, what was given, what is allowed.
@@ -174,7 +174,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         if whole && value % 1.0 != 0.0 {
-            self.fault(key, format!("got {value}, must be a whole number"));
+            self.fault(key, format!("got {}, must be a whole number", told(value)));
             return None;
         }
         if let Some((min, max)) = usual
@@ -350,7 +350,8 @@ impl<'a> Reader<'a> {
                 if self.faults.len() >= before + ROW_FAULTS_MAX {
                     return None;
                 }
-                let message = format!("row {}, {}: got {cell}, {wrong}", i + 1, column.name);
+                let (row, name, cell) = (i + 1, column.name, told(*cell));
+                let message = format!("row {row}, {name}: got {cell}, {wrong}");
                 self.fault(key, message);
             }
         }

@@ -2,7 +2,7 @@
 
 use super::Value;
 use super::write::quoted_key;
-use crate::units::cut;
+use crate::units::{cut, told};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 
@@ -155,7 +155,7 @@ pub(super) fn rows(node: &Node) -> Result<Vec<Vec<f64>>, String> {
 
 pub(super) fn describe(node: &Node) -> String {
     match node {
-        Node::Number(number) => number.to_string(),
+        Node::Number(number) => told(*number),
         Node::Text(text) => format!("\"{}\"", cut(text)),
         Node::Flag(flag) => flag.to_string(),
         Node::List(_) => "a list".to_string(),

@@ -3,8 +3,7 @@
 use super::Value;
 use super::node::described;
 use crate::quantity::input::{self, Input, Kind, Range, inputs};
-use crate::units::canonical;
-use crate::units::{SHOWN_MAX, cut};
+use crate::units::{SHOWN_MAX, canonical, cut, told};
 
 pub(super) fn column_names(input: &Input) -> String {
     match input.kind {
@@ -24,7 +23,7 @@ pub(super) fn column_names(input: &Input) -> String {
 }
 
 pub(super) fn with_unit(value: f64, unit: &str) -> String {
-    format!("{value} {unit}").trim_end().to_string()
+    format!("{} {unit}", told(value)).trim_end().to_string()
 }
 
 pub(super) fn must_be(range: &Range, unit: &str) -> String {

@@ -15,26 +15,27 @@
 //! before, whose mass differs by less than the criterion: the one place where two passes meet.
 //!
 //! # Valid
-//! Always ends: converged, not converged after the last pass, not closed, or with a flight that leaves the atmosphere.
+//! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere, or given
+//! up at a limit of work or where a number is not finite.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
 
-use super::flown::Flown;
+use super::flown::{Flown, with_history};
 use super::inputs::DesignInput;
 use super::misfit;
 use super::sized::Sized;
 use super::{Design, Pass, Solution};
-use crate::finding::{Finding, Severity};
+use crate::finding::Finding;
 use crate::flight::mission::{Body, Model};
-use crate::flight::{self, Flight, Request};
+use crate::flight::{self, Request};
 use crate::outcome::Outcome;
 use crate::tps::limits;
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
 use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
 use numerics::fixed_point::Anderson;
-use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
+use numerics::math::FRAC_PI_2;
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
@@ -47,6 +48,12 @@ const FLIGHT_PART: f64 = 0.05;
 /// Finest tolerance of a flight: below it the steps meet rounding.
 const FINEST_TOLERANCE: f64 = 1e-10;
 
+/// Work after which a design is given up, in evaluations of the equations of motion: the default of twenty passes, each with a
+/// flight of the classical method at its own limit, is 16 million.
+const MOST_WORK: u64 = 20_000_000;
+/// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
+const WORK_OF_PASS: u64 = 10_000;
+
 /// Designs a vehicle.
 pub fn solve(input: &DesignInput, request: Request) -> Solution {
     // its own, as the flights of a small criterion are integrated more finely
@@ -57,6 +64,7 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
     // a step beyond what a pass found may lead where no vehicle closes; the acceleration goes as far as the passes say
     let mut anderson = Anderson::new(input.relaxation.min(1.0));
     let mut damped: Option<[f64; NUMBERS]> = None;
+    let mut work = 0;
     loop {
         let number = passes.len() as u32 + 1;
         let vehicle = match (vehicle::build(&vehicle_input), damped.take()) {
@@ -82,8 +90,12 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
             solver.tolerance = solver.tolerance.min(enough.max(FINEST_TOLERANCE));
         }
         let body = input.body(&vehicle);
-        let flown = Flown::fly(&input, &body, model);
+        let mut flown = Flown::fly(&input, &body, model);
         let sized = Sized::new(&input, &vehicle, &flown);
+        if let Some(name) = sized.not_finite() {
+            flown.give_up(name);
+        }
+        work += WORK_OF_PASS + flown.flight.evaluations;
         let found = found(&flown, &sized);
         let proposal = anderson.propose(taken(&vehicle_input), found, mass_kg);
         let distance_kg = proposal.distance;
@@ -99,17 +111,13 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
             mass_distance_kg: distance_kg,
         });
         let high_fidelity = model == input.mission.solver.model;
-        if high_fidelity
-            && matches!(
-                flown.outcome,
-                Outcome::SkippedOut | Outcome::Captured | Outcome::GaveUp
-            )
-        {
-            return departed(&input, request, &body, flown, passes);
+        let departed = matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured);
+        if flown.outcome == Outcome::GaveUp || high_fidelity && departed {
+            return flown.departed(&input, request, &body, passes);
         }
         let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
         let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
-        let is_last = number >= input.max_iterations;
+        let is_last = number >= input.max_iterations || work >= MOST_WORK;
         if settled || is_last {
             let mut closing_input = vehicle_input.clone();
             take(&mut closing_input, found);
@@ -134,6 +142,8 @@ pub fn solve(input: &DesignInput, request: Request) -> Solution {
                     passes,
                     outcome: if settled {
                         Outcome::Converged
+                    } else if work >= MOST_WORK {
+                        Outcome::GaveUp
                     } else {
                         Outcome::NotConverged
                     },
@@ -222,54 +232,6 @@ fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> S
     }
 }
 
-/// A flight that leaves the atmosphere or is given up: nothing can be sized for it.
-fn departed(
-    input: &DesignInput,
-    request: Request,
-    body: &Body,
-    flown: Flown,
-    passes: Vec<Pass>,
-) -> Solution {
-    let flight = with_history(input, request, body, flown.flight);
-    let mut findings = flight::findings(&input.mission, body, &flight);
-    findings.push(Finding {
-        severity: Severity::Exceeded,
-        model: "coupling".to_owned(),
-        key: "entry.flight_path_angle_deg".to_owned(),
-        value: Some(flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE),
-        valid: (None, None),
-        message: format!(
-            "A vehicle of {:.2} kg {} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
-            body.mass_kg,
-            match flown.outcome {
-                Outcome::GaveUp => "was given up",
-                _ => "leaves the atmosphere again",
-            }
-        ),
-        source: "convention of this program".to_owned(),
-        field: Some("entry.flight_path_angle_deg".to_owned()),
-    });
-    Solution {
-        outcome: flown.outcome,
-        reason: flown.reason,
-        flight: Some(flight),
-        design: None,
-        adjustments: Vec::new(),
-        findings,
-        passes,
-    }
-}
-
-/// The last flight; only it keeps its history.
-fn with_history(input: &DesignInput, request: Request, body: &Body, flight: Flight) -> Flight {
-    if request == Request::Nothing {
-        return flight;
-    }
-    let mut mission = input.mission.clone();
-    mission.solver.model = flight.model;
-    flight::fly(&mission, body, request).0
-}
-
 /// The last pass, made into a solution.
 struct Finished<'a> {
     input: &'a DesignInput,
@@ -305,13 +267,19 @@ impl Finished<'_> {
         let adjustments = vehicle.adjustments.clone();
         let last = passes.last();
         let reason = match outcome {
-            Outcome::NotConverged => {
+            Outcome::NotConverged | Outcome::GaveUp => {
+                let which = match outcome {
+                    Outcome::GaveUp => format!(
+                        "after which the limit of work was reached, {MOST_WORK} evaluations of the equations of motion, a pass being {WORK_OF_PASS}"
+                    ),
+                    _ => "the last one allowed".to_string(),
+                };
                 let far = last.map_or(String::new(), |pass| match pass.mass_distance_kg {
                     Some(kg) => format!(", an estimated {kg:.3e} kg from where it settles"),
                     None => String::new(),
                 });
                 Some(format!(
-                    "the mass had not settled in pass {}, the last one allowed{far}",
+                    "the mass had not settled in pass {}, {which}{far}",
                     passes.len()
                 ))
             }

@@ -61,4 +61,17 @@ impl Sized {
             soak,
         }
     }
+
+    /// A result that is not a finite number, by its name.
+    pub(super) fn not_finite(&self) -> Option<&'static str> {
+        let named = [
+            ("peak heat flux", self.stagnation.peak_heat_flux_w_m2),
+            ("heat load", self.stagnation.heat_load_j_m2),
+            ("forebody heat-shield thickness", self.forebody.thickness_m),
+            ("aftbody heat-shield thickness", self.aftbody.thickness_m),
+            ("payload temperature", self.payload_temperature_k),
+        ];
+        let mut wild = named.into_iter().filter(|(_, value)| !value.is_finite());
+        wild.next().map(|(name, _)| name)
+    }
 }

@@ -12,9 +12,9 @@
 //! the reduced latitude in rad, p = √(x² + y²), r = √(p² + z²), e² = 1 − b²/a², e′² = a²/b² − 1.
 //!
 //! # Valid
-//! Altitudes above −10 km of any planet, the poles included. [`Ellipsoid::local`] takes one pass, or two where the
-//! flattening is above 0.02, in square roots only: its height is good to 1e-5 m to 500 km
-//! (1e-4 m where the flattening is above 0.02) and to 1e-9 of the height beyond.
+//! Altitudes above −10 km of any planet of a flattening up to a half, the poles included. [`Ellipsoid::local`] takes one
+//! pass, two where the flattening is above 0.006, all where it is above 0.1, in square roots only: its height is good to
+//! 1e-5 m to 500 km (Saturn, of 0.098: 1e-4 m) and to 1e-9 of the height beyond.
 //!
 //! # References
 //! - \[bowring-1985\]; \[nga-wgs84\] for the forward conversion.
@@ -57,10 +57,12 @@ pub struct Ellipsoid {
     fast_passes: usize,
 }
 
-/// Passes of Bowring's formula after which nothing changes any more, for the flattening of Saturn.
+/// Passes of Bowring's formula after which nothing changes any more, for a flattening of a half.
 const PASSES_TO_CONVERGENCE: usize = 5;
-/// Flattening above which the fast form takes a second pass.
-const STRONG_FLATTENING: f64 = 0.02;
+/// Flattening above which the fast form takes a second pass: that of Mars is just below, 7e-6 m.
+const STRONG_FLATTENING: f64 = 0.006;
+/// Flattening above which the fast form takes all passes: that of Saturn is just below.
+const EXTREME_FLATTENING: f64 = 0.1;
 
 impl Ellipsoid {
     /// The ellipsoid with these radii, m.
@@ -71,10 +73,10 @@ impl Ellipsoid {
             polar_radius_m,
             e2: 1.0 - (b / a) * (b / a),
             e2_prime: (a / b) * (a / b) - 1.0,
-            fast_passes: if 1.0 - b / a > STRONG_FLATTENING {
-                2
-            } else {
-                1
+            fast_passes: match 1.0 - b / a {
+                flattening if flattening > EXTREME_FLATTENING => PASSES_TO_CONVERGENCE,
+                flattening if flattening > STRONG_FLATTENING => 2,
+                _ => 1,
             },
         }
     }
@@ -176,6 +178,15 @@ mod tests {
 
     const WGS84: Ellipsoid = Ellipsoid::new(6_378_137.0, 6_356_752.314_2);
     const SATURN: Ellipsoid = Ellipsoid::new(60_268_000.0, 54_364_000.0);
+    /// Radii of the planet files, and figures that a case may have.
+    const OTHERS: [(Ellipsoid, &str); 6] = [
+        (Ellipsoid::new(3_396_190.0, 3_376_200.0), "mars"),
+        (Ellipsoid::new(71_492_000.0, 66_854_000.0), "jupiter"),
+        (Ellipsoid::new(25_559_000.0, 24_973_000.0), "uranus"),
+        (Ellipsoid::new(24_764_000.0, 24_341_000.0), "neptune"),
+        (Ellipsoid::new(6_378_137.0, 5_421_416.45), "0.15"),
+        (Ellipsoid::new(6_378_137.0, 3_189_068.5), "0.5"),
+    ];
     const SPHERE: Ellipsoid = Ellipsoid::new(6_051_800.0, 6_051_800.0);
 
     /// Positions over all latitudes, some longitudes and the given altitudes.
@@ -247,7 +258,8 @@ mod tests {
 
     #[test]
     fn the_fast_height_and_vertical() {
-        for (ellipsoid, name) in [(WGS84, "wgs84"), (SATURN, "saturn"), (SPHERE, "sphere")] {
+        let known = [(WGS84, "wgs84"), (SATURN, "saturn"), (SPHERE, "sphere")];
+        for (ellipsoid, name) in known.into_iter().chain(OTHERS) {
             for position in positions(&[-10e3, 0.0, 50e3, 125e3, 500e3, 2e6, 2e7, 4e8]) {
                 let local = ellipsoid.local(ellipsoid.cartesian_m(&position));
                 let error = (local.altitude_m - position.altitude_m).abs();

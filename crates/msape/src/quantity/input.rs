@@ -146,8 +146,9 @@ pub enum Choices {
 pub fn range_of_column(name: &str) -> Range {
     match name {
         "altitude_m" => Range::closed(-1e5, 1e9),
+        // Nought is open: the other two of density, temperature and pressure give it, or the row is refused.
         "density_kg_m3" => Range::closed(0.0, 1e4),
-        "temperature_K" => Range::above(0.0, 1e5),
+        "temperature_K" => Range::closed(0.0, 1e5),
         "pressure_Pa" => Range::closed(0.0, 1e12),
         "eastward_m_s" | "northward_m_s" => Range::closed(-2e3, 2e3),
         "mach" => Range::closed(0.0, 1e3),

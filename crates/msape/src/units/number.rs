@@ -13,6 +13,14 @@ pub fn shortest(number: f64) -> String {
     }
 }
 
+/// A number in a message: the [`shortest`] text, or what it is instead of a finite number.
+pub fn told(number: f64) -> String {
+    match number.is_finite() {
+        true => shortest(number),
+        false => number.to_string(),
+    }
+}
+
 /// A number for people: rounded to `digits` significant digits, without trailing zeros; empty for what is not finite.
 pub fn rounded(number: f64, digits: usize) -> String {
     if !number.is_finite() {
@@ -43,6 +51,8 @@ mod tests {
         assert_eq!(shortest(12_000.0), "12000");
         assert_eq!(shortest(1e-7), "1e-7");
         assert_eq!(shortest(f64::NAN), "");
+        assert_eq!(told(1e300), "1e300");
+        assert_eq!(told(f64::INFINITY), "inf");
     }
 
     #[test]

@@ -137,11 +137,13 @@ Station information and sounding indices
         (wind.rows[2][1] - 10.0 * 1852.0 / 3600.0).abs() < 1e-12 && wind.rows[2][2].abs() < 1e-12,
         "{wind:?}"
     );
-    let unknown = read(
-        "atmosphere.file",
-        b"p (Pa),z (m),T (K)\n600,0,210\n300,7000,200\n",
-        &mars(),
-    );
+    let elsewhere = b"p (Pa),z (m),T (K)\n600,0,210\n300,7000,200\n";
+    // 600 / (191.093 × 210) = 0.0149515 in the gas of Mars
+    let table = read("atmosphere.file", elsewhere, &mars()).unwrap();
+    assert!((table.rows[0][1] - 0.014_951_5).abs() < 1e-6, "{table:?}");
+    let mut own = Case::default();
+    own.set("planet.equatorial_radius_m", "3396190");
+    let unknown = read("atmosphere.file", elsewhere, &Ground::of(&own, &LIBRARY));
     assert_eq!(unknown.unwrap_err(), [TableFault::UnknownGas]);
 }
 

@@ -97,9 +97,9 @@ pub(super) static OUTPUTS: &[Output] = &[
     Output::new("entry_inertial_azimuth_deg", "Entry Inertial Azimuth", Module::Flight, |a| flight(a, |f| f.entry_inertial.azimuth_rad / RADIANS_PER_DEGREE))
         .unit(Dimension::Angle, "deg")
         .help("Direction of its horizontal part from north, clockwise.", "NASA/TM-2014-218507, section 3.2"),
-    Output::new("ballistic_coefficient_kg_m2", "Ballistic Coefficient at Max Entry Load", Module::Aerodynamics, |a| flight(a, |f| f.ballistic_coefficient_kg_m2))
+    Output::new("ballistic_coefficient_kg_m2", "Ballistic Coefficient at Max Entry Load", Module::Aerodynamics, |a| flight(a, |f| f.ballistic_coefficient_kg_m2).filter(|beta| *beta < f64::INFINITY))
         .unit(Dimension::ArealDensity, "kg/m^2")
-        .help("Mass over drag coefficient and reference area at peak deceleration.", "NASA/TM-2014-218507, equation 5"),
+        .help("Mass over drag coefficient and reference area at peak deceleration; absent without drag.", "NASA/TM-2014-218507, equation 5"),
     Output::new("peak_convective_heat_flux_w_m2", "Forebody Max Convective Heat Rate", Module::Heating, |a| flight(a, |f| f.peak_convective_heat_flux_w_m2.value))
         .unit(Dimension::HeatFlux, "W/cm^2")
         .help("Largest convective heat flux at the stagnation point, without margin.", "NASA/TM-2014-218507, equation 8"),

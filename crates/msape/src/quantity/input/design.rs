@@ -45,7 +45,7 @@ pub(super) const INPUTS: &[Input] = &[
         .usual(45.0, 70.0)
         .preset(Preset::Number(60.0))
         .help("Half-angle of the forebody cone.", REPORT_VEHICLE),
-    Input::number("design.payload_mass_kg", "Payload Mass", Group::Payload, Dimension::Mass, Range::above(0.0, 1_000.0))
+    Input::number("design.payload_mass_kg", "Payload Mass", Group::Payload, Dimension::Mass, Range::closed(1e-6, 1_000.0))
         .unit("kg")
         .usual(5.0, 20.0)
         .preset(Preset::Number(15.0))
