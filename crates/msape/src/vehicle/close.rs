@@ -50,6 +50,9 @@ pub struct Closed {
 /// Turns after which walls count as rising without end.
 const MOST_TURNS: u32 = 500;
 
+/// Turns after which a vehicle that does not fit is taken as it stands: thicker walls give it no room.
+const MOST_UNFIT_TURNS: u32 = 12;
+
 /// Precision of centre of gravity and walls, as part of what the rules ask.
 const PRECISION: f64 = 1e-4;
 
@@ -221,7 +224,7 @@ impl Candidate<'_> {
     fn settle(&mut self) -> Result<(Trial, f64), Misfit> {
         let mut x_m = None;
         let mut move_m = f64::INFINITY;
-        for _ in 0..MOST_TURNS {
+        for turn in 0..MOST_TURNS {
             x_m = match self.input.concept {
                 // nothing is laid out about it
                 Concept::Msr => None,
@@ -242,7 +245,7 @@ impl Candidate<'_> {
             } else {
                 self.precision_m()
             };
-            if move_m <= enough_m {
+            if move_m <= enough_m || (unfit && turn >= MOST_UNFIT_TURNS) {
                 return Ok((trial, off_m));
             }
             if move_m.is_nan() || move_m > self.forebody.diameter_m {
