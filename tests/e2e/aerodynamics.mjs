@@ -101,8 +101,8 @@ pageTest("a table of one's own is used, kept and taken out; faults are told at t
   await alert.getByRole("heading", { name: "hole.csv has 1 fault" }).waitFor();
   await alert.getByText(/^line 6: .*hole/).waitFor();
   assert.match(await alert.locator(".fault-lines").innerText(), /6\s+5, 30, /);
-  await choose(page, "unsorted.csv", "mach, alpha_deg, ca, cn\n5, 0, 1.5, 0\n2, 0, 1.5, 0\n");
-  await alert.getByText(/^line 3: Mach number 2 after 5/).waitFor();
+  await choose(page, "words.csv", "mach, alpha_deg, ca, cn\n5, 0, 1.5, 0\n5, ten, 1.4, 0.1\n");
+  await alert.getByText(/^line 3: column 2: got "ten", must be a number/).waitFor();
   await choose(page, "one-sided.csv", "mach, alpha_deg, ca, cn\n5, -10, 1.5, -0.1\n5, 0, 1.5, 0\n5, 20, 1.4, 0.2\n");
   await alert.getByText(/one-sided/).first().waitFor();
 
