@@ -145,7 +145,7 @@ pub enum Choices {
 /// ```
 pub fn range_of_column(name: &str) -> Range {
     match name {
-        "altitude_m" => Range::closed(-1e5, 1e9),
+        "altitude_m" => Range::closed(-1e6, 1e9),
         // Nought is open: the other two of density, temperature and pressure give it, or the row is refused.
         "density_kg_m3" => Range::closed(0.0, 1e4),
         "temperature_K" => Range::closed(0.0, 1e5),

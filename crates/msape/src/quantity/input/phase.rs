@@ -26,7 +26,7 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("phase.time_s", "Begins at Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e7))
         .unit("s")
         .help("Time after the start at which the phase begins; one of time, altitude, Mach number, dynamic pressure and deceleration.", CONVENTION),
-    Input::number("phase.altitude_m", "Begins at Altitude", Group::Mission, Dimension::Length, Range::closed(-1e5, 1e9))
+    Input::number("phase.altitude_m", "Begins at Altitude", Group::Mission, Dimension::Length, Range::closed(-1e6, 1e9))
         .unit("km")
         .help("Geodetic altitude at which the phase begins.", CONVENTION),
     Input::number("phase.mach", "Begins at Mach Number", Group::Mission, Dimension::One, Range::above(0.0, 1e3))
