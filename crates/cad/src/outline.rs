@@ -93,14 +93,6 @@ pub enum ImportFault {
     /// Neither the drawing nor the case says the unit.
     #[error("the drawing has no $INSUNITS; name its unit with outline.file_unit")]
     NoUnitInDrawing,
-    /// A unit that is not known.
-    #[error("{place}: got the unit \"{unit}\", must be one of m, cm, mm, in, ft")]
-    UnknownUnit {
-        /// Where.
-        place: String,
-        /// The unit, shortened.
-        unit: String,
-    },
     /// A field that is not a number.
     #[error("line {line}: column {column}: got \"{text}\", must be a number")]
     NotANumber {
@@ -110,16 +102,6 @@ pub enum ImportFault {
         column: usize,
         /// The field, shortened.
         text: String,
-    },
-    /// Too few or too many numbers.
-    #[error("line {line}: got {found} fields, must be {wanted}")]
-    Fields {
-        /// Line of the file.
-        line: u64,
-        /// Fields in it.
-        found: usize,
-        /// Fields of a row.
-        wanted: usize,
     },
     /// A heading that is not known, or comes twice, or is missing.
     #[error("header: {0}")]

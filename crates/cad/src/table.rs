@@ -12,9 +12,12 @@ mod cells;
 mod columns;
 mod curve;
 mod heading;
+pub(crate) mod layout;
 mod number;
 pub(crate) mod quantity;
+mod separator;
 pub(crate) mod sheet;
+mod squeezed;
 mod wind;
 
 use crate::text::{NotText, decode};

@@ -13,8 +13,9 @@
 //! - Own convention; the bulge is that of \[autodesk-dxf\].
 
 use super::{ImportFault, Imported, LengthUnit};
+use crate::table::layout::Layout;
 use crate::table::quantity::Quantity;
-use crate::table::sheet::{Layout, sheet};
+use crate::table::sheet::sheet;
 use crate::table::{TableFault, with_plain_line_ends};
 
 const POINTS: Layout = Layout {

@@ -12,8 +12,9 @@
 //! - Own convention.
 
 use super::curve::curve;
+use super::layout::{Layout, Sheet};
 use super::quantity::Quantity;
-use super::sheet::{Layout, Sheet, sheet};
+use super::sheet::sheet;
 use super::{Table, TableFault};
 use msape::aero::table::{Extrapolation, Grid, Row};
 use numerics::math::PI;

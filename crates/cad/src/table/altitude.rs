@@ -14,8 +14,8 @@
 //! # References
 //! - \[coesa-1976\] for geopotential altitude and g₀.
 
+use super::layout::Sheet;
 use super::quantity::Quantity;
-use super::sheet::Sheet;
 use super::{Ground, TableFault};
 use numerics::math::ln;
 

@@ -18,8 +18,9 @@
 use super::altitude::{G_0_M_S2, Heights, geometric_m};
 use super::columns::without_unit;
 use super::curve::{ascending, in_order};
+use super::layout::Layout;
 use super::quantity::Quantity;
-use super::sheet::{Layout, sheet};
+use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
 use numerics::math::ln;
 

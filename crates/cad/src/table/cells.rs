@@ -13,6 +13,7 @@
 //! - \[rfc-4180\] for the quotes.
 
 use super::number;
+use super::separator::Separator;
 use std::borrow::Cow;
 
 /// Lines that are looked at to find the separator.
@@ -29,15 +30,6 @@ pub struct Line<'t> {
     pub text: &'t str,
     /// Whether it is a comment.
     pub comment: bool,
-}
-
-/// What stands between cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Separator {
-    /// One character.
-    Sign(char),
-    /// Blanks and tabs, any number of them.
-    Blanks,
 }
 
 /// The lines that hold something, and the separator that a first line `sep=;` names. Ends of lines are `\n` here.

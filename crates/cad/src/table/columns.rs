@@ -12,17 +12,16 @@
 //! # References
 //! - Own convention.
 
-use super::cells::{self, Separator};
+use super::cells;
 use super::heading::{Heading, heading};
+use super::layout::{Cells, Column, Cut, Layout, Sheet, is_rule, listed};
 use super::quantity::Quantity;
-use super::sheet::{Cells, Column, Cut, Layout, Sheet, is_rule};
+use super::separator::Separator;
 use super::{MOST_FAULTS, TableFault, shown};
 use std::borrow::Cow;
 
 /// Lines above the numbers among which the heading is looked for.
 const MOST_TITLES: usize = 40;
-/// Names that a remark lists.
-const MOST_NAMES: usize = 12;
 
 /// What the lines above the numbers say of the columns.
 pub(super) fn columns(
@@ -305,18 +304,4 @@ fn expected(layout: &Layout) -> String {
         .map(|q| q.names().0)
         .collect();
     names.join(", ")
-}
-
-pub(super) fn listed(names: &[String]) -> String {
-    let shown = names
-        .iter()
-        .take(MOST_NAMES)
-        .map(|name| format!("\"{name}\""));
-    let more = names.len().saturating_sub(MOST_NAMES);
-    let list = shown.collect::<Vec<_>>().join(", ");
-    if more > 0 {
-        format!("{list} and {more} more")
-    } else {
-        list
-    }
 }

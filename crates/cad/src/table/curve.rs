@@ -10,8 +10,9 @@
 //! # References
 //! - Own convention.
 
+use super::layout::{Layout, Sheet};
 use super::quantity::Quantity;
-use super::sheet::{Layout, Sheet, sheet};
+use super::sheet::sheet;
 use super::{MOST_FAULTS, Table, TableFault};
 
 const DRAG: Layout = Layout {

@@ -11,6 +11,7 @@
 //! - Own convention.
 
 use super::quantity::Quantity;
+use super::squeezed::squeezed;
 
 /// A heading as it is understood.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,37 +120,6 @@ fn parts(field: &str) -> (&str, Option<&str>) {
         }
         _ => (name, None),
     }
-}
-
-/// A name without blanks and signs, in small letters.
-fn squeezed(name: &str) -> String {
-    name.chars()
-        .filter(|c| c.is_alphanumeric())
-        .flat_map(char::to_lowercase)
-        .map(|c| match c {
-            '³' => '3',
-            '²' => '2',
-            c => c,
-        })
-        .collect()
-}
-
-/// A unit without strokes and powers: kg/m³, kg m^-3 and kg/m**3 are `kgm3`.
-pub(super) fn squeezed_unit(symbol: &str) -> String {
-    if symbol.trim() == "\"" {
-        return "\"".to_owned();
-    }
-    let lower = symbol
-        .to_lowercase()
-        .replace("°c", "c")
-        .replace("°f", "f")
-        .replace("°k", "k");
-    let lower = lower
-        .replace("°r", "r")
-        .replace('°', "deg")
-        .replace('⁻', "");
-    let powers = lower.replace('⁰', "0").replace('¹', "1");
-    squeezed(&powers)
 }
 
 #[cfg(test)]

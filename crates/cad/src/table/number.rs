@@ -16,7 +16,7 @@
 //! - Own convention.
 
 use super::TableFault;
-use super::cells::Separator;
+use super::separator::Separator;
 use super::shown;
 use std::borrow::Cow;
 

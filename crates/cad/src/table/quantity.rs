@@ -12,7 +12,7 @@
 //! # References
 //! - \[nist-sp-811\] appendix B for the factors.
 
-use super::heading;
+use super::squeezed::squeezed_unit;
 use numerics::math::PI;
 
 /// Spellings of a unit, its factor and its offset to SI.
@@ -350,7 +350,7 @@ impl Quantity {
 
     /// Factor and offset of a unit as it stands in a file; those of a bare number where it names none.
     pub fn unit(self, symbol: &str) -> Option<(f64, f64)> {
-        let plain = heading::squeezed_unit(symbol);
+        let plain = squeezed_unit(symbol);
         let (_, units) = self.units();
         let found = if plain.is_empty() {
             units.first()

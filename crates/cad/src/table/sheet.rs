@@ -11,90 +11,13 @@
 //! # References
 //! - Own convention.
 
-use super::cells::{self, Line, Separator};
-use super::columns::{columns, listed};
+use super::cells;
+use super::columns::columns;
+use super::layout::{Column, Cut, Layout, Sheet, is_rule};
 use super::number::{Cell, Spelling, is_number};
 use super::quantity::Quantity;
+use super::separator::Separator;
 use super::{MOST_FAULTS, TableFault, shown};
-use std::borrow::Cow;
-
-/// What a kind of table may hold.
-#[derive(Clone, Copy, Debug)]
-pub struct Layout {
-    /// Quantities that are understood.
-    pub quantities: &'static [Quantity],
-    /// Columns of a table without heading, in their order, and how many of them it must have.
-    pub bare: (&'static [Quantity], usize),
-    /// Whether a row without a number is a fault; else it is left out.
-    pub whole: bool,
-}
-
-/// A column that is understood.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Column {
-    /// What it holds.
-    pub quantity: Quantity,
-    /// Its place in the file, from 0.
-    pub place: usize,
-    /// Whether the file names its unit.
-    pub named_unit: bool,
-    /// SI units, or deg, in its unit.
-    pub factor: f64,
-    /// What is added to it.
-    pub offset: f64,
-}
-
-/// The numbers of a table in SI.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
-    /// Its columns.
-    pub columns: Vec<Column>,
-    /// Line of the file and a number a column; none is missing.
-    pub rows: Vec<(u64, Vec<f64>)>,
-    /// Whether the file names its columns.
-    pub headed: bool,
-    /// Columns that were left out.
-    pub unknown: Vec<String>,
-    /// What was decided on the way.
-    pub remarks: Vec<String>,
-}
-
-impl Sheet {
-    /// Whether it has a column of a quantity.
-    pub fn has(&self, quantity: Quantity) -> bool {
-        self.place(quantity).is_some()
-    }
-
-    /// Place of a quantity among the columns.
-    pub fn place(&self, quantity: Quantity) -> Option<usize> {
-        self.columns
-            .iter()
-            .position(|column| column.quantity == quantity)
-    }
-
-    /// The number of a quantity in a row.
-    pub fn value(&self, row: &[f64], quantity: Quantity) -> Option<f64> {
-        row.get(self.place(quantity)?).copied()
-    }
-
-    /// A fault that says which column is missing, and which the file has.
-    pub fn missing(&self, name: &'static str) -> TableFault {
-        TableFault::MissingColumn {
-            name,
-            others: listed(&self.unknown),
-        }
-    }
-}
-
-pub(super) type Cells<'t> = Vec<Cow<'t, str>>;
-
-/// A line in cells.
-pub(super) struct Cut<'t> {
-    pub line: Line<'t>,
-    pub cells: Cells<'t>,
-    /// Whether most of it are numbers.
-    pub data: bool,
-}
 
 /// The columns and numbers of a text.
 pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
@@ -155,14 +78,6 @@ fn width(body: &[Cut]) -> usize {
     most.and_then(|alike| alike.first())
         .copied()
         .unwrap_or_default()
-}
-
-/// Whether a line only divides others.
-pub(super) fn is_rule(cells: &[Cow<str>]) -> bool {
-    cells.iter().all(|cell| {
-        cell.chars()
-            .all(|c| matches!(c, '-' | '=' | '_' | '+' | '|' | ':' | '*'))
-    })
 }
 
 /// Fills the rows of a sheet.

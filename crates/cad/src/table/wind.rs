@@ -16,8 +16,9 @@ use super::altitude::Heights;
 use super::atmosphere;
 use super::columns::without_unit;
 use super::curve::{ascending, in_order};
+use super::layout::Layout;
 use super::quantity::Quantity;
-use super::sheet::{Layout, sheet};
+use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
 use numerics::math::{RADIANS_PER_DEGREE, cos, sin};
 

@@ -1,0 +1,35 @@
+//! Names and units of a heading without what differs from file to file.
+//!
+//! # References
+//! - Own convention.
+
+/// A name without blanks and signs, in small letters.
+pub(super) fn squeezed(name: &str) -> String {
+    name.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .map(|c| match c {
+            '³' => '3',
+            '²' => '2',
+            c => c,
+        })
+        .collect()
+}
+
+/// A unit without strokes and powers: kg/m³, kg m^-3 and kg/m**3 are `kgm3`.
+pub(super) fn squeezed_unit(symbol: &str) -> String {
+    if symbol.trim() == "\"" {
+        return "\"".to_owned();
+    }
+    let lower = symbol
+        .to_lowercase()
+        .replace("°c", "c")
+        .replace("°f", "f")
+        .replace("°k", "k");
+    let lower = lower
+        .replace("°r", "r")
+        .replace('°', "deg")
+        .replace('⁻', "");
+    let powers = lower.replace('⁰', "0").replace('¹', "1");
+    squeezed(&powers)
+}
