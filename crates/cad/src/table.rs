@@ -21,7 +21,7 @@ mod squeezed;
 mod wind;
 
 use crate::text::{NotText, decode};
-use msape::case::Value;
+use msape::case::Reader;
 use msape::library::named;
 use msape::planet::atmosphere::Atmosphere;
 use msape::{Case, Library};
@@ -50,30 +50,34 @@ const STANDARD: &str = "us-1976";
 const EARTH_RADIUS_M: f64 = 6_356_766.0;
 
 impl Ground {
-    /// That of the planet of a case; of a planet that is no part of the library, or not known, the mean radius alone.
+    /// That of the planet of a case, read as the case's check reads it; of a `[planet]` of the case its mean radius and the gas of
+    /// the planet that it names. What is faulty is left to that check.
     pub fn of(case: &Case, library: &Library) -> Ground {
-        let radius = |key: &str| match case.values.get(key) {
-            Some(Value::Number(radius_m)) if *radius_m > 0.0 => Some(*radius_m),
-            _ => None,
-        };
+        let mut reader = Reader::new(case);
+        let names: Vec<&str> = library.planets.iter().map(|(name, _)| &**name).collect();
+        let name = reader.choice("entry.planet", &names).unwrap_or_default();
+        let planet = named(&library.planets, name);
         let mean = |equatorial_m: f64, polar_m: f64| (2.0 * equatorial_m + polar_m) / 3.0;
-        if let Some(equatorial_m) = radius("planet.equatorial_radius_m") {
-            let polar_m = radius("planet.polar_radius_m").unwrap_or(equatorial_m);
-            return Ground {
-                radius_m: mean(equatorial_m, polar_m),
-                gas_constant_j_kg_k: None,
-                standard: None,
-            };
-        }
-        let name = case.text("entry.planet").unwrap_or_default().to_lowercase();
-        let found = library.planets.iter().find(|(known, _)| *known == name);
-        match found {
-            Some((name, planet)) if !name.starts_with("earth") => Ground {
-                radius_m: mean(planet.equatorial_radius_m, planet.polar_radius_m),
-                gas_constant_j_kg_k: gas_constant_j_kg_k(library, &planet.atmosphere),
+        let own_m = reader
+            .number("planet.equatorial_radius_m")
+            .map(|equatorial_m| {
+                let polar_m = reader.number("planet.polar_radius_m");
+                mean(equatorial_m, polar_m.unwrap_or(equatorial_m))
+            });
+        let gas = planet.filter(|_| own_m.is_none() || reader.given("entry.planet"));
+        match (own_m, planet) {
+            (None, Some(_)) if name.starts_with("earth") => Ground::earth(library),
+            (None, None) => Ground::earth(library),
+            (own_m, planet) => Ground {
+                radius_m: own_m
+                    .or_else(|| {
+                        planet.map(|planet| mean(planet.equatorial_radius_m, planet.polar_radius_m))
+                    })
+                    .unwrap_or(EARTH_RADIUS_M),
+                gas_constant_j_kg_k: gas
+                    .and_then(|planet| gas_constant_j_kg_k(library, &planet.atmosphere)),
                 standard: None,
             },
-            _ => Ground::earth(library),
         }
     }
 

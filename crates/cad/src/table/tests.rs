@@ -259,3 +259,28 @@ fn ten_megabytes_of_garbage_make_a_hundred_faults_at_most() {
         let _ = read("vehicle.aerodynamics.file", text.as_bytes(), &earth());
     }
 }
+
+#[test]
+fn the_planet_is_the_one_that_the_case_flies_over() {
+    let of = |text: &str| {
+        let case = Case::from_text(&format!("schema = \"msape/1\"\n{text}")).unwrap();
+        Ground::of(&case, &LIBRARY)
+    };
+    let mars = of("[entry]\nplanet = \"mars\"");
+    assert!(mars.radius_m > 3.3e6 && mars.radius_m < 3.4e6 && mars.standard.is_none());
+    for name in [" Mars ", "MARS"] {
+        let same = of(&format!("[entry]\nplanet = \"{name}\""));
+        assert_eq!(same.radius_m, mars.radius_m, "{name}");
+        assert_eq!(same.gas_constant_j_kg_k, mars.gas_constant_j_kg_k, "{name}");
+    }
+    for radius in ["3000000.0", "\"3000 km\""] {
+        let own = of(&format!("[planet]\nequatorial_radius_m = {radius}"));
+        assert!(
+            (own.radius_m - 3e6).abs() < 1e-6,
+            "{radius}: {}",
+            own.radius_m
+        );
+        assert!(own.standard.is_none() && own.gas_constant_j_kg_k.is_none());
+    }
+    assert_eq!(of("").radius_m, EARTH_RADIUS_M);
+}
