@@ -15,6 +15,7 @@ pub mod export;
 pub mod field;
 pub mod figure_panel;
 pub mod file_import;
+pub mod file_input;
 pub mod form;
 pub mod header;
 pub mod headline;

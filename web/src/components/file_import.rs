@@ -1,6 +1,7 @@
 //! What is imported from a file that is chosen or dropped, or from pasted text. What is faulty is told at its line, and replaces
 //! nothing.
 
+use crate::components::file_input::FileInput;
 use crate::files;
 use crate::state::State;
 use leptos::ev::DragEvent;
@@ -100,18 +101,7 @@ pub fn FileImport(
             on:dragover=move |event: DragEvent| { event.prevent_default(); over.set(true); }
             on:dragleave=move |_| over.set(false)
             on:drop=on_drop>
-            <label class="file">
-                <span>{wording.file}</span>
-                <input type="file" accept=wording.accept
-                    on:change:target=move |event| {
-                        let element = event.target();
-                        if let Some(file) = element.files().and_then(|files| files.get(0)) {
-                            open(file);
-                        }
-                        // The same file can be chosen again.
-                        element.set_value("");
-                    } />
-            </label>
+            <FileInput label=wording.file accept=wording.accept open=open />
             {children()}
             <label for=wording.id>{wording.paste}</label>
             <textarea id=wording.id rows="4" spellcheck="false" placeholder=wording.placeholder prop:value=pasted

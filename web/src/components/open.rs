@@ -1,5 +1,6 @@
 //! Cases from elsewhere: shipped ones, files, dropped files, pasted text.
 
+use crate::components::file_input::FileInput;
 use crate::files;
 use crate::presets::starts;
 use crate::state::State;
@@ -101,18 +102,7 @@ pub fn Open() -> impl IntoView {
     let pasted = RwSignal::new(String::new());
     view! {
         <div class="open">
-            <label class="file">
-                <span>"Open a case (TOML or JSON)"</span>
-                <input type="file" accept=".toml,.json,application/json,application/toml,text/plain"
-                    on:change:target=move |event| {
-                        let element = event.target();
-                        if let Some(file) = element.files().and_then(|files| files.get(0)) {
-                            open_file(state, file);
-                        }
-                        // The same file can be chosen again.
-                        element.set_value("");
-                    } />
-            </label>
+            <FileInput label="Open a case (TOML or JSON)" accept=".toml,.json,application/json,application/toml,text/plain" open=move |file| open_file(state, file) />
             <p class="quiet">"Or drop a file anywhere on the page."</p>
             <label for="paste-case">"Or paste a case"</label>
             <textarea id="paste-case" rows="3" spellcheck="false" placeholder="schema = \"msape/1\"" prop:value=pasted

@@ -2,6 +2,7 @@
 
 use crate::components::field::{Field, control_id, described_by};
 use crate::components::file_import::notes;
+use crate::components::file_input::FileInput;
 use crate::files;
 use crate::state::State;
 use cad::table::{Ground, Table, read};
@@ -135,18 +136,7 @@ fn FromFile(input: &'static Input, key: &'static str) -> impl IntoView {
         });
     };
     view! {
-        <label class="file">
-            <span>{format!("Open {} from a file", input.label)}</span>
-            <input type="file" accept=".csv,.txt,.tsv,.dat,text/csv,text/plain"
-                on:change:target=move |event| {
-                    let element = event.target();
-                    if let Some(file) = element.files().and_then(|files| files.get(0)) {
-                        open(file);
-                    }
-                    // The same file can be chosen again.
-                    element.set_value("");
-                } />
-        </label>
+        <FileInput label=format!("Open {} from a file", input.label) accept=".csv,.txt,.tsv,.dat,text/csv,text/plain" open=open />
         <div role="alert">
             <ul class="notes">
                 {move || faults.get().into_iter().map(|fault| view! { <li class="note-outside">{fault}</li> }).collect_view()}
