@@ -48,6 +48,9 @@ pub fn parse_number(text: &str, dimension: Dimension, default: &Unit) -> Result<
         return Err(TextError::Empty);
     }
     let (number, symbol) = split_unit(&text);
+    if !number.contains(|c: char| c.is_ascii_digit()) {
+        return Err(TextError::NotANumber(cut(&text)));
+    }
     let unit = if symbol.is_empty() {
         default
     } else {
@@ -276,7 +279,7 @@ mod tests {
             speed("12,000"),
             Err(TextError::AmbiguousComma(..))
         ));
-        assert!(matches!(speed("abc"), Err(TextError::UnknownUnit { .. })));
+        assert_eq!(speed("abc"), Err(TextError::NotANumber("abc".to_string())));
         assert!(matches!(speed("12 kg"), Err(TextError::UnknownUnit { .. })));
         assert!(speed("nan").is_err());
         assert!(matches!(speed("1e999"), Err(TextError::NotANumber(_))));
