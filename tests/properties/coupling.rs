@@ -160,3 +160,49 @@ fn an_entry_that_leaves_again_has_a_flight_and_no_design() {
         assert!(results["peak_deceleration_earth_g"].is_f64());
     }
 }
+
+/// Diameters from which each vehicle is asked for, as parts of the way from 0.5 m to the one found.
+const ASKED: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 0.97];
+
+/// Grown from whatever diameter, the same vehicle: also where a heavier one would carry itself.
+#[test]
+fn the_diameter_found_does_not_depend_on_the_one_asked_for() {
+    let by_density = |case: &Case| {
+        let density = case.text("design.payload_density_kg_m3");
+        density.is_some_and(|text| !text.is_empty())
+    };
+    let (mut sampled, mut lighter, mut apart) = (0, 0, Vec::new());
+    for mut case in random(800).into_iter().filter(by_density) {
+        set(&mut case, "design.mass_criterion_kg", 1e-6);
+        set(&mut case, "design.max_iterations", 40.0);
+        let mut from = |diameter_m: f64| {
+            set(&mut case, "design.diameter_m", diameter_m);
+            let answer = designed(&case);
+            let converged = answer.outcome == Outcome::Converged;
+            let found_m = converged.then(|| output(&answer, "diameter_m"));
+            let two = answer.findings.iter().any(|f| f.model == "coupling");
+            (found_m, two)
+        };
+        let (Some(found_m), two) = from(0.5) else {
+            continue;
+        };
+        if found_m < 0.51 {
+            continue;
+        }
+        lighter += u32::from(two);
+        for part in ASKED {
+            let asked_m = 0.5 + part * (found_m - 0.5);
+            let (again_m, _) = from(asked_m);
+            if again_m.is_none_or(|again_m| (again_m - found_m).abs() > 1e-6) {
+                apart.push(format!("{found_m} m, from {asked_m} m {again_m:?} m"));
+            }
+        }
+        sampled += 1;
+        if sampled == 100 {
+            break;
+        }
+    }
+    println!("{lighter} of {sampled} lighter than the one grown");
+    assert!(sampled == 100 && lighter > 0);
+    assert!(apart.is_empty(), "{}", apart.join("\n"));
+}

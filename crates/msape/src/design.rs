@@ -2,7 +2,8 @@
 //!
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: its drag, by name or of its own outline.
-//! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report.
+//! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer.
+//! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
 //! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
 //! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
@@ -14,8 +15,10 @@ pub mod crossings;
 pub mod drag;
 mod flown;
 pub mod inputs;
+mod lighter;
 pub mod misfit;
 mod pass;
+mod passes;
 mod sized;
 pub mod stability;
 pub mod structural;

@@ -41,6 +41,8 @@ use numerics::root;
 const LEAST_EFFICIENCY: f64 = 0.01;
 /// Intervals in which the softest foam is looked for.
 const STEPS: u32 = 16;
+/// Distance kept from the foam of the least thickness, a root itself at its own, as part of the range searched.
+const APART: f64 = 1e-6;
 /// Width of the last interval in the search for a usable fraction.
 const RESOLUTION: f64 = 1e-15;
 
@@ -167,7 +169,7 @@ impl FoamRule<'_> {
         let softest = supply.law(0.0).plateau_strain();
         // thicker foam can be softer, and its plateau longer than that of the least thickness; beyond the grades there may be more than
         // one such foam, of which the softest is looked for
-        let step = (softest - self.plateau_strain) / f64::from(STEPS);
+        let step = (1.0 - APART) * (softest - self.plateau_strain) / f64::from(STEPS);
         let strain = (1..=STEPS)
             .map(|i| softest - f64::from(i) * step)
             .find(|strain| left(*strain) >= 0.0)

@@ -308,3 +308,25 @@ fn a_density_that_is_given_decides_the_plateau() {
     let plateau_g = 3.0e6 * area_m2 / (9.0 * EARTH_G_M_S2);
     assert!(landing.rigid_surface.peak_load_earth_g >= plateau_g * (1.0 - 1e-12));
 }
+
+/// Beyond the grades two foams take the energy of a small, heavy payload; which one is chosen must not hang on rounding.
+#[test]
+fn foam_beyond_the_grades_changes_evenly_with_the_speed() {
+    let mut input = galahad();
+    input.payload_mass_kg = 13.646901621197122;
+    input.payload_size = PayloadSize::DensityKgM3(6417.353383284123);
+    input.impact.crush_load_limit_earth_g = 4052.141833839635;
+    input.impact.stroke_efficiency = None;
+    let densities: Vec<f64> = (0..=60)
+        .map(|i| {
+            input.loads.terminal_speed_m_s = 51.3 + f64::from(i) / 200.0;
+            let rule = FoamRule::new(&input);
+            rule.at(rule.least_thickness_m).density_kg_m3
+        })
+        .collect();
+    let strongest = densities.iter().copied().fold(0.0, f64::max);
+    assert!(strongest > 400.0, "{strongest}");
+    for pair in densities.windows(2) {
+        assert!((pair[1] / pair[0] - 1.0).abs() < 1e-3, "{pair:?}");
+    }
+}

@@ -1,0 +1,273 @@
+//! The passes of one design: Gauss-Seidel over the modules, accelerated; closed-form flight first, integrated flight near convergence.
+//!
+//! ```text
+//! x ← x − Σ γⱼ Δxⱼ + ω (f(x) − x − Σ γⱼ Δrⱼ)      until |Σ γⱼ ΔMⱼ| + u s < criterion
+//! answer: the vehicle of f(x) with the flight of the vehicle of x
+//! ```
+//!
+//! with x the entry load, stagnation pressure, speed at impact and both heat-shield thicknesses; f runs through geometry,
+//! mass, impact and structure, then flight, heating, soak and heat shield; ω the relaxation, M the entry mass in kg, Δ the
+//! last two steps and γ their parts ([`numerics::fixed_point`]). Σ γⱼ ΔMⱼ is how far the mass stands from its fixed point
+//! as the last steps tell it; u is the largest part of a coupling number that they leave unexplained, s the steepest
+//! change of the mass for such a part that they saw.
+//!
+//! The answer's walls, foam and heat shields are made for the flight that it prints. That flight was flown by the vehicle
+//! before, whose mass differs by less than the criterion: the one place where two passes meet.
+//!
+//! They begin with the guesses of the input, or with numbers that earlier ones found. What a step did is remembered apart for vehicles
+//! of the diameter asked for and for those that had to grow: where growth begins f has a kink.
+//!
+//! # References
+//! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
+
+use super::Pass;
+use super::flown::Flown;
+use super::inputs::DesignInput;
+use super::sized::Sized;
+use crate::flight::mission::{Body, Model};
+use crate::outcome::Outcome;
+use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
+use numerics::fixed_point::Anderson;
+
+/// The closed form is left when a pass changes the mass by less than this part of it.
+const HIGH_FIDELITY_BELOW: f64 = 0.05;
+
+/// Numbers that couple the passes.
+const NUMBERS: usize = 5;
+
+/// Entry load in Earth g, stagnation pressure in Pa, speed at impact in m/s, heat-shield thicknesses of forebody and aftbody in m.
+pub(super) type Numbers = [f64; NUMBERS];
+
+/// Accuracy of a flight, as a part of what the criterion is of the mass: the numbers of a pass scatter by as much.
+const FLIGHT_PART: f64 = 0.05;
+/// Finest tolerance of a flight: below it the steps meet rounding.
+const FINEST_TOLERANCE: f64 = 1e-10;
+
+/// Work after which a design is given up, in evaluations of the equations of motion: the default of twenty passes, each with a
+/// flight of the classical method at its own limit, is 16 million.
+pub(super) const MOST_WORK: u64 = 20_000_000;
+/// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
+pub(super) const WORK_OF_PASS: u64 = 10_000;
+
+/// Passes and how they ended.
+pub(super) struct Run {
+    /// The input, its flights integrated as finely as its mass criterion asks.
+    pub(super) input: DesignInput,
+    pub(super) passes: Vec<Pass>,
+    pub(super) end: End,
+}
+
+/// How passes ended.
+pub(super) enum End {
+    /// A vehicle was made for its flight, settled or not.
+    Vehicle(Box<Made>),
+    /// The flight leaves the atmosphere or was given up.
+    Departed { body: Body, flown: Box<Flown> },
+    /// No vehicle closes for these numbers.
+    Unclosed(NotClosed, Box<VehicleInput>),
+    /// A vehicle grew, or is as heavy as one from which it should differ.
+    Excluded,
+}
+
+/// A vehicle, the flight that it was made for, and the body that flew it.
+pub(super) struct Made {
+    pub(super) vehicle: Vehicle,
+    pub(super) body: Body,
+    pub(super) flown: Flown,
+    pub(super) sized: Sized,
+    pub(super) outcome: Outcome,
+}
+
+impl Made {
+    /// The numbers that couple its passes.
+    pub(super) fn numbers(&self) -> Numbers {
+        found(&self.flown, &self.sized)
+    }
+}
+
+/// Where passes begin and when they are cut short.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Way {
+    /// Numbers of the first pass; the guesses of the input if absent.
+    pub(super) from: Option<Numbers>,
+    /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg.
+    pub(super) as_asked_below_kg: Option<f64>,
+}
+
+/// Runs passes; `work` is what was spent before, and grows.
+pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
+    // its own, as the flights of a small criterion are integrated more finely
+    let mut input = input.clone();
+    let mut vehicle_input = input.vehicle.clone();
+    let mut passes: Vec<Pass> = Vec::new();
+    let mut model = Model::AllenEggers;
+    if let Some(numbers) = way.from {
+        take(&mut vehicle_input, numbers);
+    }
+    // a step beyond what a pass found may lead where no vehicle closes; the acceleration goes as far as the passes say
+    let memory = Anderson::new(input.relaxation.min(1.0));
+    let mut memories = [memory.clone(), memory];
+    let mut next_damped: Option<Numbers> = None;
+    let end = loop {
+        let number = passes.len() as u32 + 1;
+        let damped = next_damped.take();
+        let vehicle = match (vehicle::build(&vehicle_input), damped) {
+            (Ok(vehicle), _) => vehicle,
+            // the acceleration may lead where no vehicle closes though a plain pass does not
+            (Err(_), Some(damped)) => {
+                memories.iter_mut().for_each(Anderson::forget);
+                take(&mut vehicle_input, damped);
+                continue;
+            }
+            (Err(not_closed), None) => {
+                break End::Unclosed(not_closed, Box::new(vehicle_input));
+            }
+        };
+        let grown = vehicle.dimensions.diameter_m > vehicle_input.diameter_m;
+        if let (true, Some(damped), Some(_)) = (grown, damped, way.as_asked_below_kg) {
+            take(&mut vehicle_input, damped);
+            continue;
+        }
+        let mass_kg = vehicle.mass.mass_kg;
+        let mass_before_kg = passes.last().map(|pass| pass.mass_kg);
+        let change_kg = mass_before_kg.map(|before| mass_kg - before);
+        if model != input.mission.solver.model
+            && (way.from.is_some()
+                || change_kg.is_some_and(|change| change.abs() < HIGH_FIDELITY_BELOW * mass_kg))
+        {
+            model = input.mission.solver.model;
+            memories.iter_mut().for_each(Anderson::change_function);
+            let solver = &mut input.mission.solver;
+            let enough = FLIGHT_PART * input.mass_criterion_kg / mass_kg;
+            solver.tolerance = solver.tolerance.min(enough.max(FINEST_TOLERANCE));
+        }
+        let body = input.body(&vehicle);
+        let mut flown = Flown::fly(&input, &body, model);
+        let sized = Sized::new(&input, &vehicle, &flown);
+        if let Some(name) = sized.not_finite() {
+            flown.give_up(name);
+        }
+        *work += WORK_OF_PASS + flown.flight.evaluations;
+        let found = found(&flown, &sized);
+        let proposal = memories[usize::from(grown)].propose(taken(&vehicle_input), found, mass_kg);
+        let distance_kg = proposal.distance;
+        let same_model = passes
+            .last()
+            .is_some_and(|before| before.flight_model == model);
+        passes.push(Pass {
+            number,
+            flight_model: model,
+            crossings: crossings(&vehicle, &flown, &sized),
+            mass_kg,
+            mass_change_kg: change_kg,
+            mass_distance_kg: distance_kg,
+        });
+        let high_fidelity = model == input.mission.solver.model;
+        let departed = matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured);
+        if flown.outcome == Outcome::GaveUp || high_fidelity && departed {
+            let flown = Box::new(flown);
+            break End::Departed { body, flown };
+        }
+        if number > 1
+            && way
+                .as_asked_below_kg
+                .is_some_and(|most_kg| grown || high_fidelity && mass_kg >= most_kg)
+        {
+            break End::Excluded;
+        }
+        let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
+        let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
+        let is_last = number >= input.max_iterations || *work >= MOST_WORK;
+        if settled || is_last {
+            let mut closing_input = vehicle_input.clone();
+            take(&mut closing_input, found);
+            let closing = match vehicle::build(&closing_input) {
+                Ok(closing) => closing,
+                Err(not_closed) => {
+                    break End::Unclosed(not_closed, Box::new(closing_input));
+                }
+            };
+            let settled = settled && near(closing.mass.mass_kg - mass_kg);
+            if settled || is_last {
+                if let Some(last) = passes.last_mut() {
+                    last.crossings = crossings(&closing, &flown, &sized);
+                    last.mass_kg = closing.mass.mass_kg;
+                    last.mass_change_kg = mass_before_kg.map(|before| last.mass_kg - before);
+                }
+                let outcome = if settled {
+                    Outcome::Converged
+                } else if *work >= MOST_WORK {
+                    Outcome::GaveUp
+                } else {
+                    Outcome::NotConverged
+                };
+                break End::Vehicle(Box::new(Made {
+                    vehicle: closing,
+                    body,
+                    flown,
+                    sized,
+                    outcome,
+                }));
+            }
+        }
+        // the first pass replaces the guesses
+        let next = if number == 1 { found } else { proposal.next };
+        next_damped = (number > 1 && next != proposal.damped).then_some(proposal.damped);
+        take(&mut vehicle_input, next);
+    };
+    Run { input, passes, end }
+}
+
+/// The coupling numbers of a vehicle.
+fn taken(vehicle: &VehicleInput) -> Numbers {
+    [
+        vehicle.loads.entry_load_earth_g,
+        vehicle.loads.peak_stagnation_pressure_pa,
+        vehicle.loads.terminal_speed_m_s,
+        vehicle.forebody.tps_thickness_m,
+        vehicle.aftbody_tps_thickness_m,
+    ]
+}
+
+/// Gives a vehicle other coupling numbers.
+pub(super) fn take(vehicle: &mut VehicleInput, numbers: Numbers) {
+    [
+        vehicle.loads.entry_load_earth_g,
+        vehicle.loads.peak_stagnation_pressure_pa,
+        vehicle.loads.terminal_speed_m_s,
+        vehicle.forebody.tps_thickness_m,
+        vehicle.aftbody_tps_thickness_m,
+    ] = numbers;
+}
+
+/// The coupling numbers that a pass finds.
+fn found(flown: &Flown, sized: &Sized) -> Numbers {
+    [
+        flown.flight.peak_deceleration_earth_g.value,
+        flown.flight.peak_stagnation_pressure_pa.value,
+        flown.impact_speed_m_s,
+        sized.forebody.thickness_m,
+        sized.aftbody.thickness_m,
+    ]
+}
+
+/// Values of [`super::crossings::CROSSINGS`] in one pass.
+fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
+    vec![
+        vehicle.dimensions.diameter_m,
+        vehicle.dimensions.nose_radius_m,
+        vehicle.mass.cg_x_m,
+        vehicle.mass.mass_kg,
+        vehicle.impact.required_stroke_m,
+        vehicle.impact.foam_density_kg_m3,
+        vehicle.structure.forebody.thickness_m,
+        vehicle.structure.primary.thickness_m,
+        flown.impact_speed_m_s,
+        flown.flight.peak_deceleration_earth_g.value,
+        flown.flight.peak_stagnation_pressure_pa.value,
+        sized.stagnation.peak_heat_flux_w_m2,
+        sized.stagnation.heat_load_j_m2,
+        sized.forebody.thickness_m,
+        sized.aftbody.thickness_m,
+    ]
+}
