@@ -1,4 +1,4 @@
-//! Tables from text files, one reader for all of them: atmosphere, wind, drag, lift, bank, aerodynamic coefficients, damping
+//! Tables from text files, one reader for all of them: atmosphere, wind, heating, drag, lift, bank, aerodynamic coefficients, damping
 //! and the points of an outline.
 //!
 //! A file is read in four steps, each in a module of its own: bytes to text ([`crate::text`]), text to cells, cells to columns
@@ -12,6 +12,7 @@ mod cells;
 mod columns;
 mod curve;
 mod heading;
+mod heating;
 pub(crate) mod layout;
 mod number;
 pub(crate) mod quantity;
@@ -267,9 +268,10 @@ pub enum TableFault {
 }
 
 /// The keys that name a file.
-pub const FILES: [&str; 7] = [
+pub const FILES: [&str; 8] = [
     "atmosphere.file",
     "wind.file",
+    "heating.file",
     "vehicle.drag_file",
     "vehicle.lift_file",
     "vehicle.bank_file",
@@ -297,6 +299,7 @@ pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<Table
     let text = with_plain_line_ends(decoded.text);
     let mut table = match key {
         "wind.file" => wind::read(&text, ground),
+        "heating.file" => heating::read(&text),
         "vehicle.drag_file" => curve::drag(&text),
         "vehicle.lift_file" => curve::lift(&text),
         "vehicle.bank_file" => curve::bank(&text),

@@ -48,6 +48,14 @@ pub enum Quantity {
     X,
     R,
     Bulge,
+    Convective,
+    Radiative,
+    /// Convective and radiative heat flux together.
+    TotalHeat,
+    /// Distance from the axis over the largest radius.
+    RadiusFraction,
+    /// Length along the outline over that to the largest radius.
+    ArcFraction,
 }
 
 const LENGTHS: &[Unit] = &[
@@ -265,6 +273,73 @@ impl Quantity {
             Self::X => ("x", &["x", "z", "axial", "station"]),
             Self::R => ("r", &["r", "y", "radius", "radial"]),
             Self::Bulge => ("bulge", &["bulge"]),
+            Self::Convective => (
+                "convective",
+                &[
+                    "convective",
+                    "qconv",
+                    "qdotconv",
+                    "qconvective",
+                    "qc",
+                    "convectiveheatflux",
+                    "convectiveheatrate",
+                    "convectiveheating",
+                    "heatfluxconvective",
+                ],
+            ),
+            Self::Radiative => (
+                "radiative",
+                &[
+                    "radiative",
+                    "qrad",
+                    "qdotrad",
+                    "qradiative",
+                    "qr",
+                    "radiativeheatflux",
+                    "radiativeheatrate",
+                    "radiativeheating",
+                    "heatfluxradiative",
+                ],
+            ),
+            Self::TotalHeat => (
+                "total",
+                &[
+                    "total",
+                    "qtot",
+                    "qdottot",
+                    "qtotal",
+                    "q",
+                    "qdot",
+                    "qw",
+                    "heatflux",
+                    "heatrate",
+                    "totalheatflux",
+                    "totalheatrate",
+                    "heatfluxtotal",
+                    "wallheatflux",
+                ],
+            ),
+            Self::RadiusFraction => (
+                "r fraction",
+                &[
+                    "r",
+                    "radius",
+                    "rfraction",
+                    "radiusfraction",
+                    "fractionofradius",
+                ],
+            ),
+            Self::ArcFraction => (
+                "s fraction",
+                &[
+                    "s",
+                    "arc",
+                    "sfraction",
+                    "arcfraction",
+                    "arclength",
+                    "fractionofarc",
+                ],
+            ),
         }
     }
 
@@ -343,6 +418,29 @@ impl Quantity {
                     (&["in", "inch", "inches", "\""], 0.0254, 0.0),
                     (&["ft", "feet", "foot"], 0.3048, 0.0),
                 ],
+            ),
+            Self::Convective | Self::Radiative | Self::TotalHeat => (
+                "W/m2, kW/m2, MW/m2, W/cm2, BTU/ft2s",
+                &[
+                    (&["wm2"], 1.0, 0.0),
+                    (&["kwm2"], 1e3, 0.0),
+                    (&["mwm2"], 1e6, 0.0),
+                    (&["wcm2"], 1e4, 0.0),
+                    (
+                        &["btuft2s", "btusft2", "btuft2sec"],
+                        11_356.526_682_225_8,
+                        0.0,
+                    ),
+                ],
+            ),
+            // of the largest radius, of the whole length
+            Self::RadiusFraction | Self::ArcFraction => (
+                "none",
+                &[(
+                    &["1", "r", "rmax", "rb", "s", "smax", "l", "lmax"],
+                    1.0,
+                    0.0,
+                )],
             ),
             _ => ("none", NUMBERS),
         }

@@ -222,7 +222,12 @@ pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) 
 
 /// What holds beyond the ends of the tables of coefficients.
 pub(super) fn extrapolation(reader: &mut Reader) -> Extrapolation {
-    match choice(reader, "vehicle.aerodynamics.extrapolation") {
+    beyond(reader, "vehicle.aerodynamics.extrapolation")
+}
+
+/// The rule of a key beyond the ends of a table.
+pub(super) fn beyond(reader: &mut Reader, key: &str) -> Extrapolation {
+    match choice(reader, key) {
         Some("extend") => Extrapolation::Extend,
         Some("refuse") => Extrapolation::Refuse,
         _ => Extrapolation::Hold,

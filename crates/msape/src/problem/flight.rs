@@ -1,6 +1,6 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Medium, database, extrapolation, table_database, table_drag};
+use super::aerodynamics::{Medium, beyond, database, extrapolation, table_database, table_drag};
 use super::entering::{above_end, descends};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
@@ -9,7 +9,9 @@ use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
-use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
+use crate::flight::mission::{
+    Beyond, Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop,
+};
 use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
@@ -41,7 +43,12 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let heating_planet = planet
         .as_ref()
         .map_or("earth-msape", |(_, name)| name.as_str());
-    let heating = heating(reader, library, heating_planet);
+    // where the vehicle is slowed, as for the ratio of heat capacities
+    let gas_constant = known.zip(atmosphere.as_ref()).map(|(planet, atmosphere)| {
+        let air = atmosphere.air(planet.exponential_fit_m[0]);
+        air.pressure_pa / (air.density_kg_m3 * air.temperature_k)
+    });
+    let heating = heating(reader, library, heating_planet, gas_constant);
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
@@ -61,6 +68,10 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         wall_emissivity,
         phases: Vec::new(),
         stop,
+        beyond: Beyond {
+            atmosphere: beyond(reader, "atmosphere.extrapolation"),
+            wind: beyond(reader, "wind.extrapolation"),
+        },
         solver: solver?,
     })
 }

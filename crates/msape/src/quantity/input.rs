@@ -3,6 +3,7 @@
 mod aerodynamics;
 mod attitude;
 mod design;
+mod heating;
 mod mission;
 mod outline;
 pub mod phase;
@@ -108,6 +109,9 @@ impl Range {
     }
 }
 
+/// Rules beyond a table that can only be held.
+const HELD: &[(&str, &str)] = &[("hold", "Hold the end"), ("refuse", "Refuse")];
+
 /// Name, in a case, of the drag of the outline itself.
 pub const OWN_OUTLINE: &str = "outline";
 
@@ -161,6 +165,8 @@ pub fn range_of_column(name: &str) -> Range {
         "p_deg_s" | "q_deg_s" | "r_deg_s" => Range::closed(-36_000.0, 36_000.0),
         "ca" | "cn" | "cm" | "cmq" | "lift_coefficient" => Range::closed(-100.0, 100.0),
         "drag_coefficient" => Range::closed(0.0, 100.0),
+        "convective_w_m2" | "radiative_w_m2" => Range::closed(0.0, 1e12),
+        "radius_fraction" | "arc_fraction" => Range::closed(0.0, 1.0),
         "x_m" | "y_m" | "z_m" | "r_m" => Range::closed(-1e4, 1e4),
         // Elements of inertia, kg-m², and of a quaternion.
         _ => Range::closed(-1e9, 1e9),
@@ -352,6 +358,7 @@ impl Input {
 pub fn inputs() -> impl Iterator<Item = &'static Input> {
     mission::INPUTS
         .iter()
+        .chain(heating::INPUTS)
         .chain(design::INPUTS)
         .chain(vehicle::INPUTS)
         .chain(outline::INPUTS)

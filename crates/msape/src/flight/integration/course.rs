@@ -113,7 +113,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 start_stage: stage,
                 start_loads: loads,
                 legs: Vec::with_capacity(USUAL_LEGS),
-                altitudes_m: [altitude_m; 2],
+                altitudes: Span::at(altitude_m),
                 spans: vec![Span::EMPTY; marks.axes.len()],
                 refused: None,
                 pushed: None,
@@ -268,11 +268,8 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     #[inline]
     fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
         self.here = there;
-        let [lowest_m, highest_m] = self.record.altitudes_m;
-        self.record.altitudes_m = [
-            lowest_m.min(there.altitude_m),
-            highest_m.max(there.altitude_m),
-        ];
+        let t_s = step.t1.value();
+        self.record.altitudes.take(there.altitude_m, t_s);
         self.look_along(&step);
         let leg = Leg {
             step,
