@@ -13,6 +13,7 @@ pub mod coupling;
 pub mod crossings;
 pub mod drag;
 mod flown;
+pub mod given;
 pub mod inputs;
 pub mod misfit;
 mod pass;

@@ -22,6 +22,7 @@
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
 
 use super::flown::{Flown, with_history};
+use super::given;
 use super::inputs::DesignInput;
 use super::misfit;
 use super::sized::Sized;
@@ -367,7 +368,10 @@ impl Finished<'_> {
             findings.extend(input.shoulder.findings(shoulder_ratio));
         }
         findings.push(sized.environment.judged(input.judged_at, &sized.off));
-        findings.extend(input.soak.findings(&sized.soak));
+        if input.given.payload_temperature_k.is_none() {
+            findings.extend(input.soak.findings(&sized.soak));
+        }
+        findings.extend(given::findings(input, vehicle, sized));
         findings.extend(vehicle.findings.iter().cloned());
         findings
     }

@@ -49,7 +49,9 @@ impl Sized {
         };
         let environment = input.judged_at.environment(&stagnation, &off);
         let aft_environment = stagnation.aftbody(&input.afterbody);
-        let forebody = mer::size(&input.forebody_material, &environment);
+        let given = &input.given;
+        let forebody =
+            mer::size(&input.forebody_material, &environment).or_given(given.forebody_tps_m);
         // the correlation was fitted to the stagnation point
         let soak = SoakInput {
             peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2,
@@ -60,8 +62,10 @@ impl Sized {
         };
         Sized {
             forebody,
-            aftbody: mer::size(&input.aftbody_material, &aft_environment),
-            payload_temperature_k: input.soak.peak_temperature_k(&soak),
+            aftbody: mer::size(&input.aftbody_material, &aft_environment)
+                .or_given(given.aftbody_tps_m),
+            payload_temperature_k: (given.payload_temperature_k)
+                .unwrap_or_else(|| input.soak.peak_temperature_k(&soak)),
             stagnation,
             environment,
             off,

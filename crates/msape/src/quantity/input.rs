@@ -28,7 +28,7 @@ pub enum Group {
     Margins,
     /// Planet, atmosphere, wind, heating models.
     Models,
-    /// Densities of the components.
+    /// Densities of the components, and masses that are given.
     Densities,
     /// Convergence and integration.
     Solver,
@@ -45,7 +45,7 @@ impl Group {
             Group::Impact => "Impact",
             Group::Margins => "Margins",
             Group::Models => "Planet and models",
-            Group::Densities => "Component densities",
+            Group::Densities => "Component densities and masses",
             Group::Solver => "Solver",
         }
     }
@@ -452,7 +452,10 @@ mod tests {
         };
         for input in inputs() {
             if let Kind::Number { dimension, .. } = input.kind {
-                let of_components = input.key.starts_with("design.density_kg_m3.");
+                let sections = ["design.density_kg_m3.", "design.component_mass_kg."];
+                let of_components = sections
+                    .iter()
+                    .any(|section| input.key.starts_with(section));
                 assert!(
                     of_components || input.key.ends_with(suffix(dimension)),
                     "{}",
