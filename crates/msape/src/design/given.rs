@@ -198,7 +198,7 @@ mod tests {
         let no_soak = answer
             .findings
             .iter()
-            .all(|finding| finding.model != "soak");
+            .all(|finding| finding.model != "soak correlation");
         assert!(no_soak);
     }
 

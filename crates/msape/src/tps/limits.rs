@@ -89,8 +89,9 @@ pub fn findings(
     let mut findings: Vec<Finding> = heat_flux(&flux, &limits, environment.time_above_limit_s)
         .into_iter()
         .collect();
-    findings.extend([pressure, thick, fitted].iter().filter_map(Check::finding));
+    findings.extend(pressure.finding());
     findings.extend(made.finding().filter(|_| !given));
+    findings.extend([thick, fitted].iter().filter_map(Check::finding));
     findings.extend(branch(material, environment, sizing, &fitted));
     findings.extend(in_depth(material, environment, &fitted));
     findings.extend(other_side(material, environment.side(), &fitted));
