@@ -227,7 +227,9 @@ pub enum TableFault {
         line: u64,
     },
     /// Angles in radians under a heading that does not say so.
-    #[error("header: the largest angle is {0}, which is pi; name its unit, alpha_deg or alpha_rad")]
+    #[error(
+        "header: the largest angle is {0}, which is pi or a part of it; name its unit, alpha_deg or alpha_rad"
+    )]
     Radians(f64),
     /// A plain H on the Earth.
     #[error(

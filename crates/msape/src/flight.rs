@@ -222,7 +222,7 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     findings.extend(flight.pushed.as_ref().map(Push::finding));
     findings.extend(flight.trajectory.as_ref().and_then(Trajectory::finding));
     findings.extend(came_back(flight));
-    findings.extend(phase::findings(mission, flight.phases.len()));
+    findings.extend(phase::findings(mission, &flight.phases));
     findings.extend(accuracy::finding(mission, body, flight));
     findings
 }

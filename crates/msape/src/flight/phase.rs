@@ -192,9 +192,35 @@ pub struct Begun<S = f64> {
     pub peak_deceleration_earth_g: S,
 }
 
-/// What is said of phases that never began.
-pub fn findings(mission: &Mission, begun: usize) -> Vec<Finding> {
-    let late = mission.phases.iter().enumerate().skip(begun);
+/// What is said of phases that began at once, their value being passed, and of those that never began.
+pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    for (index, pair) in begun.windows(2).enumerate() {
+        let (Some(phase), [before, now]) = (mission.phases.get(index + 1), pair) else {
+            continue;
+        };
+        if now.time_s > before.time_s {
+            continue;
+        }
+        let (quantity, unit) = phase.begin.mark.name();
+        findings.push(Finding {
+            severity: Severity::Note,
+            model: "phases".to_string(),
+            key: format!("phase.{}", index + 2),
+            value: Some(now.time_s),
+            valid: (None, None),
+            message: format!(
+                "Phase {} began at once with {}, at {} s: the {quantity} had passed {}{unit} before.",
+                now.name,
+                before.name,
+                short(now.time_s),
+                short(phase.begin.value)
+            ),
+            source: "the case".to_string(),
+            field: Some(format!("phase.{}.name", index + 2)),
+        });
+    }
+    let late = mission.phases.iter().enumerate().skip(begun.len());
     let said = late.map(|(index, phase)| {
         let Begin {
             mark,
@@ -226,7 +252,8 @@ pub fn findings(mission: &Mission, begun: usize) -> Vec<Finding> {
             field: Some(format!("phase.{}.name", index + 1)),
         }
     });
-    said.collect()
+    findings.extend(said);
+    findings
 }
 
 #[cfg(test)]

@@ -129,3 +129,88 @@ pub(super) fn finding(body: &BodyHeating, points: &[PointHeat]) -> Option<Findin
         field: Some(key.into()),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Answer, Case, Library, Outcome, Request, fly};
+
+    fn flown(more: &str) -> Answer {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let (before, after) = text.split_once("[stop]").unwrap();
+        let case = Case::from_text(&format!("{before}{more}\n[stop]{after}")).unwrap();
+        fly(&case, &Library::builtin().unwrap(), Request::Nothing).unwrap()
+    }
+
+    /// Sutton and Graves of the report for a nose radius of 0.2286 m, times a factor: 1.74153e-4 √(ρ/Rₙ) V³.
+    fn rows(prefix: &str, factor: f64) -> String {
+        let mut rows = String::new();
+        for v in [2e3, 6e3, 10e3, 14e3] {
+            for rho in [1e-6_f64, 1e-4, 1e-2] {
+                let flux = factor * 1.74153e-4 * (rho / 0.2286).sqrt() * v * v * v;
+                rows.push_str(&format!("[{prefix}{v:e}, {rho:e}, {flux:e}, 0.0],\n"));
+            }
+        }
+        rows
+    }
+
+    #[test]
+    fn a_table_of_a_relation_gives_the_heat_of_the_relation() {
+        let of = |answer: Answer| {
+            let flight = answer.flight.unwrap();
+            let peak = flight.peak_convective_heat_flux_w_m2;
+            (peak.value, flight.convective_heat_load_j_m2)
+        };
+        let relation = of(flown(""));
+        let table = of(flown(&format!("table = [\n{}]", rows("", 1.0))));
+        // a power law is met everywhere
+        assert!(
+            (table.0 / relation.0 - 1.0).abs() < 1e-4,
+            "{table:?} {relation:?}"
+        );
+        assert!(
+            (table.1 / relation.1 - 1.0).abs() < 1e-4,
+            "{table:?} {relation:?}"
+        );
+    }
+
+    #[test]
+    fn each_point_is_integrated_and_the_stagnation_point_as_in_the_flight() {
+        let table = format!(
+            "radius_table = [\n{}{}]",
+            rows("0.0, ", 1.0),
+            rows("1.0, ", 1.5)
+        );
+        let answer = flown(&table);
+        assert_eq!(answer.outcome, Outcome::Landed);
+        let flight = answer.flight.unwrap();
+        let [nose, edge] = &flight.points[..] else {
+            panic!("two points")
+        };
+        let load = flight.total_margined_heat_load_j_m2();
+        assert!(
+            (nose.heat_load_j_m2 / load - 1.0).abs() < 1e-5,
+            "{nose:?} {load}"
+        );
+        let peak = flight.peak_total_margined_heat_flux_w_m2.value;
+        assert!((nose.peak_heat_flux_w_m2 / peak - 1.0).abs() < 1e-9);
+        assert!((edge.heat_load_j_m2 / nose.heat_load_j_m2 - 1.5).abs() < 1e-12);
+        assert!((edge.peak_heat_flux_w_m2 / nose.peak_heat_flux_w_m2 - 1.5).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_users_table_is_told_and_its_ends_are() {
+        let answer = flown(&format!("table = [\n{}]", rows("", 1.0)));
+        let said: Vec<&str> = answer.findings.iter().map(|f| f.message.as_str()).collect();
+        let has = |part: &str| said.iter().any(|message| message.contains(part));
+        assert!(has("Convective heating is given by the user"), "{said:?}");
+        assert!(has("Radiative heating is given by the user"), "{said:?}");
+        assert!(has("The density reaches"), "{said:?}");
+        assert!(has("the last slope goes on"), "{said:?}");
+        let refused = flown(&format!(
+            "extrapolation = \"refuse\"\ntable = [\n{}]",
+            rows("", 1.0)
+        ));
+        assert_eq!(refused.outcome, Outcome::Stopped);
+        assert!(refused.reason.unwrap().contains("heating.table"));
+    }
+}

@@ -1,5 +1,6 @@
 //! Checks a design.
 
+use super::aerodynamics::fitted_in_air;
 use super::flight::{Angle, mission};
 use super::heating::choice as fixed;
 use super::materials::materials;
@@ -186,10 +187,13 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         shoulder: library.heating.shoulder.clone(),
         judged_at: judged_at?,
         drag: match aero_name? {
-            OWN_OUTLINE => DesignDrag::Outline {
-                forces: library.axial_forces().in_gas(heat_capacity_ratio?),
-                subsonic: terminal_drag?,
-            },
+            OWN_OUTLINE => {
+                fitted_in_air(reader, heat_capacity_ratio?);
+                DesignDrag::Outline {
+                    forces: library.axial_forces().in_gas(heat_capacity_ratio?),
+                    subsonic: terminal_drag?,
+                }
+            }
             name => {
                 let force = named(&library.aerodynamics, name)?;
                 let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);

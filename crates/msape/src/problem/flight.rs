@@ -1,6 +1,8 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Medium, beyond, database, extrapolation, table_database, table_drag};
+use super::aerodynamics::{
+    Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
+};
 use super::entering::{above_end, descends};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
@@ -333,12 +335,14 @@ fn drag(
     match given.as_slice() {
         [] if constants.is_some() => drag_of_constants(reader),
         [] => match outline {
-            Outline::Body(body) => Some(Drag::Table(
-                library
-                    .axial_forces()
-                    .in_gas(medium?.heat_capacity_ratio)
-                    .of_outline(&AeroBody::of_rigid(body, None)),
-            )),
+            Outline::Body(body) => {
+                let heat_capacity_ratio = medium?.heat_capacity_ratio;
+                fitted_in_air(reader, heat_capacity_ratio);
+                let forces = library.axial_forces().in_gas(heat_capacity_ratio);
+                Some(Drag::Table(
+                    forces.of_outline(&AeroBody::of_rigid(body, None)),
+                ))
+            }
             Outline::Faulty => None,
             // A body on which the air does not act.
             Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),

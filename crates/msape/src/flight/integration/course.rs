@@ -52,6 +52,8 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) stage: Stage<S>,
     /// When the parachute is full, s, where that is ahead.
     pub(super) full_s: Option<f64>,
+    /// Phases whose value was passed before their turn.
+    pub(super) passed: Vec<bool>,
     /// Energy so far, where it is watched.
     pub(super) energy: Energy,
     /// Altitude at the start, m.
@@ -126,6 +128,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             limit_s: S::constant(marks.end_s),
             stage,
             full_s: None,
+            passed: vec![false; mission.phases.len()],
             energy: Energy::UNKNOWN,
             start_m: altitude_m,
             exit_m,
@@ -271,6 +274,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let t_s = step.t1.value();
         self.record.altitudes.take(there.altitude_m, t_s);
         self.look_along(&step);
+        self.look_ahead(&step);
         let leg = Leg {
             step,
             stage: self.stage,
