@@ -271,4 +271,36 @@ mod tests {
         let areas = [99.0, 100.0, 101.0, 104.0, 200.0].map(|t| changed.canopy_m2(t));
         assert_eq!(areas, [0.0, 0.0, 2.0, 8.0, 8.0]);
     }
+
+    #[test]
+    fn a_phase_whose_value_was_passed_begins_at_once_and_is_told() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let phases = "
+[[phase]]
+name = 'drogue'
+mach = 1.4
+drag_area_m2 = 0.5
+[[phase]]
+name = 'main'
+altitude_m = 80e3
+drag_area_m2 = 5.0
+[[phase]]
+name = 'late'
+deceleration_earth_g = 500.0
+direction = 'rising'
+";
+        let case = crate::Case::from_text(&format!("{text}{phases}")).unwrap();
+        let library = crate::Library::builtin().unwrap();
+        let answer = crate::fly(&case, &library, crate::Request::Nothing).unwrap();
+        let flight = answer.flight.unwrap();
+        let [drogue, main] = &flight.phases[..] else {
+            panic!("two phases begin: {:?}", flight.phases)
+        };
+        assert_eq!((drogue.time_s, &*main.name), (main.time_s, "main"));
+        assert!((drogue.mach - 1.4).abs() < 1e-6, "{drogue:?}");
+        let said: Vec<&str> = answer.findings.iter().map(|f| f.message.as_str()).collect();
+        let has = |part: &str| said.iter().any(|message| message.contains(part));
+        assert!(has("Phase main began at once with drogue"), "{said:?}");
+        assert!(has("Phase late did not begin"), "{said:?}");
+    }
 }
