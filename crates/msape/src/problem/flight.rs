@@ -3,7 +3,7 @@
 use super::aerodynamics::{
     Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
 };
-use super::entering::{above_end, descends};
+use super::entering::{above_end, altitude_at, descends};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
@@ -21,7 +21,6 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
-use numerics::root;
 
 /// Which flight-path angles a command takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -140,22 +139,6 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         relative,
         inertial,
     })
-}
-
-/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
-fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
-    let excess = |altitude_m: f64| {
-        let [x, y, z] = planet.cartesian_m(&Geodetic {
-            altitude_m,
-            latitude_rad,
-            longitude_rad: 0.0,
-        });
-        (x * x + y * y + z * z).sqrt() - radius_m
-    };
-    // The distance is within the flattening of altitude plus equatorial radius.
-    let guess_m = radius_m - planet.equatorial_radius_m;
-    let reach_m = 2.0 * (planet.equatorial_radius_m - planet.polar_radius_m) + 1.0;
-    root::brent(excess, guess_m - reach_m, guess_m + reach_m, 1e-9).unwrap_or(guess_m)
 }
 
 fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
