@@ -1,4 +1,4 @@
-//! Tables from text files, one reader for all of them: atmosphere, wind, drag, lift, bank, aerodynamic coefficients, damping
+//! Tables from text files, one reader for all of them: atmosphere, wind, heating, drag, lift, bank, aerodynamic coefficients, damping
 //! and the points of an outline.
 //!
 //! A file is read in four steps, each in a module of its own: bytes to text ([`crate::text`]), text to cells, cells to columns
@@ -12,6 +12,7 @@ mod cells;
 mod columns;
 mod curve;
 mod heading;
+mod heating;
 pub(crate) mod layout;
 mod number;
 pub(crate) mod quantity;
@@ -226,7 +227,9 @@ pub enum TableFault {
         line: u64,
     },
     /// Angles in radians under a heading that does not say so.
-    #[error("header: the largest angle is {0}, which is pi; name its unit, alpha_deg or alpha_rad")]
+    #[error(
+        "header: the largest angle is {0}, which is pi or a part of it; name its unit, alpha_deg or alpha_rad"
+    )]
     Radians(f64),
     /// A plain H on the Earth.
     #[error(
@@ -267,9 +270,10 @@ pub enum TableFault {
 }
 
 /// The keys that name a file.
-pub const FILES: [&str; 7] = [
+pub const FILES: [&str; 8] = [
     "atmosphere.file",
     "wind.file",
+    "heating.file",
     "vehicle.drag_file",
     "vehicle.lift_file",
     "vehicle.bank_file",
@@ -297,6 +301,7 @@ pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<Table
     let text = with_plain_line_ends(decoded.text);
     let mut table = match key {
         "wind.file" => wind::read(&text, ground),
+        "heating.file" => heating::read(&text),
         "vehicle.drag_file" => curve::drag(&text),
         "vehicle.lift_file" => curve::lift(&text),
         "vehicle.bank_file" => curve::bank(&text),

@@ -107,8 +107,11 @@ pub fn run(arguments: &Aero) -> Done {
             case.set(key, &value.to_string());
         }
     }
-    let theory = theory(arguments, case, &mut faults);
     let found = msape::problem::aero(case, &library);
+    let of_air = found
+        .as_ref()
+        .map(|(_, database)| database.heat_capacity_ratio());
+    let theory = theory(arguments, case, of_air.unwrap_or(GAMMA), &mut faults);
     let (body, database) = match found {
         Ok(found) if faults.is_empty() => found,
         Ok(_) => return Err(Failure::Input(faults)),
@@ -140,7 +143,12 @@ pub fn run(arguments: &Aero) -> Done {
     Ok(ExitCode::SUCCESS)
 }
 
-fn theory(arguments: &Aero, case: &Case, faults: &mut Vec<String>) -> Theory {
+fn theory(
+    arguments: &Aero,
+    case: &Case,
+    heat_capacity_ratio: f64,
+    faults: &mut Vec<String>,
+) -> Theory {
     let mut within = |name: &str, value: Option<f64>, low: f64, high: f64| {
         if let Some(value) = value
             && !(low..=high).contains(&value)
@@ -166,17 +174,16 @@ fn theory(arguments: &Aero, case: &Case, faults: &mut Vec<String>) -> Theory {
     );
     within("accommodation", arguments.accommodation, 0.0, 1.0);
     match arguments.regime {
-        Regime::Newtonian => {
-            arguments
-                .pressure_coefficient_max
-                .map_or(Theory::newtonian(arguments.mach), |most| {
-                    Theory::Newtonian {
-                        pressure_coefficient_max: most,
-                    }
-                })
-        }
+        Regime::Newtonian => arguments.pressure_coefficient_max.map_or(
+            Theory::newtonian(arguments.mach, heat_capacity_ratio),
+            |most| Theory::Newtonian {
+                pressure_coefficient_max: most,
+            },
+        ),
         Regime::FreeMolecular => {
-            let of_mach = arguments.mach.map(|mach| mach * (0.5 * GAMMA).sqrt());
+            let of_mach = arguments
+                .mach
+                .map(|mach| mach * (0.5 * heat_capacity_ratio).sqrt());
             let speed_ratio = arguments.speed_ratio.or(of_mach).unwrap_or(SPEED_RATIO);
             // What is no number there is a fault that the check of the case finds.
             let of_case = |key: &str| {

@@ -27,7 +27,10 @@ fn main() -> ExitCode {
         failure::say(&format!("{}: {panic}", failure::OUR_FAULT));
         std::process::exit(1);
     }));
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return refused(&error),
+    };
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly, Entries::Nominal),
         Command::Design(Design { run, reorientation }) => {
@@ -50,6 +53,33 @@ fn main() -> ExitCode {
         Ok(code) => code,
         Err(failure) => failure.report(),
     }
+}
+
+/// Says what is wrong with the arguments, long ones cut; help and version are no faults.
+fn refused(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    let mut message = error.render().to_string();
+    let mut pieces: Vec<String> = std::env::args_os()
+        .skip(1)
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .flat_map(|argument| {
+            let value = argument.split_once('=').map(|(_, value)| value.to_string());
+            [Some(argument), value]
+        })
+        .flatten()
+        .collect();
+    pieces.sort_by_key(|piece| std::cmp::Reverse(piece.len()));
+    for piece in pieces {
+        let short = failure::cut(&piece);
+        if short != piece {
+            message = message.replace(&piece, &short);
+        }
+    }
+    failure::say(message.trim_end());
+    ExitCode::from(2)
 }
 
 /// What a command comes to: the code to end with.

@@ -51,6 +51,19 @@ fn is_same(one: &Path, other: &Path) -> bool {
     matches!((identity(one), identity(other)), (Ok(one), Ok(other)) if one == other)
 }
 
+/// Whether a path is a pipe, and not standard output under its name.
+#[cfg(unix)]
+fn is_foreign_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    let is_pipe = fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo());
+    is_pipe && !is_same(path, Path::new("/dev/stdout"))
+}
+
+#[cfg(not(unix))]
+fn is_foreign_pipe(_: &Path) -> bool {
+    false
+}
+
 #[cfg(not(unix))]
 fn is_same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
@@ -96,7 +109,12 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
         .as_ref()
         .is_some_and(|there| !there.is_file() && !there.is_dir())
     {
-        // A device or a pipe is written to, not replaced.
+        if is_foreign_pipe(path) {
+            return Err(io::Error::other(
+                "it is a pipe, which may have no reader; write to standard output",
+            ));
+        }
+        // A device is written to, not replaced.
         let mut out = BufWriter::new(OpenOptions::new().write(true).open(path)?);
         return content(&mut out).and_then(|()| out.flush());
     }

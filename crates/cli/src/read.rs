@@ -151,6 +151,12 @@ fn text(path: &Path) -> Result<String, Failure> {
     if !is_standard_input(path) && path.is_dir() {
         return Err(fault("is a folder; give the file of a case".to_string()));
     }
+    // a pipe may never end, or never begin
+    if !is_standard_input(path) && path.metadata().is_ok_and(|there| !there.is_file()) {
+        return Err(fault(
+            "is a pipe or a device, not a file; give the case on standard input, as -".to_string(),
+        ));
+    }
     let bytes = if is_standard_input(path) {
         bytes(io::stdin().lock())
     } else {
@@ -192,6 +198,9 @@ impl Loaded {
         };
         self.case.values.remove(key);
         let read = place.find(&name).and_then(|path| {
+            if path.metadata().is_ok_and(|there| !there.is_file()) {
+                return Err("is not a regular file".to_string());
+            }
             let file = File::open(&path).map_err(|error| format!("cannot be read: {error}"));
             let bytes = file.and_then(bytes)?;
             self.files.push(path);

@@ -14,6 +14,7 @@ pub mod coupling;
 pub mod crossings;
 pub mod drag;
 mod flown;
+pub mod given;
 pub mod inputs;
 mod lighter;
 pub mod misfit;

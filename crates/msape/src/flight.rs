@@ -7,14 +7,17 @@
 //! - [`summary`]: peaks, loads and end of a flight.
 //! - [`trajectory`]: the time history.
 
+use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::heating::PeakConditions;
 use crate::outcome::Outcome;
+use crate::planet::atmosphere::Atmosphere;
 use crate::planet::horizon::Velocity;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};
 use numerics::scalar::Scalar;
 use phase::Begun;
+use points::PointHeat;
 use reach::{Passed, Push};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +36,7 @@ pub mod motion;
 pub mod numbers;
 pub mod peaks;
 pub mod phase;
+pub mod points;
 pub mod reach;
 pub mod sample;
 pub mod six_dof;
@@ -119,6 +123,8 @@ pub struct Flight<S = f64> {
     pub altitudes_m: [f64; 2],
     /// Phases that began.
     pub phases: Vec<Begun<S>>,
+    /// Heating at the points of the body for which the case gives it.
+    pub points: Vec<PointHeat<S>>,
     /// Number of times it left the atmosphere and flew on.
     pub exits: u32,
     /// Attitude along the flight, in six degrees of freedom.
@@ -208,23 +214,50 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
     if let (Freedom::Rigid(rigid), Some(attitude)) = (&body.freedom, &flight.attitude) {
         findings.extend(six_dof::remarks::findings(rigid, attitude));
     }
-    let start_m = mission.planet.local(mission.start.position_m).altitude_m;
-    let [least_m, greatest_m] = flight.altitudes_m;
-    findings.extend(mission.atmosphere.findings(
-        start_m.min(least_m + LANDED_WITHIN_M),
-        start_m.max(greatest_m - LANDED_WITHIN_M),
-    ));
+    findings.extend(assumed_air(mission, flight));
+    if let Some(body) = &mission.heating.body {
+        findings.extend(points::finding(body, &flight.points));
+    }
     findings.extend(flight.passed.iter().map(Passed::finding));
     findings.extend(flight.pushed.as_ref().map(Push::finding));
     findings.extend(flight.trajectory.as_ref().and_then(Trajectory::finding));
     findings.extend(came_back(flight));
-    findings.extend(phase::findings(mission, flight.phases.len()));
+    findings.extend(phase::findings(mission, &flight.phases));
     findings.extend(accuracy::finding(mission, body, flight));
     findings
 }
 
 /// Distance from an altitude at which a flight is there, m.
 pub const LANDED_WITHIN_M: f64 = 1e-3;
+
+/// What is said of a flight through a part of the atmosphere that is assumed.
+fn assumed_air(mission: &Mission, flight: &Flight) -> Option<Finding> {
+    let Atmosphere::Table(table) = &mission.atmosphere else {
+        return None;
+    };
+    let above_m = table.assumed_above_m()?;
+    let [_, highest_m] = flight.altitudes_m;
+    let peak_m = flight.peak_deceleration_earth_g.altitude_m;
+    let there = match peak_m > above_m {
+        true => "lies there, too",
+        false => "lies below",
+    };
+    (highest_m > above_m).then(|| Finding {
+        severity: Severity::Extrapolated,
+        model: "atmosphere".to_string(),
+        key: "entry.altitude_m".to_string(),
+        value: Some(highest_m),
+        valid: (None, Some(above_m)),
+        message: format!(
+            "Above {} km the air is assumed: nothing is measured there, and the last temperature is continued in hydrostatic balance. The flight goes up to {} km; its peak deceleration, at {} km, {there}.",
+            short(above_m / 1e3),
+            short(highest_m / 1e3),
+            short(peak_m / 1e3)
+        ),
+        source: "the data file of the atmosphere".to_string(),
+        field: Some("entry.atmosphere".to_string()),
+    })
+}
 
 /// What is said of a flight that left the atmosphere on the way.
 fn came_back(flight: &Flight) -> Option<Finding> {

@@ -2,6 +2,7 @@
 //!
 //! - [`convective`]: [`sutton_graves`] and [`brandis_johnston`], cold wall.
 //! - [`radiative`]: [`tauber_sutton`] and [`brandis_johnston`], with the capped [`nose_exponent`].
+//! - [`given`]: heat fluxes from outside, in place of both.
 //! - [`stagnation`]: both together, with model factor, margins and the hot [`wall`].
 //! - [`pressure`]: stagnation pressure, by one of three models.
 //! - [`shoulder`], [`distribution`], [`afterbody`]: away from the stagnation point.
@@ -15,6 +16,7 @@ pub mod afterbody;
 pub mod brandis_johnston;
 pub mod convective;
 pub mod distribution;
+pub mod given;
 pub mod nose_exponent;
 pub mod pressure;
 pub mod radiative;

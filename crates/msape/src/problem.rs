@@ -148,7 +148,8 @@ impl DesignProblem {
             let findings = structural.findings(&design.vehicle.structure, flight);
             solution.findings.extend(findings);
             design.structural = Some(structural);
-            design.stability = stability::of_vehicle(&design.vehicle);
+            design.stability =
+                stability::of_vehicle(&design.vehicle, self.input.mission.heat_capacity_ratio());
             let stable = design.stability.as_ref().map(stability::findings);
             solution.findings.extend(stable.into_iter().flatten());
         }

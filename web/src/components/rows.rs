@@ -13,9 +13,12 @@ use msape::quantity::input::{Column, Input};
 use wasm_bindgen_futures::spawn_local;
 
 /// Tables, and the key of a file that the same reader reads on the command line.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 11] = [
     ("atmosphere.table", "atmosphere.file"),
     ("wind.table", "wind.file"),
+    ("heating.table", "heating.file"),
+    ("heating.radius_table", "heating.file"),
+    ("heating.arc_table", "heating.file"),
     ("vehicle.drag_table", "vehicle.drag_file"),
     ("vehicle.lift_table", "vehicle.lift_file"),
     ("vehicle.bank_table_deg", "vehicle.bank_file"),

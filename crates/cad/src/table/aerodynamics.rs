@@ -16,8 +16,7 @@ use super::layout::{Layout, Sheet};
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Table, TableFault};
-use msape::aero::table::{Extrapolation, Grid, Row};
-use numerics::math::PI;
+use msape::aero::table::{Extrapolation, Grid, Row, in_radians};
 
 const COEFFICIENTS: Layout = Layout {
     quantities: &[
@@ -53,9 +52,6 @@ const DAMPING: Layout = Layout {
     ),
     whole: true,
 };
-/// How near to pi the largest angle is that was meant in radians.
-const NEAR_PI: f64 = 2e-3;
-
 /// Rows of mach, alpha_deg, ca, cn, cm, cmq, knudsen and, instead of the last, altitude_m; or of drag over the Mach number.
 pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
     let mut sheet = sheet(text, &COEFFICIENTS)?;
@@ -196,7 +192,7 @@ fn sorted(rows: &mut [Row], remarks: &mut Vec<String>) {
     }
 }
 
-/// A fault where angles without unit end at pi.
+/// A fault where angles without unit end at a part of pi.
 fn radians(sheet: &Sheet) -> Option<TableFault> {
     let place = sheet.place(Quantity::Alpha)?;
     let named = sheet
@@ -208,5 +204,5 @@ fn radians(sheet: &Sheet) -> Option<TableFault> {
         .iter()
         .filter_map(|(_, row)| row.get(place).map(|alpha| alpha.abs()));
     let largest = angles.fold(0.0, f64::max);
-    (!named && (largest - PI).abs() < NEAR_PI).then_some(TableFault::Radians(largest))
+    (!named && in_radians(largest)).then_some(TableFault::Radians(largest))
 }

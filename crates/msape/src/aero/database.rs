@@ -231,6 +231,14 @@ impl Database {
         }
     }
 
+    /// Ratio of the heat capacities of the gas for which it was computed; that of air where it is a table.
+    pub fn heat_capacity_ratio(&self) -> f64 {
+        match &self.source {
+            Source::Computed(computed) => computed.heat_capacity_ratio,
+            Source::Table(_) => GAMMA,
+        }
+    }
+
     /// Where damping comes from.
     pub fn damping(&self) -> &Damping {
         &self.damping

@@ -16,7 +16,7 @@
 
 use super::bridging::CONTINUUM;
 use super::damping::Damping;
-use super::database::{Coefficients, Database, GAMMA};
+use super::database::{Coefficients, Database};
 use super::free_molecular::Gas;
 use super::integral::{Effort, Law, Loads, loads};
 use super::newtonian::{STRAIGHT_NEWTON, pressure_coefficient_max};
@@ -50,11 +50,11 @@ pub enum Theory {
 }
 
 impl Theory {
-    /// Newton at a Mach number; his own coefficient without one.
-    pub fn newtonian(mach: Option<f64>) -> Theory {
+    /// Newton at a Mach number in a gas of a ratio of heat capacities; his own coefficient without one.
+    pub fn newtonian(mach: Option<f64>, heat_capacity_ratio: f64) -> Theory {
         Theory::Newtonian {
             pressure_coefficient_max: mach.map_or(STRAIGHT_NEWTON, |mach| {
-                pressure_coefficient_max(mach, GAMMA)
+                pressure_coefficient_max(mach, heat_capacity_ratio)
             }),
         }
     }
@@ -220,7 +220,7 @@ mod tests {
     fn sharp_cone_of_45_deg_has_its_centre_of_pressure_at_two_thirds_of_a_diameter() {
         // x_cp = (2/3) L/cos² θ = (2/3)(0.5)(2) = 2/3; C_A = 2 sin² θ = 1
         let body = cone(0.4);
-        let aero = Aero::new(&body, Theory::newtonian(None), None);
+        let aero = Aero::new(&body, Theory::newtonian(None, 1.4), None);
         let polar = polar(&aero, &[0.0, -10.0, 10.0]);
         assert!((polar.pressure_center.unwrap() - 2.0 / 3.0).abs() < 1e-6);
         assert!((polar.static_margin.unwrap() - (2.0 / 3.0 - 0.4)).abs() < 1e-6);

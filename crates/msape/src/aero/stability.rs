@@ -17,7 +17,6 @@
 //! # References
 //! - \[samareh-2014\] sections 3.1.2 and 3.3.2, Figure 25; \[anderson-2006\] sections 3.2 and 3.3; \[schaaf-chambre-1961\].
 
-use super::database::GAMMA;
 use super::free_molecular::Gas;
 use super::integral::{Effort, Law, Loads, loads};
 use super::newtonian::pressure_coefficient_max;
@@ -100,12 +99,15 @@ impl RegimeStability {
 }
 
 impl Stability {
-    /// Stability of a body; nothing where its centre of gravity is not known.
-    pub fn new(body: &AeroBody) -> Option<Stability> {
+    /// Stability of a body in a gas of a ratio of heat capacities; nothing where its centre of gravity is not known.
+    pub fn new(body: &AeroBody, heat_capacity_ratio: f64) -> Option<Stability> {
         let [x, _] = body.cg_over_diameter()?;
         let laws = [
             Law::FreeMolecular(Gas::diffuse(f64::INFINITY)),
-            Law::Newtonian(pressure_coefficient_max(HYPERSONIC_MACH, GAMMA)),
+            Law::Newtonian(pressure_coefficient_max(
+                HYPERSONIC_MACH,
+                heat_capacity_ratio,
+            )),
         ];
         // Both laws see the same shadows: one pass over the steps serves both.
         let step = |n: u32| {
@@ -156,6 +158,7 @@ fn regime(surface: &Surface, law: Law, x_cg: f64, steps: &[(f64, f64)]) -> Regim
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::aero::database::GAMMA;
     use crate::aero::polar::{Aero, Theory};
     use crate::vehicle::profile::Profile;
     use crate::vehicle::segment::{Point, Segment};
@@ -192,7 +195,7 @@ mod tests {
         }
         .closed();
         for (cg, margin) in [(0.5, 0.0), (0.4, 0.1), (0.55, -0.05)] {
-            let found = Stability::new(&body(&sphere, cg)).unwrap();
+            let found = Stability::new(&body(&sphere, cg), GAMMA).unwrap();
             for regime in [&found.free_molecular, &found.hypersonic] {
                 let ours = regime.static_margin.unwrap();
                 assert!((ours - margin).abs() < 1e-6, "{cg}: {ours}");
@@ -206,11 +209,15 @@ mod tests {
             }
         }
         // Newton: C_D = C_p,max/2, so that C_m,cg = −(C_p,max/2)(0.1) sin α about 0.1 D forward of the center.
-        let hypersonic = Stability::new(&body(&sphere, 0.4)).unwrap().hypersonic;
+        let hypersonic = Stability::new(&body(&sphere, 0.4), GAMMA)
+            .unwrap()
+            .hypersonic;
         let slope = hypersonic.end(0.0).unwrap().cm_alpha_per_rad;
         assert!((slope + 0.5 * 1.8394 * 0.1).abs() < 1e-4, "{slope}");
         // Cold molecules that stick and leave slowly: C_D = 2.
-        let free = Stability::new(&body(&sphere, 0.4)).unwrap().free_molecular;
+        let free = Stability::new(&body(&sphere, 0.4), GAMMA)
+            .unwrap()
+            .free_molecular;
         let slope = free.end(0.0).unwrap().cm_alpha_per_rad;
         assert!((slope + 0.2).abs() < 1e-4, "{slope}");
     }
@@ -220,7 +227,7 @@ mod tests {
         // 45 deg: Newton's center of pressure nose first is (2/3)(0.5)/cos² 45° = 2/3
         let cone = outline(&[[0.0, 0.0], [0.5, 0.5], [0.5, 0.0]]);
         for (cg, margin) in [(0.4, 2.0 / 3.0 - 0.4), (0.49, 2.0 / 3.0 - 0.49)] {
-            let found = Stability::new(&body(&cone, cg)).unwrap().hypersonic;
+            let found = Stability::new(&body(&cone, cg), GAMMA).unwrap().hypersonic;
             assert!((found.static_margin.unwrap() - margin).abs() < 1e-5);
             assert!(found.end(0.0).unwrap().is_stable());
         }
@@ -245,13 +252,16 @@ mod tests {
             ),
         ] {
             let body = body(&outline(&shape), cg);
-            let found = Stability::new(&body).unwrap();
+            let found = Stability::new(&body, GAMMA).unwrap();
             let theories = [
                 (
                     &found.free_molecular,
                     Theory::FreeMolecular(Gas::diffuse(f64::INFINITY)),
                 ),
-                (&found.hypersonic, Theory::newtonian(Some(HYPERSONIC_MACH))),
+                (
+                    &found.hypersonic,
+                    Theory::newtonian(Some(HYPERSONIC_MACH), GAMMA),
+                ),
             ];
             for (ours, theory) in theories {
                 let fine = Aero::new(&body, theory, None).trim([cg, 0.0]);

@@ -96,6 +96,7 @@ pub fn flight() -> Answer {
             passed: Vec::new(),
             pushed: None,
             altitudes_m: [0.0, 125e3],
+            points: Vec::new(),
             phases: Vec::new(),
             exits: 0,
             attitude: None,

@@ -45,8 +45,9 @@ const UNKNOWN_MAX: usize = 50;
 const ROW_FAULTS_MAX: usize = 100;
 
 /// Keys of files and of the rows in them; who reads files puts the rows in their place.
-const FILES: [(&str, &str); 5] = [
+const FILES: [(&str, &str); 6] = [
     ("wind.file", "wind.table"),
+    ("heating.file", "heating.table"),
     ("vehicle.drag_file", "vehicle.drag_table"),
     ("vehicle.lift_file", "vehicle.lift_table"),
     ("vehicle.bank_file", "vehicle.bank_table_deg"),

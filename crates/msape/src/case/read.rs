@@ -11,6 +11,40 @@ use std::collections::btree_map::Entry;
 /// Longest piece of a foreign message that is passed on.
 const MESSAGE_MAX: usize = 300;
 
+/// Keys of a file, at most: ten times as many as a case with the largest number of phases has.
+const MOST_KEYS: usize = 10_000;
+
+/// A fault of a text with more keys than any case has, before it is taken apart: signs that follow a key, and headings of sections, are
+/// counted, those in texts too.
+fn short_enough(text: &str) -> Result<(), Vec<InputError>> {
+    let is_json = text
+        .trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n'])
+        .starts_with('{');
+    let sign = if is_json { b':' } else { b'=' };
+    let signs = text
+        .bytes()
+        .filter(|byte| *byte == sign)
+        .take(MOST_KEYS + 1)
+        .count();
+    let heads = |line: &&str| {
+        let name = line.trim_start().trim_start_matches('[');
+        !is_json
+            && name.len() < line.trim_start().len()
+            && name.starts_with(|c: char| c.is_alphabetic() || c == '_' || c == '"' || c == '\'')
+            && !name.contains(',')
+    };
+    let sections = text.lines().filter(heads).take(MOST_KEYS + 1).count();
+    if signs + sections > MOST_KEYS {
+        let message =
+            format!("the file holds more than {MOST_KEYS} keys and sections, as no case does");
+        return Err(vec![InputError {
+            key: String::new(),
+            message,
+        }]);
+    }
+    Ok(())
+}
+
 fn syntax_error(language: &str, message: &str) -> Vec<InputError> {
     let short: String = message.trim_end().chars().take(MESSAGE_MAX).collect();
     vec![InputError {
@@ -25,6 +59,7 @@ impl Case {
     /// # Errors
     /// What makes the file unreadable: syntax, a missing or newer schema. Faults of single keys are found by checking.
     pub fn from_text(text: &str) -> Result<Case, Vec<InputError>> {
+        short_enough(text)?;
         if text
             .trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n'])
             .starts_with('{')
@@ -263,6 +298,24 @@ mod tests {
         let json = Case::from_text(r#" {"schema":"msape/1","name":"a","entry":{"speed_m_s":12000.0},"design":{"msr_mode":true},"atmosphere":{"table":[[0,1.2],[1000,1.1]]}}"#).unwrap();
         assert_eq!(toml, json);
         assert_eq!(toml.values["entry.speed_m_s"], Value::Number(12000.0));
+    }
+
+    #[test]
+    fn a_file_of_very_many_keys_is_refused_before_it_is_taken_apart() {
+        let toml: String = (0..20_000).map(|i| format!("k{i} = 1\n")).collect();
+        let sections: String = (0..20_000).map(|i| format!("[s{i}]\n")).collect();
+        let keys: Vec<String> = (0..20_000).map(|i| format!("\"k{i}\": 1")).collect();
+        for text in [toml, sections, format!("{{{}}}", keys.join(","))] {
+            let faults = Case::from_text(&text).unwrap_err();
+            assert!(
+                faults[0].message.contains("more than 10000 keys"),
+                "{faults:?}"
+            );
+        }
+        // rows are no keys
+        let rows: String = (0..20_000).map(|i| format!("[{i}.0, 1.0],\n")).collect();
+        let text = format!("schema = \"msape/1\"\n[wind]\ntable = [\n{rows}]\n");
+        assert!(Case::from_text(&text).is_ok());
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
 
 use super::flown::with_history;
+use super::given;
 use super::inputs::DesignInput;
 use super::passes::{self, End, MOST_WORK, Made, Run, WORK_OF_PASS, Way};
 use super::{Design, Pass, Solution, lighter, misfit};
@@ -119,9 +120,10 @@ impl Finished<'_> {
             aftbody_tps_density_kg_m3: input.vehicle.aftbody_tps_density_kg_m3,
             aftbody_heat_flux_w_m2: sized.aft_environment.peak_heat_flux_w_m2,
             aftbody_heat_load_j_m2: sized.aft_environment.heat_load_j_m2,
-            shoulder_heat_flux_w_m2: sized.stagnation.peak_heat_flux_w_m2 * sized.shoulder_factor,
-            shoulder_heat_load_j_m2: sized.stagnation.heat_load_j_m2 * sized.shoulder_factor,
-            shoulder_heat_flux_ratio: sized.shoulder_factor,
+            shoulder_heat_flux_w_m2: sized.stagnation.peak_heat_flux_w_m2
+                * sized.off.heat_flux_ratio,
+            shoulder_heat_load_j_m2: sized.stagnation.heat_load_j_m2 * sized.off.heat_load_ratio,
+            shoulder_heat_flux_ratio: sized.off.heat_flux_ratio,
             forebody_judged: sized.environment,
             aftbody_pressure_pa: sized.aft_environment.peak_pressure_pa,
             payload_temperature_k: sized.payload_temperature_k,
@@ -189,13 +191,14 @@ impl Finished<'_> {
                 .findings(&sized.environment, flown.flight.ballistic_coefficient_kg_m2),
         );
         findings.extend(flight::findings(&input.mission, body, &flown.flight));
-        findings.extend(input.shoulder.findings(shoulder_ratio));
-        findings.push(
-            sized
-                .environment
-                .judged(input.judged_at, sized.shoulder_factor),
-        );
-        findings.extend(input.soak.findings(&sized.soak));
+        if input.mission.heating.body.is_none() {
+            findings.extend(input.shoulder.findings(shoulder_ratio));
+        }
+        findings.push(sized.environment.judged(input.judged_at, &sized.off));
+        if input.given.payload_temperature_k.is_none() {
+            findings.extend(input.soak.findings(&sized.soak));
+        }
+        findings.extend(given::findings(input, vehicle, sized));
         findings.extend(vehicle.findings.iter().cloned());
         findings
     }

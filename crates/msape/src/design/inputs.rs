@@ -2,6 +2,7 @@
 
 use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
+use crate::design::given::Given;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
@@ -19,6 +20,8 @@ pub struct DesignInput {
     pub mission: Mission,
     /// The vehicle; its heat-shield thicknesses and loads are first guesses, which the passes replace.
     pub vehicle: VehicleInput,
+    /// What the user gives in the place of models.
+    pub given: Given,
     /// Heat-shield material of the forebody.
     pub forebody_material: TpsMaterial,
     /// Heat-shield material of the aftbody.

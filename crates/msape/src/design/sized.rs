@@ -2,7 +2,11 @@
 
 use super::flown::Flown;
 use super::inputs::DesignInput;
+use crate::flight::Flight;
+use crate::heating::Flow;
+use crate::heating::given::body::BodyHeating;
 use crate::soak::SoakInput;
+use crate::tps::environment::OffStagnation;
 use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, Point};
 use crate::vehicle::Vehicle;
@@ -13,8 +17,8 @@ pub(super) struct Sized {
     pub(super) stagnation: Environment,
     /// The point of the forebody at which its heat shield is judged.
     pub(super) environment: Environment,
-    /// Heat flux on the shoulder over that at the stagnation point.
-    pub(super) shoulder_factor: f64,
+    /// The hottest point off the stagnation point.
+    pub(super) off: OffStagnation,
     pub(super) aft_environment: Environment,
     pub(super) forebody: Sizing,
     pub(super) aftbody: Sizing,
@@ -36,12 +40,18 @@ impl Sized {
             time_above_limit_s: None,
         };
         let dimensions = &vehicle.dimensions;
-        let shoulder_factor = input
-            .shoulder
-            .ratio(2.0 * dimensions.shoulder_radius_m / dimensions.diameter_m);
-        let environment = input.judged_at.environment(&stagnation, shoulder_factor);
+        let off = match &input.mission.heating.body {
+            Some(body) => of_points(input, body, flight, &stagnation),
+            None => {
+                let ratio = 2.0 * dimensions.shoulder_radius_m / dimensions.diameter_m;
+                OffStagnation::shoulder(input.shoulder.ratio(ratio))
+            }
+        };
+        let environment = input.judged_at.environment(&stagnation, &off);
         let aft_environment = stagnation.aftbody(&input.afterbody);
-        let forebody = mer::size(&input.forebody_material, &environment);
+        let given = &input.given;
+        let forebody =
+            mer::size(&input.forebody_material, &environment).or_given(given.forebody_tps_m);
         // the correlation was fitted to the stagnation point
         let soak = SoakInput {
             peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2,
@@ -52,11 +62,13 @@ impl Sized {
         };
         Sized {
             forebody,
-            aftbody: mer::size(&input.aftbody_material, &aft_environment),
-            payload_temperature_k: input.soak.peak_temperature_k(&soak),
+            aftbody: mer::size(&input.aftbody_material, &aft_environment)
+                .or_given(given.aftbody_tps_m),
+            payload_temperature_k: (given.payload_temperature_k)
+                .unwrap_or_else(|| input.soak.peak_temperature_k(&soak)),
             stagnation,
             environment,
-            shoulder_factor,
+            off,
             aft_environment,
             soak,
         }
@@ -74,4 +86,48 @@ impl Sized {
         let mut wild = named.into_iter().filter(|(_, value)| !value.is_finite());
         wild.next().map(|(name, _)| name)
     }
+}
+
+/// The hottest point of a case that gives heat fluxes along the body. The closed form, which keeps no flight to integrate along, takes
+/// the fluxes at peak heating for the loads too.
+fn of_points(
+    input: &DesignInput,
+    body: &BodyHeating,
+    flight: &Flight,
+    stagnation: &Environment,
+) -> OffStagnation {
+    let heating = &input.mission.heating;
+    let peak = flight.peak_total_heat_flux_w_m2;
+    let flow = Flow {
+        density_kg_m3: peak.density_kg_m3,
+        speed_m_s: peak.speed_m_s,
+        nose_radius_m: 1.0,
+    };
+    let at_peak = body.points.iter().skip(1).map(|(_, table)| {
+        let flux = heating.margined(&heating.heat_flux_of(table, &flow));
+        let ratio = ratio(flux.total_w_m2(), stagnation.peak_heat_flux_w_m2);
+        [ratio, ratio]
+    });
+    let along = flight.points.iter().skip(1).map(|point| {
+        [
+            ratio(point.peak_heat_flux_w_m2, stagnation.peak_heat_flux_w_m2),
+            ratio(point.heat_load_j_m2, stagnation.heat_load_j_m2),
+        ]
+    });
+    let largest =
+        |[flux, load]: [f64; 2], other: [f64; 2]| [flux.max(other[0]), load.max(other[1])];
+    let [heat_flux_ratio, heat_load_ratio] = match flight.points.is_empty() {
+        true => at_peak.fold([0.0; 2], largest),
+        false => along.fold([0.0; 2], largest),
+    };
+    OffStagnation {
+        point: Point::Given,
+        heat_flux_ratio,
+        heat_load_ratio,
+    }
+}
+
+/// One over the other; 0 where that is nought.
+fn ratio(value: f64, of: f64) -> f64 {
+    if of > 0.0 { value / of } else { 0.0 }
 }

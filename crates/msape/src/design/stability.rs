@@ -20,9 +20,9 @@ use crate::vehicle::Vehicle;
 
 const REPORT: &str = "NASA/TM-2014-218507, section 3.3.2";
 
-/// Stability of a vehicle.
-pub fn of_vehicle(vehicle: &Vehicle) -> Option<Stability> {
-    Stability::new(&AeroBody::of_vehicle("", vehicle))
+/// Stability of a vehicle in a gas of a ratio of heat capacities.
+pub fn of_vehicle(vehicle: &Vehicle, heat_capacity_ratio: f64) -> Option<Stability> {
+    Stability::new(&AeroBody::of_vehicle("", vehicle), heat_capacity_ratio)
 }
 
 /// Margins and trims, a vehicle that turns away from nose first, and one that has another way to fly.

@@ -19,6 +19,7 @@
 use super::equations::{CONVECTIVE, RADIATIVE, STATES};
 use super::mission::{Body, Mission, Model};
 use super::motion::Motion;
+use super::reach::{Span, of_atmosphere, passed};
 use super::sample::{self, EARTH_G_M_S2};
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak, three_dof};
@@ -298,10 +299,15 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
-            passed: Vec::new(),
+            passed: of_atmosphere(mission).map_or(Vec::new(), |air| {
+                let mut flown = Span::at(self.place.altitude_m);
+                flown.take(place.altitude_m, self.time_s);
+                passed(&[air], &[flown], None)
+            }),
             pushed: None,
             altitudes_m: [place.altitude_m, self.place.altitude_m],
             phases: Vec::new(),
+            points: Vec::new(),
             exits: 0,
             attitude: None,
             evaluations: 0,

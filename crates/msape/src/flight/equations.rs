@@ -292,6 +292,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
             t,
             total_alpha_rad,
             knudsen,
+            around.density_kg_m3,
         ]
     }
 

@@ -66,8 +66,8 @@ pub struct Record<const N: usize, S = f64> {
     pub start_loads: Loads<S>,
     /// The steps, in order; none when the flight ends where it starts.
     pub legs: Vec<Leg<N, S>>,
-    /// Lowest and highest altitude between two steps, m.
-    pub altitudes_m: [f64; 2],
+    /// Altitudes between two steps, m.
+    pub altitudes: Span,
     /// What was looked up in each axis of the tables of the case.
     pub spans: Vec<Span>,
     /// Axis of a table at whose end the flight was ended.

@@ -38,6 +38,8 @@ pub struct Lift {
     pub source: Source,
     /// Its direction.
     pub bank: Bank,
+    /// What holds beyond the ends of a table of it.
+    pub beyond_bank: Extrapolation,
 }
 
 /// Size of the lift.

@@ -3,6 +3,7 @@
 use super::freedom::Freedom;
 use super::phase::Phase;
 use crate::aero::Drag;
+use crate::aero::table::Extrapolation;
 use crate::heating::StagnationHeating;
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
@@ -119,8 +120,19 @@ pub struct Mission {
     pub phases: Vec<Phase>,
     /// End of the flight.
     pub stop: Stop,
+    /// What holds beyond the ends of its tables.
+    pub beyond: Beyond,
     /// How it is computed.
     pub solver: Solver,
+}
+
+/// What holds beyond the ends of the tables of a mission.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beyond {
+    /// Of the atmosphere.
+    pub atmosphere: Extrapolation,
+    /// Of the wind.
+    pub wind: Extrapolation,
 }
 
 impl Mission {

@@ -50,6 +50,23 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         nodes.push(value(&self.record.start_loads).value());
         nodes.extend(legs.iter().map(|leg| value(&leg.loads).value()));
         let along = |motion: &M, t: S, y: &[S; N]| value(&motion.loads(t, y));
+        self.highest(&nodes, &along)
+    }
+
+    /// The peak of any quantity along the flight.
+    pub fn of_motion(&self, along: impl Fn(&M, S, &[S; N]) -> S) -> Peak<S> {
+        let mut nodes = Vec::with_capacity(self.record.legs.len() + 1);
+        nodes.push(self.start(&along).value.value());
+        nodes.extend(self.record.legs.iter().map(|leg| {
+            let motion = self.motion.in_stage(&leg.stage);
+            along(&motion, leg.step.t1, &leg.step.y1).value()
+        }));
+        self.highest(&nodes, &along)
+    }
+
+    /// The peak of a quantity of which the values at the start and between the steps are known.
+    fn highest(&self, nodes: &[f64], along: &Along<M, N, S>) -> Peak<S> {
+        let legs = &self.record.legs;
         let largest = nodes.iter().copied().fold(0.0, f64::max);
         let mut peak: Option<Peak<S>> = None;
         let mut take = |other: Peak<S>| {
@@ -58,30 +75,30 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
                 peak = Some(other);
             }
         };
-        if nodes[0] >= largest {
-            take(self.start(&along));
+        if nodes.first().is_some_and(|first| *first >= largest) {
+            take(self.start(along));
         }
         for (leg, ends) in nodes.windows(2).enumerate() {
             let high = ends[0].max(ends[1]);
             if high < NEARLY * largest {
                 continue;
             }
-            let within = self.rises(leg, End::First, &along) > 0.0
-                && self.rises(leg, End::Last, &along) < 0.0;
+            let within =
+                self.rises(leg, End::First, along) > 0.0 && self.rises(leg, End::Last, along) < 0.0;
             if within {
-                take(self.searched(leg, self.part(leg, &nodes), &along));
+                take(self.searched(leg, self.part(leg, nodes), along));
             } else if ends[1] >= largest
                 && let Some(Leg { step, stage, .. }) = legs.get(leg)
             {
                 // A kink, or the end of the flight: the place between the steps is the peak.
-                take(self.peak(step.t1, &step.y1, stage, &along));
+                take(self.peak(step.t1, &step.y1, stage, along));
             }
         }
         // A phase begins with a jump.
         for (t, y, stage) in &self.record.begun {
-            take(self.peak(*t, y, stage, &along));
+            take(self.peak(*t, y, stage, along));
         }
-        peak.unwrap_or_else(|| self.start(&along))
+        peak.unwrap_or_else(|| self.start(along))
     }
 
     /// Change of a quantity along a little of a step from an end of it, forward in time.

@@ -192,9 +192,35 @@ pub struct Begun<S = f64> {
     pub peak_deceleration_earth_g: S,
 }
 
-/// What is said of phases that never began.
-pub fn findings(mission: &Mission, begun: usize) -> Vec<Finding> {
-    let late = mission.phases.iter().enumerate().skip(begun);
+/// What is said of phases that began at once, their value being passed, and of those that never began.
+pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    for (index, pair) in begun.windows(2).enumerate() {
+        let (Some(phase), [before, now]) = (mission.phases.get(index + 1), pair) else {
+            continue;
+        };
+        if now.time_s > before.time_s {
+            continue;
+        }
+        let (quantity, unit) = phase.begin.mark.name();
+        findings.push(Finding {
+            severity: Severity::Note,
+            model: "phases".to_string(),
+            key: format!("phase.{}", index + 2),
+            value: Some(now.time_s),
+            valid: (None, None),
+            message: format!(
+                "Phase {} began at once with {}, at {} s: the {quantity} had passed {}{unit} before.",
+                now.name,
+                before.name,
+                short(now.time_s),
+                short(phase.begin.value)
+            ),
+            source: "the case".to_string(),
+            field: Some(format!("phase.{}.name", index + 2)),
+        });
+    }
+    let late = mission.phases.iter().enumerate().skip(begun.len());
     let said = late.map(|(index, phase)| {
         let Begin {
             mark,
@@ -226,7 +252,8 @@ pub fn findings(mission: &Mission, begun: usize) -> Vec<Finding> {
             field: Some(format!("phase.{}.name", index + 1)),
         }
     });
-    said.collect()
+    findings.extend(said);
+    findings
 }
 
 #[cfg(test)]
@@ -243,5 +270,37 @@ mod tests {
         };
         let areas = [99.0, 100.0, 101.0, 104.0, 200.0].map(|t| changed.canopy_m2(t));
         assert_eq!(areas, [0.0, 0.0, 2.0, 8.0, 8.0]);
+    }
+
+    #[test]
+    fn a_phase_whose_value_was_passed_begins_at_once_and_is_told() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let phases = "
+[[phase]]
+name = 'drogue'
+mach = 1.4
+drag_area_m2 = 0.5
+[[phase]]
+name = 'main'
+altitude_m = 80e3
+drag_area_m2 = 5.0
+[[phase]]
+name = 'late'
+deceleration_earth_g = 500.0
+direction = 'rising'
+";
+        let case = crate::Case::from_text(&format!("{text}{phases}")).unwrap();
+        let library = crate::Library::builtin().unwrap();
+        let answer = crate::fly(&case, &library, crate::Request::Nothing).unwrap();
+        let flight = answer.flight.unwrap();
+        let [drogue, main] = &flight.phases[..] else {
+            panic!("two phases begin: {:?}", flight.phases)
+        };
+        assert_eq!((drogue.time_s, &*main.name), (main.time_s, "main"));
+        assert!((drogue.mach - 1.4).abs() < 1e-6, "{drogue:?}");
+        let said: Vec<&str> = answer.findings.iter().map(|f| f.message.as_str()).collect();
+        let has = |part: &str| said.iter().any(|message| message.contains(part));
+        assert!(has("Phase main began at once with drogue"), "{said:?}");
+        assert!(has("Phase late did not begin"), "{said:?}");
     }
 }

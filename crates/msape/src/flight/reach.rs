@@ -7,24 +7,28 @@
 //! with x an altitude in m, a speed in m/s, a Mach or Knudsen number, a time in s or a total angle of attack in rad.
 //!
 //! # Valid
-//! Tables that a case brings. Those of the library are held beyond their ends by their own sources.
+//! Tables that a case brings, and the altitudes of any atmosphere. Other tables of the library are held beyond their ends by their
+//! own sources.
 //!
 //! # References
 //! - Own convention.
 
-use super::freedom::Freedom;
-use super::lift::{Bank, Source};
-use super::mission::{Body, Mission};
-use super::six_dof::aerodynamics::Aerodynamics;
-use crate::aero::damping::Damping;
-use crate::aero::database::Database;
-use crate::aero::table::{Extrapolation, Grid};
-use crate::aero::{Drag, DragTable};
+mod axes;
+mod push;
+
+use crate::aero::table::Extrapolation;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::planet::wind::Wind;
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
+
+pub use axes::{axes, of_atmosphere, of_database};
+pub use push::{Push, may_push};
+
+/// Key of the axis of the atmosphere.
+const ATMOSPHERE: &str = "atmosphere";
+/// A flight that ends at the first row of the atmosphere may lie this far below it, m.
+const NEAR_M: f64 = 1.0;
 
 /// With what a table is looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,10 +45,12 @@ pub enum Argument {
     TotalAlpha,
     /// Knudsen number of the table.
     Knudsen,
+    /// Free-stream density, kg/m³.
+    Density,
 }
 
 /// A number for each [`Argument`], in their order; not a number where a motion has none.
-pub type Arguments<S> = [S; 6];
+pub type Arguments<S> = [S; 7];
 
 impl Argument {
     /// Name in a sentence.
@@ -56,6 +62,7 @@ impl Argument {
             Argument::Time => "time",
             Argument::TotalAlpha => "total angle of attack",
             Argument::Knudsen => "Knudsen number",
+            Argument::Density => "density",
         }
     }
 
@@ -67,6 +74,7 @@ impl Argument {
             Argument::Time => "time_s",
             Argument::TotalAlpha => "total_alpha_deg",
             Argument::Knudsen => "knudsen",
+            Argument::Density => "density_kg_m3",
         }
     }
 
@@ -77,6 +85,7 @@ impl Argument {
             Argument::AirSpeed => (value, " m/s"),
             Argument::Time => (value, " s"),
             Argument::TotalAlpha => (value / RADIANS_PER_DEGREE, " deg"),
+            Argument::Density => (value, " kg/m³"),
             Argument::Mach | Argument::Knudsen => (value, ""),
         }
     }
@@ -95,6 +104,8 @@ pub struct Axis {
     pub rule: Extrapolation,
     /// Whether the table is level at each end: its last two rows are alike, so that every rule goes on with them.
     pub level: [bool; 2],
+    /// How far beyond an end nothing is said yet.
+    pub slack: f64,
 }
 
 /// Part of the length of an axis by which rounding may leave it.
@@ -108,6 +119,7 @@ impl Axis {
             ends,
             rule: Extrapolation::Hold,
             level: [false; 2],
+            slack: SLACK * (ends[1] - ends[0]),
         }
     }
 
@@ -140,97 +152,6 @@ impl Axis {
     }
 }
 
-/// The tables of the case that a flight of this vehicle looks up, one entry an axis.
-pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
-    let mut axes = Vec::new();
-    if let Wind::Table(table) = &mission.wind {
-        axes.push(Axis::held("wind.table", Argument::Altitude, table.ends_m()));
-    }
-    match &body.freedom {
-        Freedom::Ballistic => of_drag(&body.drag, &mut axes),
-        Freedom::Lifting(lift) => {
-            match &lift.source {
-                Source::OfDrag(_) | Source::Coefficient(_) => of_drag(&body.drag, &mut axes),
-                Source::Table(table, rule) => {
-                    of_drag(&body.drag, &mut axes);
-                    axes.push(Axis {
-                        rule: *rule,
-                        ..Axis::held("vehicle.lift_table", Argument::Mach, table.ends())
-                    });
-                }
-                Source::Trim(trim) => axes.extend(&trim.axes),
-            }
-            match &lift.bank {
-                Bank::Constant(_) => {}
-                Bank::OfTime(table) => {
-                    let key = "vehicle.bank_table_deg";
-                    axes.push(Axis::held(key, Argument::Time, table.ends()));
-                }
-                Bank::OfSpeed(table) => {
-                    let key = "vehicle.bank_speed_table_deg";
-                    axes.push(Axis::held(key, Argument::AirSpeed, table.ends()));
-                }
-            }
-        }
-        Freedom::Rigid(rigid) => match &rigid.aerodynamics {
-            Aerodynamics::Drag => of_drag(&body.drag, &mut axes),
-            Aerodynamics::Constants(_) => {}
-            Aerodynamics::Database(of) => {
-                axes.extend(of_database(&of.database));
-                if of.database.table().is_none() {
-                    of_drag_table(of.axial_force.as_ref(), &mut axes);
-                }
-            }
-        },
-    }
-    axes
-}
-
-fn of_drag(drag: &Drag, axes: &mut Vec<Axis>) {
-    if let Drag::Table(table) = drag {
-        of_drag_table(Some(table), axes);
-    }
-}
-
-fn of_drag_table(table: Option<&DragTable>, axes: &mut Vec<Axis>) {
-    let own = table.and_then(|table| Some((table.own()?, table)));
-    axes.extend(own.map(|(own, table)| Axis {
-        rule: own.extrapolation,
-        level: table.level(),
-        ..Axis::held(own.key, Argument::Mach, table.ends())
-    }));
-}
-
-/// Axes of the tables in a database.
-pub fn of_database(database: &Database) -> Vec<Axis> {
-    let grid = |key: &'static str, grid: &Grid| {
-        let rule = grid.extrapolation;
-        let arguments = [Argument::Mach, Argument::TotalAlpha, Argument::Knudsen];
-        let level = grid.level();
-        let ends = arguments.into_iter().zip(grid.ends()).zip(level);
-        let axis = move |((argument, ends), level): ((Argument, Option<[f64; 2]>), [bool; 2])| {
-            let held = Axis::held(key, argument, ends?);
-            Some(Axis {
-                rule,
-                level,
-                ..held
-            })
-        };
-        ends.filter_map(axis).collect::<Vec<Axis>>()
-    };
-    let mut axes = Vec::new();
-    if let Some(table) = database.table() {
-        axes.extend(grid("vehicle.aerodynamics.table", table));
-    }
-    match database.damping() {
-        Damping::Table(table) if Some(table) != database.table() => {
-            axes.extend(grid("vehicle.aerodynamics.damping_table", table));
-        }
-        _ => {}
-    }
-    axes
-}
-
 /// What a flight looked up in one axis: the least and the greatest value, each with its time, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
@@ -244,6 +165,19 @@ impl Span {
         least: [f64::INFINITY, 0.0],
         greatest: [f64::NEG_INFINITY, 0.0],
     };
+
+    /// One value at the start.
+    pub fn at(value: f64) -> Span {
+        Span {
+            least: [value, 0.0],
+            greatest: [value, 0.0],
+        }
+    }
+
+    /// The least and the greatest value.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.least[0], self.greatest[0]]
+    }
 
     /// Takes in a value at a time, s.
     pub fn take(&mut self, value: f64, time_s: f64) {
@@ -279,7 +213,7 @@ pub fn passed(axes: &[Axis], spans: &[Span], refused: Option<usize>) -> Vec<Pass
         .enumerate()
         .flat_map(|(index, (axis, span))| {
             let [first, last] = axis.ends;
-            let slack = SLACK * (last - first);
+            let slack = axis.slack;
             let beyond = [
                 (span.least, first - span.least[0]),
                 (span.greatest, span.greatest[0] - last),
@@ -310,6 +244,9 @@ pub fn passed(axes: &[Axis], spans: &[Span], refused: Option<usize>) -> Vec<Pass
 impl Passed {
     /// The remark.
     pub fn finding(&self) -> Finding {
+        if self.key == ATMOSPHERE {
+            return self.of_atmosphere();
+        }
         let shown = |value: f64| self.argument.shown(value);
         let [first, last] = self.ends.map(|end| shown(end).0);
         let (value, unit) = shown(self.farthest[0]);
@@ -336,65 +273,33 @@ impl Passed {
             field: Some(self.key.clone()),
         }
     }
-}
 
-/// The least drag coefficient of a flight, where the air would push.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Push {
-    /// Drag coefficient, below zero.
-    pub drag_coefficient: f64,
-    /// Total angle of attack there, rad.
-    pub total_alpha_rad: f64,
-    /// Mach number there.
-    pub mach: f64,
-    /// Time after the start, s.
-    pub time_s: f64,
-}
-
-impl Push {
-    /// The remark.
-    pub fn finding(&self) -> Finding {
-        let alpha_deg = self.total_alpha_rad / RADIANS_PER_DEGREE;
-        let at = match alpha_deg.is_finite() {
-            true => format!(" at a total angle of attack of {} deg", short(alpha_deg)),
-            false => String::new(),
+    /// The same of the atmosphere, with the input that leads there.
+    fn of_atmosphere(&self) -> Finding {
+        let ([bottom_m, top_m], value) = (self.ends, self.farthest[0]);
+        let key = match value > top_m {
+            true => "entry.altitude_m",
+            false => "stop.altitude_m",
+        };
+        let rule = match self.rule {
+            Extrapolation::Hold => {
+                "beyond, density is held, for it grows with height in the last rows"
+            }
+            Extrapolation::Extend => "beyond, density goes on with its last slope",
+            Extrapolation::Refuse => "there the flight was ended",
         };
         Finding {
-            severity: Severity::Exceeded,
-            model: "aerodynamic coefficients".to_string(),
-            key: "drag_coefficient".to_string(),
-            value: Some(self.drag_coefficient),
-            valid: (Some(0.0), None),
+            severity: Severity::Extrapolated,
+            model: ATMOSPHERE.to_string(),
+            key: key.to_string(),
+            value: Some(value),
+            valid: (Some(bottom_m), Some(top_m)),
             message: format!(
-                "The drag coefficient is {}{at} and Mach {}, at {} s: there the air pushes the vehicle, which no air does; the flight is not to be used.",
-                short(self.drag_coefficient),
-                short(self.mach),
-                short(self.time_s)
+                "The flight reaches {value:.0} m, the atmosphere is given from {bottom_m:.0} to {top_m:.0} m; {rule}."
             ),
-            source: "first law of thermodynamics".to_string(),
-            field: Some("vehicle.aerodynamics".to_string()),
+            source: "convention of this program".to_string(),
+            field: Some(key.to_string()),
         }
-    }
-}
-
-/// Whether the coefficients of a vehicle may come to a drag below zero: where they are a case's own.
-pub fn may_push(body: &Body) -> bool {
-    let extended = |table: &DragTable| {
-        let own = table.own();
-        own.is_some_and(|own| own.extrapolation == Extrapolation::Extend)
-    };
-    let by_drag = matches!(&body.drag, Drag::Table(table) if extended(table));
-    match &body.freedom {
-        Freedom::Ballistic => by_drag,
-        Freedom::Lifting(lift) => match &lift.source {
-            Source::Trim(trim) => !trim.axes.is_empty(),
-            _ => by_drag,
-        },
-        Freedom::Rigid(rigid) => match &rigid.aerodynamics {
-            Aerodynamics::Drag => by_drag,
-            Aerodynamics::Constants(_) => true,
-            Aerodynamics::Database(of) => of.database.table().is_some(),
-        },
     }
 }
 
@@ -408,6 +313,7 @@ mod tests {
         ends: [0.5, 25.0],
         rule: Extrapolation::Hold,
         level: [false; 2],
+        slack: 0.0,
     };
 
     #[test]

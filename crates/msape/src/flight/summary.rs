@@ -2,11 +2,12 @@
 
 use super::equations::{CONVECTIVE, RADIATIVE};
 use super::integration::{Leg, Record};
-use super::mission::Model;
+use super::mission::{Body, Mission, Model};
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use super::phase::{Begun, Stage};
-use super::reach::{axes, passed};
+use super::points;
+use super::reach::{Passed, axes, of_atmosphere, passed};
 use super::sample;
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak};
@@ -66,14 +67,31 @@ pub fn summarize<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
         downrange_m: mission.planet.distance_m(&start, &end),
         mach_times_s: flight.mach_times_s(deceleration.time_s.value()),
         trajectory: flight.trajectory(request),
-        passed: passed(&axes(mission, point.body), &record.spans, record.refused),
+        passed: passed_ends(mission, point.body, record),
         pushed: record.pushed,
-        altitudes_m: record.altitudes_m,
+        altitudes_m: record.altitudes.ends(),
         phases: flight.phases(),
+        points: points::of(motion, record, &peaks),
         exits: record.exits,
         attitude: None,
         evaluations: record.evaluations,
     }
+}
+
+/// The ends of tables that a flight passed; the altitudes of the atmosphere are known without looking it up.
+fn passed_ends<const N: usize, S>(
+    mission: &Mission,
+    body: &Body,
+    record: &Record<N, S>,
+) -> Vec<Passed> {
+    let axes = axes(mission, body);
+    let mut ends = passed(&axes, &record.spans, record.refused);
+    let air = of_atmosphere(mission).filter(|air| !axes.contains(air));
+    if let Some(air) = air {
+        let of_air = passed(&[air], &[record.altitudes], None);
+        ends.splice(0..0, of_air);
+    }
+    ends
 }
 
 /// The few results that sizing a vehicle needs, at a part of the cost of a whole [`Flight`].

@@ -13,10 +13,12 @@
 //! - \[sutton-graves-1972\]; \[brandis-johnston-2014\].
 
 use super::brandis_johnston::{BrandisJohnston, BrandisJohnstonConvective};
+use super::given::{GivenHeating, Part};
 use super::sutton_graves::SuttonGraves;
 use super::{Flow, PeakConditions};
 use crate::finding::Finding;
 use numerics::scalar::Scalar;
+use std::sync::Arc;
 
 /// A model of convective heating.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,8 @@ pub enum Convective {
     SuttonGraves(SuttonGraves),
     /// Brandis and Johnston: Earth.
     BrandisJohnston(BrandisJohnstonConvective),
+    /// A table of the case.
+    Given(Arc<GivenHeating>),
 }
 
 impl Convective {
@@ -43,14 +47,16 @@ impl Convective {
         match self {
             Self::SuttonGraves(_) => "sutton-graves",
             Self::BrandisJohnston(_) => "brandis-johnston",
+            Self::Given(table) => table.key,
         }
     }
 
-    /// Speed at which the relation has a step, m/s.
-    pub fn kink_m_s(&self) -> Option<f64> {
+    /// Speeds at which the relation has a step or a kink, m/s, ascending.
+    pub fn kinks_m_s(&self) -> Vec<f64> {
         match self {
-            Self::SuttonGraves(_) => None,
-            Self::BrandisJohnston(model) => Some(model.switch_m_s()),
+            Self::SuttonGraves(_) => Vec::new(),
+            Self::BrandisJohnston(model) => vec![model.switch_m_s()],
+            Self::Given(table) => table.speeds_m_s().to_vec(),
         }
     }
 
@@ -60,6 +66,9 @@ impl Convective {
         match self {
             Self::SuttonGraves(model) => model.heat_flux_w_m2(flow),
             Self::BrandisJohnston(model) => model.heat_flux_w_m2(flow),
+            Self::Given(table) => {
+                table.heat_flux_w_m2(Part::Convective, flow.speed_m_s, flow.density_kg_m3)
+            }
         }
     }
 
@@ -68,6 +77,7 @@ impl Convective {
         match self {
             Self::SuttonGraves(model) => model.findings(peak),
             Self::BrandisJohnston(model) => model.findings(peak),
+            Self::Given(table) => vec![table.finding(Part::Convective)],
         }
     }
 }

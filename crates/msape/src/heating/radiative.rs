@@ -13,10 +13,12 @@
 //! - \[tauber-sutton-1991\]; \[brandis-johnston-2014\].
 
 use super::brandis_johnston::{BrandisJohnston, BrandisJohnstonRadiative};
+use super::given::{GivenHeating, Part};
 use super::tauber_sutton::TauberSutton;
 use super::{Flow, PeakConditions};
 use crate::finding::Finding;
 use numerics::scalar::Scalar;
+use std::sync::Arc;
 
 /// A model of radiative heating.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +29,8 @@ pub enum Radiative {
     TauberSutton(TauberSutton),
     /// Brandis and Johnston: Earth.
     BrandisJohnston(BrandisJohnstonRadiative),
+    /// A table of the case.
+    Given(Arc<GivenHeating>),
 }
 
 impl Radiative {
@@ -46,13 +50,14 @@ impl Radiative {
             Self::None => "none",
             Self::TauberSutton(_) => "tauber-sutton",
             Self::BrandisJohnston(_) => "brandis-johnston",
+            Self::Given(table) => table.key,
         }
     }
 
     /// Speed below which there is no radiation and at which the flux jumps, m/s.
     pub fn onset_m_s(&self) -> Option<f64> {
         match self {
-            Self::None => None,
+            Self::None | Self::Given(_) => None,
             Self::TauberSutton(model) => Some(model.onset_m_s()),
             Self::BrandisJohnston(model) => Some(model.onset_m_s()),
         }
@@ -64,6 +69,7 @@ impl Radiative {
             Self::None => Vec::new(),
             Self::TauberSutton(model) => model.table_speeds_m_s().collect(),
             Self::BrandisJohnston(model) => vec![model.onset_m_s()],
+            Self::Given(table) => table.speeds_m_s().to_vec(),
         }
     }
 
@@ -74,6 +80,9 @@ impl Radiative {
             Self::None => S::constant(0.0),
             Self::TauberSutton(model) => model.heat_flux_w_m2(flow),
             Self::BrandisJohnston(model) => model.heat_flux_w_m2(flow),
+            Self::Given(table) => {
+                table.heat_flux_w_m2(Part::Radiative, flow.speed_m_s, flow.density_kg_m3)
+            }
         }
     }
 
@@ -83,6 +92,7 @@ impl Radiative {
             Self::None => Vec::new(),
             Self::TauberSutton(model) => model.findings(peak),
             Self::BrandisJohnston(model) => model.findings(peak),
+            Self::Given(table) => vec![table.finding(Part::Radiative)],
         }
     }
 }

@@ -16,6 +16,8 @@
 //! - \[samareh-2014\] section 3.4.3 and the run page of appendix D.
 
 use super::convective::Convective;
+use super::given::body::BodyHeating;
+use super::given::{GivenHeating, Part};
 use super::pressure::StagnationPressure;
 use super::radiative::Radiative;
 use super::wall::{ColdWall, Wall, WallGas};
@@ -24,6 +26,7 @@ use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use numerics::scalar::{Mask, Scalar};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Default factor and margins, from `heating/margins.toml`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -82,6 +85,8 @@ pub struct StagnationHeating {
     pub radiative: Radiative,
     /// The user's margin on radiative heating.
     pub radiative_margin: f64,
+    /// Heat fluxes of the case at points of the body.
+    pub body: Option<Arc<BodyHeating>>,
     /// Gas at the wall.
     pub gas: WallGas,
     /// Pressure.
@@ -171,14 +176,41 @@ impl StagnationHeating {
         } else {
             none
         };
-        let cold = ColdWall {
-            convective_w_m2: self.convective.heat_flux_w_m2(flow) * self.options.model_factor,
+        self.at_wall(ColdWall {
+            convective_w_m2: self.convective.heat_flux_w_m2(flow),
             radiative_w_m2,
             speed_m_s: flow.speed_m_s,
+        })
+    }
+
+    /// Nominal heat fluxes at another point of the body, by its table.
+    pub fn heat_flux_of<S: Scalar>(&self, point: &GivenHeating, flow: &Flow<S>) -> HeatFlux<S> {
+        let flux = |part| point.heat_flux_w_m2(part, flow.speed_m_s, flow.density_kg_m3);
+        self.at_wall(ColdWall {
+            convective_w_m2: flux(Part::Convective),
+            radiative_w_m2: flux(Part::Radiative),
+            speed_m_s: flow.speed_m_s,
+        })
+    }
+
+    /// What a relation gives for a cold wall, corrected by its factor, at the wall.
+    #[inline]
+    fn at_wall<S: Scalar>(&self, relation: ColdWall<S>) -> HeatFlux<S> {
+        let cold = ColdWall {
+            convective_w_m2: relation.convective_w_m2 * self.options.model_factor,
+            ..relation
         };
         HeatFlux {
             convective_w_m2: self.gas.convective_w_m2(self.options.wall, &cold),
             radiative_w_m2: cold.radiative_w_m2,
+        }
+    }
+
+    /// The table of the case that gives heating in place of the relations, where one does.
+    pub fn given(&self) -> Option<&GivenHeating> {
+        match &self.convective {
+            Convective::Given(table) => Some(table),
+            _ => None,
         }
     }
 
@@ -195,6 +227,7 @@ impl StagnationHeating {
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         let mut findings = self.convective.findings(peak);
         findings.extend(self.radiative.findings(peak));
+        findings.extend(self.body.as_ref().map(|body| body.finding()));
         let ConvectiveOptions {
             model_factor,
             margin,
@@ -259,6 +292,7 @@ mod tests {
             ))
             .unwrap(),
             radiative_margin: margins.radiative_margin,
+            body: None,
             gas: WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "earth").unwrap(),
             pressure: StagnationPressure {
                 model: PressureModel::NewtonianLimit,

@@ -119,6 +119,23 @@ impl WallGas {
         })
     }
 
+    /// The same of another gas constant, J/(kg K), and where it is given another ratio of heat capacities, which is then that of every
+    /// temperature: of a case that brings its own air.
+    pub fn in_air(mut self, gas_constant_j_kg_k: f64, heat_capacity_ratio: Option<f64>) -> Self {
+        self.gas.gas_constant_j_kg_k = gas_constant_j_kg_k;
+        if let Some(gamma) = heat_capacity_ratio {
+            // c_p/R = γ/(γ − 1)
+            self.gas.rigid_heat_capacity_ratio = gamma / (gamma - 1.0);
+            self.gas.vibration.clear();
+        }
+        self
+    }
+
+    /// Gas constant, J/(kg K).
+    pub fn gas_constant_j_kg_k(&self) -> f64 {
+        self.gas.gas_constant_j_kg_k
+    }
+
     /// Enthalpy at a temperature in K, J/kg.
     #[inline]
     pub fn enthalpy_j_kg<S: Scalar>(&self, temperature_k: S) -> S {
@@ -218,6 +235,16 @@ mod tests {
             );
         }
         assert!(WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "pluto").is_err());
+    }
+
+    #[test]
+    fn another_air_has_its_own_enthalpy() {
+        // argon: R = 208.13 J/(kg K), γ = 5/3, c_p = 2.5 R: 1000 K are 520.3 kJ/kg
+        let argon: f64 = air().in_air(208.13, Some(5.0 / 3.0)).enthalpy_j_kg(1000.0);
+        assert!((argon / 520.325e3 - 1.0).abs() < 1e-12, "{argon}");
+        // the same molecules, twice as heavy
+        let heavy: f64 = air().in_air(0.5 * 287.053, None).enthalpy_j_kg(1000.0);
+        assert!((heavy / (0.5 * air().enthalpy_j_kg(1000.0)) - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -19,7 +19,6 @@ pub mod table;
 pub mod us_1976;
 
 use super::gas::Gas;
-use crate::finding::{Finding, Severity};
 use exponential::Exponential;
 use numerics::scalar::Scalar;
 pub use piece::Piece;
@@ -75,9 +74,6 @@ impl OwnTemperature {
         }
     }
 }
-
-/// A flight that ends at the first row may lie this far below it, m.
-const NEAR_M: f64 = 1.0;
 
 /// A model of the atmosphere.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,39 +135,6 @@ impl Atmosphere {
         }
     }
 
-    /// Remarks when altitudes from `lowest_m` to `highest_m` leave the range of the model.
-    pub fn findings(&self, lowest_m: f64, highest_m: f64) -> Vec<Finding> {
-        let (bottom_m, top_m) = self.valid_m();
-        let [below, above] = match self {
-            Self::Table(table) => table.is_held(),
-            _ => [false; 2],
-        };
-        let ends = [
-            ("entry.altitude_m", highest_m, highest_m - top_m, above),
-            ("stop.altitude_m", lowest_m, bottom_m - lowest_m, below),
-        ];
-        let left = ends
-            .into_iter()
-            .filter(|(_, _, beyond_m, _)| *beyond_m > NEAR_M);
-        left.map(|(key, value, _, is_held)| {
-            let rule = match is_held {
-                true => "density is held, for it grows with height in the last rows",
-                false => "density goes on with its last slope",
-            };
-            Finding {
-                severity: Severity::Extrapolated,
-                model: "atmosphere".to_string(),
-                key: key.to_string(),
-                value: Some(value),
-                valid: (Some(bottom_m), Some(top_m)),
-                message: format!("The flight reaches {value:.0} m, the atmosphere is given from {bottom_m:.0} to {top_m:.0} m; beyond, {rule}."),
-                source: "convention of this program".to_string(),
-                field: Some(key.to_string()),
-            }
-        })
-        .collect()
-    }
-
     /// The piece with an index, for [`Atmosphere::density_in`] and the like.
     pub fn piece(&self, layer: usize) -> Piece<f64> {
         match self {
@@ -218,25 +181,5 @@ impl Atmosphere {
     /// Everything, the piece chosen by the altitude, m.
     pub fn air(&self, altitude_m: f64) -> Air<f64> {
         self.air_in(&self.piece(self.layer(altitude_m)), altitude_m)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn leaving_the_range_is_a_finding() {
-        let air = Atmosphere::parse(include_str!("../../data/atmospheres/us-1976.toml"))
-            .unwrap()
-            .1;
-        assert_eq!(air.findings(0.0, 125e3), []);
-        assert_eq!(air.findings(-10e3, 125e3)[0].value, Some(-10e3));
-        let [above] = &air.findings(0.0, 2e6)[..] else {
-            panic!("one finding")
-        };
-        let expected = "reaches 2000000 m, the atmosphere is given from -5000 to 1000000 m; beyond, density goes on";
-        assert!(above.message.contains(expected), "{}", above.message);
-        assert_eq!(air.findings(-10e3, 2e6).len(), 2);
     }
 }

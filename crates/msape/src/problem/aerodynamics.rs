@@ -7,7 +7,7 @@ use super::outline::rigid_body;
 use super::planet::{atmosphere, planet};
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
-use crate::aero::database::Database;
+use crate::aero::database::{Database, GAMMA};
 use crate::aero::standard::AeroBody;
 use crate::aero::table::{Content, Extrapolation, Given, Grid, Row, in_radians};
 use crate::aero::{Drag, DragTable, Own};
@@ -220,9 +220,40 @@ pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) 
     }
 }
 
+/// Difference of the ratio of heat capacities from that of air within which a gas counts as air: assumed. Nitrogen and air at 250 to
+/// 350 K are within 0.005; hydrogen with helium has 1.45 and carbon dioxide 1.3.
+const OF_AIR: f64 = 0.02;
+
+/// A finding where forces of an outline, which partly are fits in air, are used in another gas.
+pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64) {
+    let model = "axial force of the outline";
+    let said = reader.findings.iter().any(|finding| finding.model == model);
+    if said || (heat_capacity_ratio - GAMMA).abs() <= OF_AIR {
+        return;
+    }
+    reader.findings.push(Finding {
+        severity: Severity::Extrapolated,
+        model: model.to_string(),
+        key: "heat_capacity_ratio".to_string(),
+        value: Some(heat_capacity_ratio),
+        valid: (Some(GAMMA - OF_AIR), Some(GAMMA + OF_AIR)),
+        message: format!(
+            "The axial force is corrected by a fit to solutions of the Euler equations, and below Mach 3 by tables, both of air; this gas has a ratio of heat capacities of {}, which only the stagnation pressure takes.",
+            short(heat_capacity_ratio)
+        ),
+        source: "data/aero-models/euler-correction.toml".to_string(),
+        field: Some("entry.planet".to_string()),
+    });
+}
+
 /// What holds beyond the ends of the tables of coefficients.
 pub(super) fn extrapolation(reader: &mut Reader) -> Extrapolation {
-    match choice(reader, "vehicle.aerodynamics.extrapolation") {
+    beyond(reader, "vehicle.aerodynamics.extrapolation")
+}
+
+/// The rule of a key beyond the ends of a table.
+pub(super) fn beyond(reader: &mut Reader, key: &str) -> Extrapolation {
+    match choice(reader, key) {
         Some("extend") => Extrapolation::Extend,
         Some("refuse") => Extrapolation::Refuse,
         _ => Extrapolation::Hold,

@@ -1,15 +1,18 @@
 //! Checks a design.
 
+use super::aerodynamics::fitted_in_air;
 use super::flight::{Angle, mission};
 use super::heating::choice as fixed;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
+use crate::design::given::Given;
 use crate::design::inputs::DesignInput;
 use crate::library::{Library, Named, named};
 use crate::quantity::input::OWN_OUTLINE;
 use crate::tps::JudgedAt;
 use crate::tps::material::TpsMaterial;
+use crate::vehicle::ComponentKind;
 use crate::vehicle::CrushingMass;
 use crate::vehicle::FoamStrength;
 use crate::vehicle::ImpactInput;
@@ -99,6 +102,12 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     ] = numbers;
     explain_crossings(reader);
     let mut densities = Densities::read(reader);
+    let given = Given {
+        forebody_tps_m: reader.number("design.forebody_tps_thickness_m"),
+        aftbody_tps_m: reader.number("design.aftbody_tps_thickness_m"),
+        payload_temperature_k: reader.number("design.payload_temperature_k"),
+    };
+    let given_masses = given_masses(reader);
     let [
         diameter_m,
         nose_radius_ratio,
@@ -121,7 +130,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         payload_size: payload_size?,
         mass_margin: margin?,
         forebody: LayerStack {
-            tps_thickness_m: FIRST_FOREBODY_TPS_M,
+            tps_thickness_m: given.forebody_tps_m.unwrap_or(FIRST_FOREBODY_TPS_M),
             tps_density_kg_m3: densities
                 .forebody_tps
                 .unwrap_or(forebody_material.density.density_kg_m3),
@@ -130,7 +139,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             carrier_thickness_m: None,
             carrier: wall(WallPlace::Forebody, densities.forebody_carrier),
         },
-        aftbody_tps_thickness_m: FIRST_AFTBODY_TPS_M,
+        aftbody_tps_thickness_m: given.aftbody_tps_m.unwrap_or(FIRST_AFTBODY_TPS_M),
         aftbody_tps_density_kg_m3: densities
             .aftbody_tps
             .unwrap_or(aftbody_material.density.density_kg_m3),
@@ -143,6 +152,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             [&forebody_material, &aftbody_material],
         )?,
         densities: densities.fillings(library.vehicle.densities().ok()?),
+        given_masses,
         loads: FIRST_LOADS,
         structure_loads: library.vehicle.structure_loads().ok()?,
         impact: ImpactInput {
@@ -168,6 +178,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     Some(DesignInput {
         mission: mission?,
         vehicle,
+        given,
         soak: named(&library.soak, &concept.soak)?.clone(),
         forebody_material,
         aftbody_material,
@@ -176,10 +187,13 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         shoulder: library.heating.shoulder.clone(),
         judged_at: judged_at?,
         drag: match aero_name? {
-            OWN_OUTLINE => DesignDrag::Outline {
-                forces: library.axial_forces().in_gas(heat_capacity_ratio?),
-                subsonic: terminal_drag?,
-            },
+            OWN_OUTLINE => {
+                fitted_in_air(reader, heat_capacity_ratio?);
+                DesignDrag::Outline {
+                    forces: library.axial_forces().in_gas(heat_capacity_ratio?),
+                    subsonic: terminal_drag?,
+                }
+            }
             name => {
                 let force = named(&library.aerodynamics, name)?;
                 let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);
@@ -287,6 +301,25 @@ impl Densities {
                 .unwrap_or(of_data.wing_insulation_kg_m3),
         }
     }
+}
+
+/// Masses of components in the case, in the place of their densities.
+fn given_masses(reader: &mut Reader) -> Vec<(ComponentKind, f64)> {
+    let mut masses = Vec::new();
+    for kind in ComponentKind::MADE {
+        let name = kind.key();
+        let key = format!("design.component_mass_kg.{name}");
+        let density = format!("design.density_kg_m3.{name}");
+        if !reader.given(&key) {
+            continue;
+        }
+        if reader.given(&density) {
+            let message = format!("given together with {density}; give one of them");
+            reader.fault(&key, message);
+        }
+        masses.extend(reader.number(&key).map(|mass_kg| (kind, mass_kg)));
+    }
+    masses
 }
 
 /// A wall of another density: of a laminate its own, of a sandwich that of its faces and core in proportion.

@@ -4,8 +4,10 @@ use super::flight::Angle;
 use crate::case::Reader;
 use crate::flight::mission::{Model, Solver, Start, Stop};
 use crate::planet::Planet;
+use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::RADIANS_PER_DEGREE;
+use numerics::root;
 
 /// The fault of a design that begins below the altitude at which it ends.
 pub(super) fn above_end(reader: &mut Reader, planet: &Planet, start: &Start, stop: Stop) {
@@ -41,4 +43,20 @@ pub(super) fn descends(reader: &mut Reader, start: &Start, solver: &Solver, angl
         );
         reader.fault("entry.flight_path_angle_deg", message);
     }
+}
+
+/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
+pub(super) fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
+    let excess = |altitude_m: f64| {
+        let [x, y, z] = planet.cartesian_m(&Geodetic {
+            altitude_m,
+            latitude_rad,
+            longitude_rad: 0.0,
+        });
+        (x * x + y * y + z * z).sqrt() - radius_m
+    };
+    // The distance is within the flattening of altitude plus equatorial radius.
+    let guess_m = radius_m - planet.equatorial_radius_m;
+    let reach_m = 2.0 * (planet.equatorial_radius_m - planet.polar_radius_m) + 1.0;
+    root::brent(excess, guess_m - reach_m, guess_m + reach_m, 1e-9).unwrap_or(guess_m)
 }

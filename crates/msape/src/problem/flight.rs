@@ -1,7 +1,9 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Medium, database, extrapolation, table_database, table_drag};
-use super::entering::{above_end, descends};
+use super::aerodynamics::{
+    Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
+};
+use super::entering::{above_end, altitude_at, descends};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
@@ -9,7 +11,9 @@ use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
-use crate::flight::mission::{Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop};
+use crate::flight::mission::{
+    Beyond, Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop,
+};
 use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
@@ -17,7 +21,6 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
-use numerics::root;
 
 /// Which flight-path angles a command takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -41,7 +44,12 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     let heating_planet = planet
         .as_ref()
         .map_or("earth-msape", |(_, name)| name.as_str());
-    let heating = heating(reader, library, heating_planet);
+    // where the vehicle is slowed, as for the ratio of heat capacities
+    let gas_constant = known.zip(atmosphere.as_ref()).map(|(planet, atmosphere)| {
+        let air = atmosphere.air(planet.exponential_fit_m[0]);
+        air.pressure_pa / (air.density_kg_m3 * air.temperature_k)
+    });
+    let heating = heating(reader, library, heating_planet, gas_constant);
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
@@ -61,6 +69,10 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         wall_emissivity,
         phases: Vec::new(),
         stop,
+        beyond: Beyond {
+            atmosphere: beyond(reader, "atmosphere.extrapolation"),
+            wind: beyond(reader, "wind.extrapolation"),
+        },
         solver: solver?,
     })
 }
@@ -127,22 +139,6 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         relative,
         inertial,
     })
-}
-
-/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
-fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
-    let excess = |altitude_m: f64| {
-        let [x, y, z] = planet.cartesian_m(&Geodetic {
-            altitude_m,
-            latitude_rad,
-            longitude_rad: 0.0,
-        });
-        (x * x + y * y + z * z).sqrt() - radius_m
-    };
-    // The distance is within the flattening of altitude plus equatorial radius.
-    let guess_m = radius_m - planet.equatorial_radius_m;
-    let reach_m = 2.0 * (planet.equatorial_radius_m - planet.polar_radius_m) + 1.0;
-    root::brent(excess, guess_m - reach_m, guess_m + reach_m, 1e-9).unwrap_or(guess_m)
 }
 
 fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
@@ -322,12 +318,14 @@ fn drag(
     match given.as_slice() {
         [] if constants.is_some() => drag_of_constants(reader),
         [] => match outline {
-            Outline::Body(body) => Some(Drag::Table(
-                library
-                    .axial_forces()
-                    .in_gas(medium?.heat_capacity_ratio)
-                    .of_outline(&AeroBody::of_rigid(body, None)),
-            )),
+            Outline::Body(body) => {
+                let heat_capacity_ratio = medium?.heat_capacity_ratio;
+                fitted_in_air(reader, heat_capacity_ratio);
+                let forces = library.axial_forces().in_gas(heat_capacity_ratio);
+                Some(Drag::Table(
+                    forces.of_outline(&AeroBody::of_rigid(body, None)),
+                ))
+            }
             Outline::Faulty => None,
             // A body on which the air does not act.
             Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),

@@ -1,6 +1,6 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
-use super::aerodynamics::extrapolation;
+use super::aerodynamics::{beyond, extrapolation};
 use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
@@ -104,6 +104,7 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
                 Some(source) => Freedom::Lifting(Box::new(Lift {
                     source,
                     bank: bank?,
+                    beyond_bank: beyond(reader, "vehicle.bank_extrapolation"),
                 })),
             })
         }

@@ -1,30 +1,40 @@
 //! Checks the choice of heating models.
 
+use super::aerodynamics::beyond;
+use super::planet::SAME_GAS;
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
 use crate::heating::convective::Convective;
+use crate::heating::given::GivenHeating;
+use crate::heating::given::body::{Along, BodyHeating};
 use crate::heating::pressure::{PressureModel, StagnationPressure};
 use crate::heating::radiative::Radiative;
 use crate::heating::stagnation::ConvectiveOptions;
-use crate::heating::wall::Wall;
+use crate::heating::wall::{Wall, WallGas};
 use crate::library::{Library, named};
 use crate::quantity::input::{self, Choices, Kind};
+use std::sync::Arc;
 
 /// Heating at the stagnation point on a planet, and the emissivity of the wall.
 pub(super) fn heating(
     reader: &mut Reader,
     library: &Library,
     planet: &str,
+    gas_constant_j_kg_k: Option<f64>,
 ) -> Option<(StagnationHeating, f64)> {
     let models = &library.heating;
+    let (table, body) = given(reader);
     let convective = match choice(reader, "heating.convective")? {
+        _ if table.is_some() => table.clone().map(Convective::Given),
         "brandis-johnston" => earth_only(reader, "heating.convective", planet)
             .then(|| Convective::BrandisJohnston(models.brandis_johnston.convective.clone())),
         _ => named(&models.sutton_graves, planet)
             .cloned()
             .map(Convective::SuttonGraves),
     };
+    let radiating = table.filter(|table| table.has_radiation());
     let radiative = match choice(reader, "heating.radiative")? {
+        _ if radiating.is_some() => radiating.map(Radiative::Given),
         "none" => Some(Radiative::None),
         "brandis-johnston" => earth_only(reader, "heating.radiative", planet)
             .then(|| Radiative::BrandisJohnston(models.brandis_johnston.radiative.clone())),
@@ -61,13 +71,76 @@ pub(super) fn heating(
         options,
         radiative: radiative?,
         radiative_margin: radiative_margin?,
-        gas: named(&models.wall_gas, planet)?.clone(),
+        body,
+        gas: wall_gas(
+            reader,
+            named(&models.wall_gas, planet)?,
+            gas_constant_j_kg_k,
+        ),
         pressure: StagnationPressure {
             model: pressure?,
             fit: models.pressure_fit.clone(),
         },
     };
     Some((heating, emissivity))
+}
+
+/// The gas at the wall: that of the planet, or of the air that the case brings.
+fn wall_gas(reader: &mut Reader, planets: &WallGas, gas_constant_j_kg_k: Option<f64>) -> WallGas {
+    let own = ["atmosphere.table", "atmosphere.exponential.density_kg_m3"];
+    let brought = own.iter().any(|key| reader.given(key));
+    let key = "atmosphere.heat_capacity_ratio";
+    let ratio = reader.given(key).then(|| reader.number(key)).flatten();
+    let Some(gas_constant) = gas_constant_j_kg_k.filter(|_| brought) else {
+        return planets.clone();
+    };
+    let over = gas_constant / planets.gas_constant_j_kg_k();
+    // rounded columns make no other gas
+    if ratio.is_none() && over < SAME_GAS && over * SAME_GAS > 1.0 {
+        return planets.clone();
+    }
+    planets.clone().in_air(gas_constant, ratio)
+}
+
+/// Keys of the tables of heating.
+const TABLES: [&str; 3] = ["heating.table", "heating.radius_table", "heating.arc_table"];
+
+/// Heating that the case gives: the table of the stagnation point, and those along the body.
+fn given(reader: &mut Reader) -> (Option<Arc<GivenHeating>>, Option<Arc<BodyHeating>>) {
+    let rule = beyond(reader, "heating.extrapolation");
+    let keys: Vec<&'static str> = TABLES.into_iter().filter(|key| reader.given(key)).collect();
+    let key = match keys.as_slice() {
+        [] => return (None, None),
+        [key] => *key,
+        [first, second, ..] => {
+            reader.fault(
+                second,
+                format!("given together with {first}; give one of them"),
+            );
+            return (None, None);
+        }
+    };
+    let Some(rows) = reader.rows(key) else {
+        return (None, None);
+    };
+    let along = match key {
+        "heating.radius_table" => Along::Radius,
+        "heating.arc_table" => Along::Arc,
+        _ => {
+            let table = GivenHeating::try_new(key, &rows, rule);
+            return (noted(reader, key, table).map(Arc::new), None);
+        }
+    };
+    let body = noted(reader, key, BodyHeating::try_new(key, along, &rows, rule));
+    let stagnation = body.as_ref().and_then(BodyHeating::stagnation).cloned();
+    (stagnation.map(Arc::new), body.map(Arc::new))
+}
+
+/// What was made of rows, or `None` with all their faults noted.
+fn noted<T>(reader: &mut Reader, key: &str, made: Result<T, Vec<String>>) -> Option<T> {
+    let note = |fault: String| reader.fault(key, fault);
+    made.map_err(|faults| faults.into_iter().for_each(note))
+        .ok()
 }
 
 fn earth_only(reader: &mut Reader, key: &str, planet: &str) -> bool {

@@ -3,6 +3,7 @@
 use super::freedom::one_row;
 use super::heating::choice;
 use crate::case::Reader;
+use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::flight::phase::{Begin, Canopy, Change, Direction, Mark, Phase};
 
@@ -30,6 +31,10 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
     let count = reader.phases();
     let mut found: Vec<Phase> = Vec::with_capacity(count);
     let mut earlier_s = 0.0;
+    let mut before_kg = reader
+        .given("vehicle.mass_kg")
+        .then(|| reader.number("vehicle.mass_kg"))
+        .flatten();
     for number in 1..=count {
         let Some(phase) = phase(reader, number, flown) else {
             continue;
@@ -52,6 +57,23 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
             }
             earlier_s = phase.begin.value;
         }
+        let heavier = phase
+            .change
+            .mass_kg
+            .zip(before_kg)
+            .filter(|(mass_kg, before)| mass_kg > before);
+        if let Some((mass_kg, before)) = heavier {
+            let message = format!(
+                "Phase {} makes the vehicle heavier: {} kg after {} kg.",
+                phase.name,
+                short(mass_kg),
+                short(before)
+            );
+            reader
+                .findings
+                .push(note(&format!("{key}.mass_kg"), &message));
+        }
+        before_kg = phase.change.mass_kg.or(before_kg);
         found.push(phase);
     }
     (reader.faults.len() == before).then_some(found)
@@ -146,10 +168,14 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
     }
     match flown {
         Flown::Rigid => {
-            for name in ["reference_area_m2", "drag_coefficient"] {
-                if reader.given(&key(name)) {
-                    reader.fault(&key(name), "is of a point mass; the coefficients of a rigid body stay, a parachute is drag_area_m2");
-                }
+            if reader.given(&key("drag_coefficient")) {
+                reader.fault(&key("drag_coefficient"), "is of a point mass; the drag of a rigid body follows from its attitude and one number does not tell its moments: give reference_area_m2, by which all its forces and moments are scaled, or drag_area_m2, a parachute");
+            }
+            if reference_area_m2.is_some() {
+                let message = "Forces and moments of the vehicle are scaled with its reference area when the phase begins; coefficients and reference lengths stay.";
+                reader
+                    .findings
+                    .push(note(&key("reference_area_m2"), message));
             }
             if out && drag_area_m2 != Some(0.0) && !reader.given(&key("attachment_m")) {
                 reader.fault(&key("attachment_m"), "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
@@ -253,6 +279,17 @@ colour = 3
         ] {
             assert!(said.contains(part), "{part}\nnot in\n{said}");
         }
+    }
+
+    #[test]
+    fn a_phase_that_makes_the_vehicle_heavier_is_told() {
+        let heavier = said("[[phase]]\nname = 'odd'\nmach = 1.4\nmass_kg = 50.0\n");
+        assert!(
+            heavier.contains("Phase odd makes the vehicle heavier: 50 kg after 46 kg."),
+            "{heavier}"
+        );
+        let lighter = said("[[phase]]\nname = 'odd'\nmach = 1.4\nmass_kg = 40.0\n");
+        assert!(!lighter.contains("heavier"), "{lighter}");
     }
 
     #[test]

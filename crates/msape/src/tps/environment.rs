@@ -52,16 +52,41 @@ impl JudgedAt {
         Self::ALL.into_iter().find(|choice| choice.name() == name)
     }
 
-    /// What the forebody's heat shield is judged by, from the stagnation point and the shoulder's factor.
-    pub fn environment(self, stagnation: &Environment, shoulder_factor: f64) -> Environment {
+    /// What the forebody's heat shield is judged by, from the stagnation point and the hottest point off it.
+    pub fn environment(self, stagnation: &Environment, off: &OffStagnation) -> Environment {
         match self {
-            Self::HottestPoint if shoulder_factor > 1.0 => Environment {
-                point: Point::Shoulder,
-                peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2 * shoulder_factor,
-                heat_load_j_m2: stagnation.heat_load_j_m2 * shoulder_factor,
-                ..*stagnation
-            },
+            Self::HottestPoint if off.heat_flux_ratio > 1.0 || off.heat_load_ratio > 1.0 => {
+                Environment {
+                    point: off.point,
+                    peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2
+                        * off.heat_flux_ratio.max(1.0),
+                    heat_load_j_m2: stagnation.heat_load_j_m2 * off.heat_load_ratio.max(1.0),
+                    ..*stagnation
+                }
+            }
             Self::HottestPoint | Self::StagnationPoint => *stagnation,
+        }
+    }
+}
+
+/// The hottest point off the stagnation point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffStagnation {
+    /// Which.
+    pub point: Point,
+    /// Peak heat flux over that of the stagnation point.
+    pub heat_flux_ratio: f64,
+    /// Heat load over that of the stagnation point.
+    pub heat_load_ratio: f64,
+}
+
+impl OffStagnation {
+    /// The shoulder, with the factor of its heat flux on its heat load too.
+    pub fn shoulder(factor: f64) -> Self {
+        Self {
+            point: Point::Shoulder,
+            heat_flux_ratio: factor,
+            heat_load_ratio: factor,
         }
     }
 }
@@ -76,13 +101,15 @@ pub enum Point {
     Shoulder,
     /// Any point of the aftbody.
     Aftbody,
+    /// The hottest of the points of the forebody for which the case gives heat fluxes.
+    Given,
 }
 
 impl Point {
     /// The part to which it belongs.
     pub fn side(self) -> Side {
         match self {
-            Self::Stagnation | Self::Shoulder => Side::Forebody,
+            Self::Stagnation | Self::Shoulder | Self::Given => Side::Forebody,
             Self::Aftbody => Side::Aftbody,
         }
     }
@@ -93,6 +120,7 @@ impl Point {
             Self::Stagnation => "at the stagnation point",
             Self::Shoulder => "on the shoulder",
             Self::Aftbody => "on the aftbody",
+            Self::Given => "at the hottest of the points given",
         }
     }
 
@@ -100,7 +128,7 @@ impl Point {
     pub fn heat_flux_key(self) -> &'static str {
         match self {
             Self::Stagnation => "peak_total_margined_heat_flux_w_m2",
-            Self::Shoulder => "shoulder_peak_heat_flux_w_m2",
+            Self::Shoulder | Self::Given => "shoulder_peak_heat_flux_w_m2",
             Self::Aftbody => "aftbody_peak_heat_flux_w_m2",
         }
     }
@@ -109,7 +137,7 @@ impl Point {
     pub fn heat_load_key(self) -> &'static str {
         match self {
             Self::Stagnation => "total_margined_heat_load_j_m2",
-            Self::Shoulder => "shoulder_heat_load_j_m2",
+            Self::Shoulder | Self::Given => "shoulder_heat_load_j_m2",
             Self::Aftbody => "aftbody_heat_load_j_m2",
         }
     }
@@ -166,10 +194,18 @@ impl Environment {
     }
 
     /// Which choice judged the forebody's heat shield, and where.
-    pub fn judged(&self, by: JudgedAt, shoulder_factor: f64) -> Finding {
-        let factor = short(shoulder_factor);
+    pub fn judged(&self, by: JudgedAt, off: &OffStagnation) -> Finding {
+        let [factor, load_factor] = [off.heat_flux_ratio, off.heat_load_ratio].map(short);
         let place = self.point.place();
         let message = match (by, self.point) {
+            (JudgedAt::HottestPoint, _) if off.point == Point::Given => format!(
+                "The forebody's heat shield is judged by the largest heat flux and the largest heat load of the points given \
+                 by the user: off the stagnation point they are {factor} and {load_factor} times its own."
+            ),
+            (JudgedAt::StagnationPoint, _) if off.point == Point::Given => format!(
+                "The forebody's heat shield is judged {place}, as chosen; the other points given by the user have {factor} \
+                 times its heat flux and {load_factor} times its heat load and are left out."
+            ),
             (JudgedAt::HottestPoint, Point::Shoulder) => format!(
                 "The forebody's heat shield is judged {place}, its hottest point: {factor} times the heat flux of the \
                  stagnation point, and as much of its heat load."
@@ -232,13 +268,14 @@ mod tests {
     #[test]
     fn shoulder_is_judged_where_it_is_hotter_and_only_by_the_hottest_point() {
         // 1.25 × 2000 W/cm² and 20 kJ/cm²: 2500 and 25; the pressure stays
-        let hot = JudgedAt::HottestPoint.environment(&STAGNATION, 1.25);
+        let shoulder = OffStagnation::shoulder(1.25);
+        let hot = JudgedAt::HottestPoint.environment(&STAGNATION, &shoulder);
         assert_eq!(
             (hot.point, hot.peak_heat_flux_w_m2, hot.heat_load_j_m2),
             (Point::Shoulder, 2.5e7, 2.5e8)
         );
         assert_eq!(hot.peak_pressure_pa, 1e5);
-        let said = hot.judged(JudgedAt::HottestPoint, 1.25).message;
+        let said = hot.judged(JudgedAt::HottestPoint, &shoulder).message;
         assert!(
             said.contains("on the shoulder") && said.contains("1.25"),
             "{said}"
@@ -247,11 +284,32 @@ mod tests {
             (JudgedAt::HottestPoint, 0.9),
             (JudgedAt::StagnationPoint, 1.25),
         ] {
-            let judged = by.environment(&STAGNATION, factor);
+            let off = OffStagnation::shoulder(factor);
+            let judged = by.environment(&STAGNATION, &off);
             assert_eq!(judged, STAGNATION);
-            let said = judged.judged(by, factor).message;
+            let said = judged.judged(by, &off).message;
             assert!(said.contains("at the stagnation point"), "{said}");
         }
+    }
+
+    #[test]
+    fn points_given_are_judged_by_the_largest_flux_and_the_largest_load() {
+        // 1.5 × 2000 W/cm², and no point with more than the 20 kJ/cm² of the stagnation point
+        let off = OffStagnation {
+            point: Point::Given,
+            heat_flux_ratio: 1.5,
+            heat_load_ratio: 0.8,
+        };
+        let hot = JudgedAt::HottestPoint.environment(&STAGNATION, &off);
+        assert_eq!(
+            (hot.point, hot.peak_heat_flux_w_m2, hot.heat_load_j_m2),
+            (Point::Given, 3e7, 2e8)
+        );
+        let said = hot.judged(JudgedAt::HottestPoint, &off).message;
+        assert!(
+            said.contains("given by the user") && said.contains("1.5 and 0.8"),
+            "{said}"
+        );
     }
 
     #[test]

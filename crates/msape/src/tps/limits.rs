@@ -13,7 +13,7 @@
 //! - \[samareh-2014\] Tables 7 and 8.
 
 use super::material::{Limits, TpsMaterial};
-use super::mer::{Mer, Sizing};
+use super::mer::{Governed, Mer, Sizing};
 use super::{Environment, PA_PER_ATM, Side};
 use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
@@ -85,14 +85,13 @@ pub fn findings(
         source: "NASA/TM-2014-218507, Table 7",
         ..thickness
     };
+    let given = sizing.governed_by == Governed::Given;
     let mut findings: Vec<Finding> = heat_flux(&flux, &limits, environment.time_above_limit_s)
         .into_iter()
         .collect();
-    findings.extend(
-        [pressure, made, thick, fitted]
-            .iter()
-            .filter_map(Check::finding),
-    );
+    findings.extend(pressure.finding());
+    findings.extend(made.finding().filter(|_| !given));
+    findings.extend([thick, fitted].iter().filter_map(Check::finding));
     findings.extend(branch(material, environment, sizing, &fitted));
     findings.extend(in_depth(material, environment, &fitted));
     findings.extend(other_side(material, environment.side(), &fitted));

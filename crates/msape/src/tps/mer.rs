@@ -70,6 +70,8 @@ pub enum Governed {
     Relation,
     /// The least thickness in which the material is made.
     MinimumThickness,
+    /// The user.
+    Given,
 }
 
 /// A heat shield sized.
@@ -77,6 +79,8 @@ pub enum Governed {
 pub struct Sizing {
     /// Thickness to use, m.
     pub thickness_m: f64,
+    /// Thickness that relation and making ask for, m.
+    pub asked_m: f64,
     /// Thickness of the relation, m.
     pub relation_thickness_m: f64,
     /// One standard deviation of the relation, m.
@@ -126,6 +130,20 @@ fn quadratic(x: f64, [p2, p1, p0]: [f64; 3]) -> f64 {
     (p2 * x + p1) * x + p0
 }
 
+impl Sizing {
+    /// With the thickness that the user gives, m, where one is given.
+    pub fn or_given(self, thickness_m: Option<f64>) -> Sizing {
+        match thickness_m {
+            None => self,
+            Some(thickness_m) => Sizing {
+                thickness_m,
+                governed_by: Governed::Given,
+                ..self
+            },
+        }
+    }
+}
+
 /// Thickness of `material` for `environment`.
 pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
     let Environment {
@@ -142,8 +160,10 @@ pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
     let v = entry_speed_m_s / 1000.0;
     let x = (heat_load_j_m2 / PER_CM2).max(0.0) / (v * v);
     let t = material.mer.thickness_cm(x, peak_heat_flux_w_m2 / PER_CM2);
+    let asked_m = t.max(minimum_thickness_cm) / 100.0;
     Sizing {
-        thickness_m: t.max(minimum_thickness_cm) / 100.0,
+        thickness_m: asked_m,
+        asked_m,
         relation_thickness_m: t / 100.0,
         standard_deviation_m: t / 100.0 * fit.standard_deviation_percent / 100.0,
         // t = (1 − u) of the ablation code's thickness

@@ -27,6 +27,7 @@ use crate::case::Case;
 use crate::flight::{self, Request};
 use crate::library::{DataError, Library, data_folder, named};
 use crate::problem::FlightProblem;
+use crate::tps::environment::OffStagnation;
 use crate::tps::material::TpsMaterial;
 use crate::tps::mer::{self, Sizing};
 use crate::tps::{Environment, JudgedAt, Point};
@@ -236,7 +237,8 @@ impl<'a> Closing<'a> {
             entry_flight_path_angle_rad: flight.entry_relative.flight_path_angle_rad,
             time_above_limit_s: None,
         };
-        let judged = JudgedAt::HottestPoint.environment(&stagnation, self.shoulder_factor);
+        let judged = JudgedAt::HottestPoint
+            .environment(&stagnation, &OffStagnation::shoulder(self.shoulder_factor));
         mer::size(self.material, &judged)
     }
 

@@ -3,7 +3,9 @@
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::kinds::FoamGrade;
-use crate::vehicle::kinds::{ComponentDensities, Concept, CrushingMass, FoamStrength};
+use crate::vehicle::kinds::{
+    ComponentDensities, ComponentKind, Concept, CrushingMass, FoamStrength,
+};
 use crate::vehicle::material::Materials;
 use crate::vehicle::rules::Rules;
 use crate::vehicle::structure::{Carrier, StructureLoads};
@@ -98,6 +100,8 @@ pub struct VehicleInput {
     pub primary_carrier: Carrier,
     /// Densities of the fillings.
     pub densities: ComponentDensities,
+    /// Masses of components that the user gives, kg, before the margin.
+    pub given_masses: Vec<(ComponentKind, f64)>,
     /// What each component is made of, and where its density comes from.
     pub materials: Materials,
     /// Loads of flight and landing.
@@ -113,6 +117,14 @@ pub struct VehicleInput {
 }
 
 impl VehicleInput {
+    /// Mass of a component that the user gives, kg, before the margin.
+    pub fn given_mass_kg(&self, kind: ComponentKind) -> Option<f64> {
+        let mut given = self.given_masses.iter();
+        given
+            .find(|(of, _)| *of == kind)
+            .map(|(_, mass_kg)| *mass_kg)
+    }
+
     /// Diameter of the payload, m.
     pub fn payload_diameter_m(&self) -> f64 {
         match self.payload_size {

@@ -56,6 +56,39 @@ pub enum ComponentKind {
 }
 
 impl ComponentKind {
+    /// All whose mass the user may give instead of a density.
+    pub const MADE: [ComponentKind; 11] = [
+        Self::ForebodyTps,
+        Self::Bond,
+        Self::ForebodyCarrier,
+        Self::AftbodyTps,
+        Self::AftbodyCarrier,
+        Self::PrimaryStructure,
+        Self::WingInsulation,
+        Self::ImpactFoam,
+        Self::ImpactShell,
+        Self::BodyFoam,
+        Self::LidInsulation,
+    ];
+
+    /// Name in the keys of a case.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::ForebodyTps => "forebody_tps",
+            Self::Bond => "bond",
+            Self::ForebodyCarrier => "forebody_carrier_structure",
+            Self::AftbodyTps => "aftbody_tps",
+            Self::AftbodyCarrier => "aftbody_carrier_structure",
+            Self::PrimaryStructure => "primary_structure",
+            Self::WingInsulation => "wing_insulation",
+            Self::ImpactFoam => "impact_foam",
+            Self::ImpactShell => "impact_shell",
+            Self::BodyFoam => "body_foam",
+            Self::LidInsulation => "lid_insulation",
+            Self::Payload => "payload",
+        }
+    }
+
     /// Name in plain words.
     pub fn label(self) -> &'static str {
         match self {

@@ -204,7 +204,7 @@ pub fn masses(input: &VehicleInput, layout: &Layout, found: &Densities) -> Masse
             volume_m3 += volume;
             volume_moment_m4 += of_volume;
         }
-        let mass_kg = density_kg_m3(kind, input, found) * volume_m3;
+        let mass_kg = density_kg_m3(kind, input, found, volume_m3) * volume_m3;
         let with_margin_kg = margin_factor(kind, input) * mass_kg;
         if volume_m3 > 0.0 {
             moment += with_margin_kg * (volume_moment_m4 / volume_m3);
@@ -218,7 +218,18 @@ pub fn masses(input: &VehicleInput, layout: &Layout, found: &Densities) -> Masse
     all
 }
 
-fn density_kg_m3(kind: ComponentKind, input: &VehicleInput, found: &Densities) -> f64 {
+/// Density of a component of a volume, m³; that of the mass that the user gives, where one is given.
+fn density_kg_m3(
+    kind: ComponentKind,
+    input: &VehicleInput,
+    found: &Densities,
+    volume_m3: f64,
+) -> f64 {
+    if let Some(mass_kg) = input.given_mass_kg(kind)
+        && volume_m3 > 0.0
+    {
+        return mass_kg / volume_m3;
+    }
     let (d, structure) = (&input.densities, found.structure);
     match kind {
         ComponentKind::ForebodyTps => input.forebody.tps_density_kg_m3,
@@ -264,7 +275,7 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
             let solid = profiles
                 .iter()
                 .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
-            let density = density_kg_m3(kind, input, found);
+            let density = density_kg_m3(kind, input, found, solid.volume_m3);
             let factor = margin_factor(kind, input);
             let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
             let about_apex = factor * density * solid.transverse_second_moment_m5;
@@ -274,7 +285,10 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
                 volume_m3: solid.volume_m3,
                 density_kg_m3: density,
                 material: material.name.clone(),
-                density_basis: material.density_basis,
+                density_basis: match input.given_mass_kg(kind) {
+                    Some(_) => DensityBasis::Given,
+                    None => material.density_basis,
+                },
                 surface_area_m2: areas[0],
                 wetted_area_m2: areas[1],
                 mass_kg,

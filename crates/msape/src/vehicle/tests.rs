@@ -64,6 +64,7 @@ pub(super) fn msr() -> VehicleInput {
         aftbody_carrier: honeycomb.carrier(WallPlace::Aftbody),
         primary_carrier: honeycomb.carrier(WallPlace::Primary),
         densities: data.densities().unwrap(),
+        given_masses: Vec::new(),
         materials: materials(&data),
         loads: Loads {
             entry_load_earth_g: 134.0,

@@ -116,6 +116,6 @@ mod tests {
             Default::default(),
         );
         let database = Database::of_table(grid.unwrap(), 1.0, Damping::Absent);
-        assert!(remarks(&polar, &Theory::newtonian(None), &database).is_empty());
+        assert!(remarks(&polar, &Theory::newtonian(None, 1.4), &database).is_empty());
     }
 }

@@ -16,11 +16,12 @@ use super::row::{Row, body_axes};
 use crate::finding::range::short;
 use numerics::math::{PI, RADIANS_PER_DEGREE, sin_cos};
 
-/// Drag coefficient that a row may be below zero: what rounding to three decimals does.
+/// Drag coefficient that a row may be below zero: what rounding of C_A and C_N to three decimals does, 0.0005 (|cos α| + |sin α|), 7.1e-4
+/// at most, and as much again for an angle rounded to 0.1 deg at coefficients of about 1, which is 1.2e-3 at most.
 const PUSH: f64 = 2e-3;
 /// Angles that end at this part of π are taken for radians.
 const OF_PI: [f64; 6] = [1.0, 2.0 / 3.0, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0];
-/// The same within this part of π: three decimals.
+/// The same within this part of π: what is left out of 3.1416, 3.142 or 3.141 and of their parts, 5e-4 at most.
 const OF_PI_WITHIN: f64 = 1.6e-4;
 
 /// Rows by which the air would push the body: C_A cos α + C_N sin α < 0.

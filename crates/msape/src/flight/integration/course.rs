@@ -52,6 +52,8 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) stage: Stage<S>,
     /// When the parachute is full, s, where that is ahead.
     pub(super) full_s: Option<f64>,
+    /// Phases whose value was passed before their turn.
+    pub(super) passed: Vec<bool>,
     /// Energy so far, where it is watched.
     pub(super) energy: Energy,
     /// Altitude at the start, m.
@@ -113,7 +115,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 start_stage: stage,
                 start_loads: loads,
                 legs: Vec::with_capacity(USUAL_LEGS),
-                altitudes_m: [altitude_m; 2],
+                altitudes: Span::at(altitude_m),
                 spans: vec![Span::EMPTY; marks.axes.len()],
                 refused: None,
                 pushed: None,
@@ -126,6 +128,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             limit_s: S::constant(marks.end_s),
             stage,
             full_s: None,
+            passed: vec![false; mission.phases.len()],
             energy: Energy::UNKNOWN,
             start_m: altitude_m,
             exit_m,
@@ -268,12 +271,10 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     #[inline]
     fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
         self.here = there;
-        let [lowest_m, highest_m] = self.record.altitudes_m;
-        self.record.altitudes_m = [
-            lowest_m.min(there.altitude_m),
-            highest_m.max(there.altitude_m),
-        ];
+        let t_s = step.t1.value();
+        self.record.altitudes.take(there.altitude_m, t_s);
         self.look_along(&step);
+        self.look_ahead(&step);
         let leg = Leg {
             step,
             stage: self.stage,

@@ -58,8 +58,9 @@ impl Marks {
         let axes = axes(mission, body);
         let heating = &mission.heating;
         let mut kinks_m_s = heating.radiative.kinks_m_s();
-        kinks_m_s.extend(heating.convective.kink_m_s());
+        kinks_m_s.extend(heating.convective.kinks_m_s());
         kinks_m_s.sort_by(f64::total_cmp);
+        kinks_m_s.dedup();
         let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
         Self {
             kinks_m_s,

@@ -7,7 +7,8 @@
 //! with x an altitude in m, a Mach number, a dynamic pressure in Pa or a deceleration in Earth g.
 //!
 //! # Valid
-//! A quantity that goes through its value once at most in a quarter of a step.
+//! A quantity that goes through its value once at most in a quarter of a step. One that went through it before the turn of its phase, and
+//! stands beyond it still, begins the phase at once.
 //!
 //! # References
 //! - Own convention.
@@ -36,8 +37,42 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         (step.t1.value() >= full_s).then(|| (step.time(full_s.max(step.t0.value())), Gate::Full))
     }
 
+    /// Takes in a step: which later phases had their value passed in their direction, before their turn.
+    pub(super) fn look_ahead(&mut self, step: &Step<N, S>) {
+        let mission = self.motion.point().mission;
+        let ends = [(step.t0, &step.y0), (step.t1, &step.y1)];
+        for (index, phase) in mission
+            .phases
+            .iter()
+            .enumerate()
+            .skip(self.stage.phases + 1)
+        {
+            let Begin {
+                mark,
+                value,
+                direction,
+            } = phase.begin;
+            if mark == Mark::Time {
+                continue;
+            }
+            let beyond = ends.map(|(t, y)| {
+                let gap = self.quantity(mark, t, y).value() - value;
+                match direction {
+                    Direction::Rising => gap >= 0.0,
+                    Direction::Falling => gap <= 0.0,
+                }
+            });
+            if let (Some(passed), true) = (self.passed.get_mut(index), beyond[0] != beyond[1]) {
+                *passed = beyond[1];
+            }
+        }
+    }
+
     /// Where the next phase begins in a step.
     pub(super) fn phase_in(&self, step: &Step<N, S>) -> Option<(S, Gate)> {
+        if self.passed.get(self.stage.phases) == Some(&true) {
+            return self.next_phase().map(|_| (step.t0, Gate::Phase));
+        }
         let Begin {
             mark,
             value,

@@ -23,7 +23,10 @@ use numerics::scalar::Single;
 
 /// Parts of a step at whose ends it is looked at.
 const PARTS: u32 = 4;
-/// Rise of the energy, as a part of the largest kinetic energy so far, that no rounding and no zonal term makes.
+/// Rise of the energy, as a part of the largest kinetic energy so far, that no rounding and no zonal term makes. The potential that is
+/// left out is J2 (R/r)² of the whole at most, 1.6 % on Saturn (J2 0.0163, the largest of the library), and on a circular orbit the potential is
+/// twice the kinetic energy: 3.3 %. The rest, to 10 %, is assumed, for the error of a step that is long but stable; an unstable method passes
+/// it within a few steps, for its error grows by powers.
 const RISE: f64 = 0.1;
 /// A table is left within this time, as a part of the step.
 const TOLERANCE: f64 = 1e-9;

@@ -110,6 +110,14 @@ impl Load {
     /// ```text
     /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F
     /// ```
+    pub fn times(self, factor: f64) -> Load {
+        Load {
+            force_n: self.force_n.map(|x| factor * x),
+            moment_n_m: self.moment_n_m.map(|x| factor * x),
+        }
+    }
+
+    /// The same with a parachute.
     pub fn with_canopy(
         self,
         stream: &Stream,

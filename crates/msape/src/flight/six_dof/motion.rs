@@ -120,6 +120,9 @@ impl RigidMotion<'_> {
             return load;
         }
         let changed = self.point.changed();
+        // coefficients stay, as do the lengths of the moments
+        let numbers = self.point.numbers();
+        let load = load.times(numbers.reference_area_m2 / self.point.body.reference_area_m2);
         load.with_canopy(
             stream,
             changed.canopy_m2(t),

@@ -49,7 +49,9 @@ pub const COLUMNS: [Column; 4] = [
     },
 ];
 
-/// Molar masses that a gas can have, kg/kmol: atomic hydrogen and beyond the heaviest gas of an atmosphere.
+/// Molar masses that a gas can have, kg/kmol. The least is that of atomic hydrogen, 1.008 rounded down. The greatest is assumed:
+/// sulphur hexafluoride, among the heaviest gases by which facilities stand in for air, has 146, and none of a planet comes near; what
+/// is beyond is a wrong unit, which is a factor of ten or more.
 const POSSIBLE_KG_KMOL: [f64; 2] = [1.0, 200.0];
 
 /// The atmosphere; each interval of the table is a piece of its own.
@@ -58,6 +60,7 @@ pub struct Table {
     intervals: Vec<Interval>,
     boundaries_m: Vec<f64>,
     valid_m: (f64, f64),
+    assumed_above_m: Option<f64>,
     /// Whether density is held below and above.
     held: [bool; 2],
     gas: Gas,
@@ -172,6 +175,7 @@ impl Table {
             gas,
             temperature,
             density_sigma: Vec::new(),
+            assumed_above_m: None,
         }
     }
 
@@ -188,6 +192,11 @@ impl Table {
     /// Whether density is held below and above the table, where it would else grow with height.
     pub fn is_held(&self) -> [bool; 2] {
         self.held
+    }
+
+    /// Altitude above which the rows are assumed, m, where a part is.
+    pub fn assumed_above_m(&self) -> Option<f64> {
+        self.assumed_above_m
     }
 
     /// The gas of what the rows leave open.

@@ -1,6 +1,6 @@
 //! Inputs of six degrees of freedom, and of lift in three.
 
-use super::{Column, Group, Input, Kind, Range};
+use super::{Choices, Column, Group, HELD, Input, Kind, Preset, Range};
 use crate::units::Dimension;
 
 const CONVENTION: &str = "convention of this program";
@@ -89,6 +89,9 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Rows of time after the start and angle of bank, interpolated linearly, ends held.", CONVENTION),
     rows("vehicle.bank_speed_table_deg", "Bank against Velocity", &[part("speed_m_s"), part("bank_deg")])
         .help("Rows of speed relative to the air and angle of bank, interpolated linearly, ends held.", CONVENTION),
+    Input::new("vehicle.bank_extrapolation", "Beyond the Bank Table", Group::Vehicle, Kind::Choice(Choices::Fixed(HELD)))
+        .preset(Preset::Name("hold"))
+        .help("What holds beyond the first and the last row of a table of bank; refuse ends the flight there.", CONVENTION),
     Input::new("vehicle.bank_file", "Bank File", Group::Vehicle, Kind::Text)
         .help("Name of a text file with time or speed and angle of bank.", CONVENTION),
     angle("attitude.yaw_deg", "Yaw", 360.0)

@@ -8,12 +8,26 @@ const REPORT_VEHICLE: &str = "NASA/TM-2014-218507, section 3.1";
 const IMPACT: &str = "NASA/TM-2014-218507, section 3.1.5";
 const ASSUMED: &str = "assumed: not printed in NASA/TM-2014-218507";
 
+const GIVEN: &str = "NASA/TM-2014-218507, section 1: hooks to high-fidelity analysis";
+
 const RATIO: Range = Range::above(0.0, 1.0);
 
 const fn density(key: &'static str, label: &'static str) -> Input {
     Input::number(key, label, Group::Densities, Dimension::Density, Range::above(0.0, 25_000.0))
         .unit("kg/m^3")
         .help("Density of the component; when absent, that of the vehicle's data file or of the chosen material.", ASSUMED)
+}
+
+const fn mass(key: &'static str, label: &'static str) -> Input {
+    Input::number(key, label, Group::Densities, Dimension::Mass, Range::closed(0.0, 10_000.0))
+        .unit("kg")
+        .help("Mass of the component before the margin, found elsewhere, in place of its density; its shape stays that of the rules.", GIVEN)
+}
+
+const fn thickness(key: &'static str, label: &'static str) -> Input {
+    Input::number(key, label, Group::HeatShield, Dimension::Length, Range::closed(0.001, 1.0))
+        .unit("cm")
+        .help("Thickness found elsewhere, in place of that of the mass-estimating relation, which is told beside it.", GIVEN)
 }
 
 pub(super) const INPUTS: &[Input] = &[
@@ -74,6 +88,11 @@ pub(super) const INPUTS: &[Input] = &[
         .preset(Preset::Name("sirca"))
         .basic()
         .help("Heat-shield material of the aftbody.", RUN_PAGE),
+    thickness("design.forebody_tps_thickness_m", "Given Forebody TPS Thickness"),
+    thickness("design.aftbody_tps_thickness_m", "Given Aftbody TPS Thickness"),
+    Input::number("design.payload_temperature_k", "Given Payload Temperature", Group::HeatShield, Dimension::Temperature, Range::closed(50.0, 2_000.0))
+        .unit("K")
+        .help("Peak temperature of the payload found elsewhere, in place of that of the soak correlation, which is told beside it.", GIVEN),
     Input::number("design.mass_margin", "Mass Margin", Group::Margins, Dimension::One, Range::closed(0.0, 5.0))
         .usual(0.0, 1.0)
         .preset(Preset::Number(0.3))
@@ -127,6 +146,17 @@ pub(super) const INPUTS: &[Input] = &[
     density("design.density_kg_m3.body_foam", "Body Foam Density"),
     density("design.density_kg_m3.lid_insulation", "Lid Density"),
     density("design.density_kg_m3.wing_insulation", "Wing Insulation Density"),
+    mass("design.component_mass_kg.forebody_tps", "Given Forebody TPS Mass"),
+    mass("design.component_mass_kg.bond", "Given Bond Mass"),
+    mass("design.component_mass_kg.forebody_carrier_structure", "Given Forebody Carrier Structure Mass"),
+    mass("design.component_mass_kg.aftbody_tps", "Given Aftbody TPS Mass"),
+    mass("design.component_mass_kg.aftbody_carrier_structure", "Given Aftbody Carrier Structure Mass"),
+    mass("design.component_mass_kg.primary_structure", "Given Primary Structure Mass"),
+    mass("design.component_mass_kg.wing_insulation", "Given Wing Insulation Mass"),
+    mass("design.component_mass_kg.impact_foam", "Given Impact Foam Mass"),
+    mass("design.component_mass_kg.impact_shell", "Given Impact Shell Mass"),
+    mass("design.component_mass_kg.body_foam", "Given Body Foam Mass"),
+    mass("design.component_mass_kg.lid_insulation", "Given Lid Insulation Mass"),
     Input::number("design.mass_criterion_kg", "Mass Convergence Criterion", Group::Solver, Dimension::Mass, Range::above(0.0, 10.0))
         .unit("kg")
         .usual(0.0001, 1.0)

@@ -1,6 +1,6 @@
 //! Inputs of the mission: planet, atmosphere, wind, entry state, heating, end of the flight, integration.
 
-use super::{Choices, Column, Group, Input, Kind, Need, OWN_ATMOSPHERE, Preset, Range};
+use super::{Choices, Column, Group, HELD, Input, Kind, Need, OWN_ATMOSPHERE, Preset, Range};
 use crate::units::Dimension;
 
 const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
@@ -109,6 +109,17 @@ pub(super) const INPUTS: &[Input] = &[
     .help("Rows of altitude, density and, if known, temperature and pressure; density is interpolated in its logarithm. Where two of the three are given, the third may be 0 in every row: it is that of the planet's gas.", CONVENTION),
     Input::new("atmosphere.file", "Atmosphere File", Group::Models, Kind::Text)
         .help("Name of a text file with the atmosphere: altitude (geometric, geopotential or of pressure), density or pressure and temperature, in columns with names and units.", CONVENTION),
+    Input::new(
+        "atmosphere.extrapolation",
+        "Beyond the Atmosphere",
+        Group::Models,
+        Kind::Choice(Choices::Fixed(&[
+            ("extend", "Density goes on with its last slope"),
+            ("refuse", "Refuse"),
+        ])),
+    )
+    .preset(Preset::Name("extend"))
+    .help("What holds beyond the first and the last altitude of the atmosphere, of the case or of the planet; density never grows with height there. Refuse ends the flight there.", CONVENTION),
     Input::number("atmosphere.molar_mass_kg_kmol", "Molar Mass of the Gas", Group::Models, Dimension::MolarMass, Range::closed(1.0, 200.0))
         .unit("kg/kmol")
         .help("Molar mass of the gas of an atmosphere given in the case; that of the planet's gas when absent.", CONVENTION),
@@ -133,6 +144,14 @@ pub(super) const INPUTS: &[Input] = &[
     .help("Rows of altitude and the velocity of the air towards east and north.", CONVENTION),
     Input::new("wind.file", "Wind File", Group::Models, Kind::Text)
         .help("Name of a text file with the wind: altitude, eastward and northward, or speed and the direction from which it blows.", CONVENTION),
+    Input::new(
+        "wind.extrapolation",
+        "Beyond the Wind Table",
+        Group::Models,
+        Kind::Choice(Choices::Fixed(HELD)),
+    )
+    .preset(Preset::Name("hold"))
+    .help("What holds beyond the first and the last altitude of the table of wind; refuse ends the flight there.", CONVENTION),
     Input::number("wind.eastward_m_s", "Wind towards East", Group::Models, Dimension::Speed, Range::closed(-500.0, 500.0))
         .unit("m/s")
         .help("Velocity of the air towards the east at every altitude.", CONVENTION),

@@ -49,7 +49,7 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Mass of the vehicle from the begin of the phase on, as after the heat shield is dropped; the one before when absent.", CONVENTION),
     Input::number("phase.reference_area_m2", "Reference Area from then on", Group::Mission, Dimension::Area, Range::above(0.0, 1e5))
         .unit("m^2")
-        .help("Area to which the drag coefficient of a point mass belongs from then on; the one before when absent.", CONVENTION),
+        .help("Area to which the coefficients belong from then on, of a rigid body all of force and moment; the one before when absent.", CONVENTION),
     Input::number("phase.drag_coefficient", "Drag Coefficient from then on", Group::Mission, Dimension::One, Range::closed(0.0, 100.0))
         .help("Drag coefficient of a point mass, without parachute, at every Mach number from then on; as before when absent.", CONVENTION),
     Input::number("phase.drag_area_m2", "Parachute Drag Area", Group::Mission, Dimension::Area, Range::closed(0.0, 1e5))

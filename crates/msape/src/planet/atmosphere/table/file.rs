@@ -43,6 +43,8 @@ struct Columns {
     heat_capacity_ratio: Vec<f64>,
     #[serde(default)]
     density_sigma_percent: Vec<f64>,
+    /// Above it the rows are assumed.
+    assumed_above_km: Option<f64>,
 }
 
 impl Table {
@@ -85,6 +87,7 @@ impl Table {
         let density_sigma = sigmas.map(|(row, percent)| [row.altitude_m, percent / 100.0]);
         let table = Self {
             density_sigma: density_sigma.collect(),
+            assumed_above_m: columns.assumed_above_km.map(|km| km * 1000.0),
             ..Self::of_rows(&rows, file.gas.gas()?, None)
         };
         Ok((file.title, table))

@@ -1,0 +1,121 @@
+//! From rows of a case to a checked table of heat fluxes.
+//!
+//! # Valid
+//! A whole grid: each speed with each density, once.
+//!
+//! # References
+//! - Own convention.
+
+use super::{Fluxes, GivenHeating};
+use crate::aero::table::Extrapolation;
+use crate::units::told;
+
+/// Faults of one table that are told.
+const MOST_FAULTS: usize = 20;
+
+impl GivenHeating {
+    /// Rows of speed, m/s, density, kg/m³, convective and, in all rows or in none, radiative heat flux, W/m², in any order; the key
+    /// is that of the table in the case.
+    ///
+    /// # Errors
+    /// Every fault of the rows, up to twenty.
+    pub fn try_new(
+        key: &'static str,
+        rows: &[Vec<f64>],
+        extrapolation: Extrapolation,
+    ) -> Result<GivenHeating, Vec<String>> {
+        let column = |i: usize| rows.iter().filter_map(move |row| row.get(i).copied());
+        let axis = |i: usize| {
+            let mut axis: Vec<f64> = column(i).collect();
+            axis.sort_by(f64::total_cmp);
+            axis.dedup();
+            axis
+        };
+        let (speeds_m_s, densities_kg_m3) = (axis(0), axis(1));
+        let mut faults = Vec::new();
+        for (name, axis) in [("speeds", &speeds_m_s), ("densities", &densities_kg_m3)] {
+            if axis.len() < 2 {
+                faults.push(format!("got {} {name}, must be at least 2", axis.len()));
+            }
+        }
+        let radiation = column(3).count();
+        if radiation != 0 && radiation != rows.len() {
+            faults.push(format!(
+                "radiative_w_m2 stands in {radiation} of {} rows, must stand in all or in none",
+                rows.len()
+            ));
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let (wide, long) = (densities_kg_m3.len(), speeds_m_s.len());
+        // a grid that the rows cannot fill is not laid out
+        if wide.saturating_mul(long) > rows.len() {
+            faults.extend(hole(rows, &speeds_m_s, &densities_kg_m3));
+            return Err(faults);
+        }
+        let place = |row: &[f64]| {
+            let of = |axis: &[f64], i: usize| {
+                let wanted = row.get(i).copied().unwrap_or_default();
+                axis.partition_point(|node| *node < wanted)
+            };
+            of(&speeds_m_s, 0) * wide + of(&densities_kg_m3, 1)
+        };
+        let mut filled = vec![false; wide * long];
+        let mut columns = [vec![0.0; wide * long], vec![0.0; wide * long]];
+        for (number, row) in rows.iter().enumerate() {
+            let place = place(row);
+            match filled.get_mut(place) {
+                Some(before) if !*before => *before = true,
+                _ if faults.len() < MOST_FAULTS => {
+                    let at = row.iter().take(2).map(|x| told(*x)).collect::<Vec<_>>();
+                    faults.push(format!(
+                        "row {}: the speed and density {} stand twice",
+                        number + 1,
+                        at.join(" m/s, ")
+                    ));
+                }
+                _ => {}
+            }
+            for (column, flux) in columns.iter_mut().zip(row.iter().skip(2)) {
+                if let Some(cell) = column.get_mut(place) {
+                    *cell = *flux;
+                }
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let [convective, radiative] = columns.map(|values| Fluxes::new(values, &densities_kg_m3));
+        Ok(GivenHeating {
+            key,
+            extrapolation,
+            convective,
+            radiative: (radiation > 0).then_some(radiative),
+            speeds_m_s,
+            densities_kg_m3,
+        })
+    }
+}
+
+/// The first place of the grid that has no row.
+fn hole(rows: &[Vec<f64>], speeds: &[f64], densities: &[f64]) -> Option<String> {
+    let mut pairs: Vec<[f64; 2]> = rows
+        .iter()
+        .filter_map(|row| Some([*row.first()?, *row.get(1)?]))
+        .collect();
+    pairs.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    pairs.dedup();
+    let mut grid = speeds
+        .iter()
+        .flat_map(|speed| densities.iter().map(move |density| [*speed, *density]));
+    let mut pairs = pairs.into_iter();
+    let [speed, density] = grid.find(|wanted| pairs.next().as_ref() != Some(wanted))?;
+    Some(format!(
+        "no row for {} m/s and {} kg/m^3: each of the {} speeds needs each of the {} densities",
+        told(speed),
+        told(density),
+        speeds.len(),
+        densities.len()
+    ))
+}
