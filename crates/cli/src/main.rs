@@ -27,7 +27,14 @@ fn main() -> ExitCode {
         failure::say(&format!("{}: {panic}", failure::OUR_FAULT));
         std::process::exit(1);
     }));
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // help and version are output as any other
+        Err(told) if !told.use_stderr() && msape_stdout::is_closed() => {
+            return Failure::NoOutput.report();
+        }
+        Err(told) => told.exit(),
+    };
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly, Entries::Nominal),
         Command::Design(Design { run, reorientation }) => {
