@@ -28,7 +28,19 @@ fn reads_back(case: &Case) -> Result<(), TestCaseError> {
     let shown = |case: Result<&Case, &Vec<InputError>>| format!("{case:?}");
     let toml = case.to_toml();
     let read = Case::from_text(&toml);
-    prop_assert_eq!(shown(read.as_ref()), shown(Ok(case)), "{}", toml);
+    // what no key takes is kept as it is spelled, with the keys of a table in its own order or in that of letters
+    let odd = |value: &Value| matches!(value, Value::Other(_));
+    if case.values.values().any(odd) {
+        let keys = |case: &Case| case.values.keys().cloned().collect::<Vec<_>>();
+        let Ok(read) = read else {
+            return Err(TestCaseError::fail(format!("{read:?}\n{toml}")));
+        };
+        prop_assert_eq!(keys(&read), keys(case), "{}", toml);
+        let twice = read.to_toml();
+        prop_assert_eq!(shown(Case::from_text(&twice).as_ref()), shown(Ok(&read)));
+    } else {
+        prop_assert_eq!(shown(read.as_ref()), shown(Ok(case)), "{}", toml);
+    }
     let beyond_json = |value: &Value| match value {
         Value::Number(number) => !number.is_finite(),
         Value::Rows(rows) => !rows.iter().flatten().all(|cell| cell.is_finite()),
