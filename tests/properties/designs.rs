@@ -66,7 +66,7 @@ pub(crate) fn given(case: &Case, key: &str) -> f64 {
 }
 
 /// Mass, volume and margin add up.
-fn adds_up(case: &Case, answer: &Answer) -> Result<(), TestCaseError> {
+pub(crate) fn adds_up(case: &Case, answer: &Answer) -> Result<(), TestCaseError> {
     let vehicle = &answer.design.as_ref().unwrap().vehicle;
     let payload_kg = given(case, "design.payload_mass_kg");
     let margin = given(case, "design.mass_margin");

@@ -10,6 +10,7 @@
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
 //! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
 //! - [`robustness`]: cases that once gave nonsense, or took minutes.
+//! - [`hostile`]: files, cases and vehicles by the thousand, and as many more as one likes.
 //! - [`landings`]: the limit of the payload, equations 3 and 5.
 
 mod atmosphere_tables;
@@ -18,6 +19,7 @@ mod designs;
 mod flights;
 mod garbage;
 mod geometry;
+mod hostile;
 mod landings;
 mod lanes;
 mod planets;

@@ -1,6 +1,7 @@
-//! Style as a test: data files, headings, lengths, words, documents.
+//! Style as a test: data files, headings, lengths, words, documents, licences.
 
 mod data;
+mod deny;
 mod documents;
 mod layers;
 mod sources;

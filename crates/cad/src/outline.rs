@@ -141,6 +141,11 @@ pub enum ImportFault {
         /// Its name in the drawing.
         kind: String,
     },
+    /// A point that is nowhere.
+    #[error(
+        "point {0} of the outline comes out at no finite place in m, or its piece as no arc; the numbers of the file are too large or too small"
+    )]
+    NotFinite(usize),
     /// Pieces that do not make one chain.
     #[error("{0}")]
     Chain(String),
@@ -179,6 +184,20 @@ pub struct Imported {
 /// # Errors
 /// Every fault of the file, up to [`MOST_FAULTS`].
 pub fn read(
+    name: &str,
+    bytes: &[u8],
+    unit: Option<LengthUnit>,
+) -> Result<Imported, Vec<ImportFault>> {
+    let imported = of_kind(name, bytes, unit)?;
+    let wild = |row: &[f64]| row.iter().any(|value| !value.is_finite());
+    match imported.rows.iter().position(|row| wild(row)) {
+        None => Ok(imported),
+        Some(row) => Err(vec![ImportFault::NotFinite(row + 1)]),
+    }
+}
+
+/// The outline by the kind of file that the ending of its name tells.
+fn of_kind(
     name: &str,
     bytes: &[u8],
     unit: Option<LengthUnit>,

@@ -140,6 +140,24 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
+    /// A number beyond what can be reckoned with once it stands in SI.
+    #[error("line {line}: column {column}: got \"{text}\", which is no finite number in SI")]
+    TooLarge {
+        /// Line of the file.
+        line: u64,
+        /// Column, from 1.
+        column: usize,
+        /// The cell, shortened.
+        text: String,
+    },
+    /// A row of which something derived is no finite number.
+    #[error("row {row}: got {value} where the columns give the rest, must be a finite number")]
+    NotFinite {
+        /// Row of the table, from 1.
+        row: usize,
+        /// What came out.
+        value: f64,
+    },
     /// Too few or too many cells.
     #[error("line {line}: got {found} fields, must be {wanted}")]
     Fields {
@@ -309,6 +327,13 @@ pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<Table
         "vehicle.aerodynamics.damping_file" => aerodynamics::damping(&text),
         _ => atmosphere::read(&text, ground),
     }?;
+    let wild = table.rows.iter().zip(1..).find_map(|(cells, row)| {
+        let value = cells.iter().find(|value| !value.is_finite())?;
+        Some(TableFault::NotFinite { row, value: *value })
+    });
+    if let Some(fault) = wild {
+        return Err(vec![fault]);
+    }
     if let Some(encoding) = decoded.encoding {
         table
             .remarks

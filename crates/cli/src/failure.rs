@@ -11,6 +11,8 @@ pub enum Failure {
     Input(Vec<String>),
     /// A fault of the program.
     Program(String),
+    /// Standard output was closed before the program began.
+    NoOutput,
     /// The reader of our output went away.
     ReaderGone,
 }
@@ -46,6 +48,10 @@ impl Failure {
             }
             Failure::Program(message) => {
                 say(&format!("{OUR_FAULT}: {message}"));
+                ExitCode::from(1)
+            }
+            Failure::NoOutput => {
+                say("standard output is closed: nothing was written");
                 ExitCode::from(1)
             }
             Failure::ReaderGone => ExitCode::SUCCESS,

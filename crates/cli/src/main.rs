@@ -29,7 +29,11 @@ fn main() -> ExitCode {
     }));
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => return refused(&error),
+        // help and version are output as any other
+        Err(told) if !told.use_stderr() && msape_stdout::is_closed() => {
+            return Failure::NoOutput.report();
+        }
+        Err(told) => return refused(&told),
     };
     let done = match arguments.command {
         Command::Fly(arguments) => run::run(&arguments, Job::Fly, Entries::Nominal),

@@ -89,6 +89,7 @@ fn write_with(
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
     match path {
+        None if msape_stdout::is_closed() => Err(Failure::NoOutput),
         None => {
             let mut out = BufWriter::new(io::stdout().lock());
             content(&mut out)

@@ -2,6 +2,7 @@
 
 mod build;
 mod cad;
+mod fuzz;
 mod licences;
 mod project;
 mod release;
@@ -22,7 +23,10 @@ Usage: cargo xtask COMMAND
   serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
   test [STAGE...]    sets up what is missing, runs all checks or the stages named:
-                     fmt clippy native cad browser e2e
+                     fmt clippy deny native cad browser e2e
+  fuzz [--seed N] [--seconds S] [KIND]
+                     hostile and random input of tests/properties/hostile for S seconds of each kind (60), from seed N (1) on;
+                     KIND is a part of the name of its test
   release            builds app and command and packs them with their hashes (needs git, GNU tar, sha256sum)
   setup              sets up everything that the above need, and nothing else
 ";
@@ -51,6 +55,7 @@ fn run() -> Result<()> {
         }
         ["build"] => build::dist(&project).map(|_| ()),
         ["test", stages @ ..] => test::run_stages(&project, stages),
+        ["fuzz", arguments @ ..] => fuzz::run_kinds(&project, arguments),
         ["release"] => release::run_all(&project),
         ["setup"] => test::set_up(&project, &[]),
         [] | ["help" | "--help" | "-h"] => {

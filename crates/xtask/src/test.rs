@@ -20,7 +20,7 @@ struct Stage {
 
 type Step = fn(&Project) -> Result<()>;
 
-const STAGES: [Stage; 6] = [
+const STAGES: [Stage; 7] = [
     Stage {
         name: "fmt",
         set_up: setup::for_lints,
@@ -30,6 +30,11 @@ const STAGES: [Stage; 6] = [
         name: "clippy",
         set_up: setup::for_lints,
         check: lints,
+    },
+    Stage {
+        name: "deny",
+        set_up: |_| Ok(()),
+        check: licences_and_sources,
     },
     Stage {
         name: "native",
@@ -104,6 +109,19 @@ fn lints(project: &Project) -> Result<()> {
     // web-tools is two lines around a large crate.
     clippy(&["--workspace", "--exclude", "msape-web-tools"])?;
     clippy(&["--package", "msape-web", "--target", WASM])
+}
+
+/// What `deny.toml` says of the crates, without cargo-deny, which takes minutes to build.
+fn licences_and_sources(project: &Project) -> Result<()> {
+    let tests = [
+        "--locked",
+        "--package",
+        "msape-tests",
+        "--test",
+        "tidy",
+        "deny",
+    ];
+    run(project.command("cargo").arg("test").args(tests))
 }
 
 fn native(project: &Project) -> Result<()> {

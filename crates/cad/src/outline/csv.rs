@@ -78,8 +78,12 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
         .iter()
         .map(|(_, row)| vec![in_metres(row, x), in_metres(row, r), bulge(row)])
         .collect();
-    // a closed loop repeats its first point, which closes along the axis anyway
-    if rows.len() > 3 && rows.first().map(|row| &row[..2]) == rows.last().map(|row| &row[..2]) {
+    // a closed loop repeats its first point, which closes along the axis anyway; an arc back to it is a piece of its own
+    while let [first, .., before, last] = rows.as_slice()
+        && rows.len() > 3
+        && first[..2] == last[..2]
+        && before[2] == 0.0
+    {
         rows.pop();
     }
     Ok(Imported {
@@ -110,6 +114,17 @@ mod tests {
         let rows = rows("# cone\nr [mm];x [mm]\n0;0\n250,5;100\n0;100;\n", None);
         assert_eq!(rows[1], [0.1, 0.2505, 0.0]);
         assert_eq!(rows.len(), 3);
+    }
+
+    #[test]
+    fn a_loop_is_closed_once_along_the_axis() {
+        let unit = Some(LengthUnit::Metre);
+        let loose = "0 0 0\n1 1 0\n2 0 0\n";
+        for more in ["", "0 0 0\n", "0 0 0\n0 0 0\n"] {
+            assert_eq!(rows(&format!("{loose}{more}"), unit).len(), 3, "{more}");
+        }
+        // the last piece is an arc, no line of the axis
+        assert_eq!(rows("1 0 0\n0.5 0.2 0\n0 0 -0.5\n1 0 0\n", unit).len(), 4);
     }
 
     #[test]

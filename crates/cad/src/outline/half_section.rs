@@ -70,7 +70,8 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
             if field.is_empty() && place == places[4] {
                 return 0.0;
             }
-            field.parse().unwrap_or_else(|_| {
+            let finite = field.parse().ok().filter(|x: &f64| x.is_finite());
+            finite.unwrap_or_else(|| {
                 faults.push(ImportFault::NotANumber {
                     line,
                     column: place.map_or(0, |place| place + 1),

@@ -129,7 +129,18 @@ fn numbers(
         for column in &columns {
             let cell = cut.cells.get(column.place).map_or("", AsRef::as_ref);
             match spelling.read(cell) {
-                Cell::Number(value) => row.push(value * column.factor + column.offset),
+                Cell::Number(value) => {
+                    let value = value * column.factor + column.offset;
+                    if value.is_finite() {
+                        row.push(value);
+                    } else {
+                        faults.push(TableFault::TooLarge {
+                            line,
+                            column: column.place + 1,
+                            text: shown(cell),
+                        });
+                    }
+                }
                 Cell::Hole if !layout.whole => hole = true,
                 Cell::Hole => faults.push(TableFault::Hole {
                     line,

@@ -1,7 +1,7 @@
 //! What is written, where, and what stays when something goes wrong.
 
 use crate::files::{DROP, with};
-use crate::{M2, command, folder, msape, path};
+use crate::{Finished, M2, command, folder, msape, path, root};
 use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
@@ -63,6 +63,45 @@ fn a_full_standard_error_changes_no_code() {
     assert_eq!(nowhere.code(), Some(2));
     let wrong = command(&["flee"]).stderr(full()).status().unwrap();
     assert_eq!(wrong.code(), Some(2));
+}
+
+/// Closed is not sent away: a shell closes with `>&-`, and both a shell and Python's or Node's "no output" open the null device.
+#[cfg(unix)]
+#[test]
+fn a_closed_standard_output_is_told() {
+    let shell = |redirection: &str, arguments: &str| -> Finished {
+        let line = format!("exec \"$0\" {arguments} {redirection}");
+        let mut shell = std::process::Command::new("sh");
+        let run = shell.args(["-c", &line, env!("CARGO_BIN_EXE_msape")]);
+        run.current_dir(root()).output().unwrap().into()
+    };
+    let fly = format!("fly {M2} --json");
+    for asked in [
+        &fly,
+        "schema",
+        "quantities inputs",
+        "validate galahad",
+        "--version",
+    ] {
+        let closed = shell(">&-", asked);
+        assert_eq!(closed.code, Some(1), "{asked}: {}", closed.err);
+        assert!(
+            closed.err.contains("standard output is closed"),
+            "{}",
+            closed.err
+        );
+    }
+    assert_eq!(shell(">&- 2>&-", &fly).code, Some(1));
+    for away in [">/dev/null", "<&- >/dev/null 2>&-", "1<>/dev/null"] {
+        let done = shell(away, &fly);
+        assert_eq!((done.code, done.err.as_str()), (Some(0), ""), "{away}");
+    }
+    // what goes into a file needs no standard output, and bad input stays bad input
+    let file = folder("closed").join("answer.json");
+    let done = shell(">&-", &format!("{fly} -o {}", path(&file)));
+    assert!(done.code == Some(0) && file.is_file(), "{}", done.err);
+    let bad = shell(">&-", &format!("{fly} --set vehicle.mass_kg=-1"));
+    assert_eq!(bad.code, Some(2), "{}", bad.err);
 }
 
 #[cfg(unix)]

@@ -91,6 +91,8 @@ impl Case {
                 None => sections.push((section, line)),
             }
         }
+        // phases in their order, also where one has a key that is not known
+        sections.sort_by_key(|(section, _)| phase_number(section).unwrap_or_default());
         let mut phases = 0;
         for (section, lines) in sections {
             match phase_number(section) {
@@ -322,6 +324,20 @@ mod tests {
             "{}",
             plain.to_toml()
         );
+    }
+
+    #[test]
+    fn a_key_of_a_phase_that_is_not_known_stays_in_its_phase() {
+        for number in 1..=3 {
+            let mut case = Case::default();
+            for phase in 1..=3 {
+                case.set(&format!("phase.{phase}.time_s"), "10");
+            }
+            let odd = format!("phase.{number}.drag_area_m0");
+            case.values.insert(odd, Value::Number(1.0));
+            assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
+            assert_eq!(Case::from_json(&case.to_json()).unwrap(), case);
+        }
     }
 
     #[test]

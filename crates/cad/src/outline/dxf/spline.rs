@@ -128,12 +128,13 @@ pub fn through(points: &[[f64; 2]], tangents: [Option<[f64; 2]>; 2], closed: boo
         points.pop();
     }
     let count = points.len();
-    let round: Vec<[f64; 2]> = (0..count + 2 * OVERLAP + 1)
-        .filter_map(|i| {
-            points
-                .get((i + count * OVERLAP - OVERLAP) % count.max(1))
-                .copied()
-        })
+    let before = (count * OVERLAP).saturating_sub(OVERLAP);
+    let round: Vec<[f64; 2]> = points
+        .iter()
+        .cycle()
+        .skip(before)
+        .take(count + 2 * OVERLAP + 1)
+        .copied()
         .collect();
     open(&round, [None; 2])
         .into_iter()
@@ -249,6 +250,13 @@ mod tests {
             spans[1],
             Bezier(vec![[2.0, 1.0, 1.0], [2.0, 2.0, 1.0], [1.0, 2.0, 1.0]])
         );
+    }
+
+    #[test]
+    fn no_points_are_no_curve() {
+        for closed in [false, true] {
+            assert!(through(&[], [None; 2], closed).is_empty());
+        }
     }
 
     #[test]
