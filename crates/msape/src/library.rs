@@ -2,6 +2,8 @@
 //!
 //! A library is always passed, never global.
 
+mod files;
+
 use crate::aero::AxialForce;
 use crate::aero::damping::DampingData;
 use crate::aero::euler::EulerCorrection;
@@ -27,8 +29,7 @@ use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::VehicleData;
 use thiserror::Error;
 
-/// The files of the folder `data`, and the shipped cases as its folder `cases`: path and text.
-static FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/data_files.rs"));
+pub use files::{case_file, cases, data_file, data_folder};
 
 /// A data file that cannot be read.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -216,28 +217,9 @@ pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
         .map(|(_, thing)| thing)
 }
 
-/// Text of a data file by its path below `data`, such as `planets/earth.toml`.
-pub fn data_file(path: &str) -> Option<&'static str> {
-    FILES
-        .iter()
-        .find(|(name, _)| *name == path)
-        .map(|(_, text)| *text)
-}
-
-/// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
-pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let prefix = format!("{folder}/");
-    FILES
-        .iter()
-        .filter(move |(name, _)| {
-            let inside = name.strip_prefix(&prefix);
-            inside.is_some_and(|file| !file.contains('/'))
-        })
-        .map(|(name, text)| (*name, *text))
-}
-
 fn text(path: &str) -> Result<&'static str, DataError> {
-    data_file(path).ok_or_else(|| DataError {
+    let file = files::LIBRARY.iter().find(|(name, _)| *name == path);
+    file.map(|(_, text)| *text).ok_or_else(|| DataError {
         file: path.to_string(),
         message: "is not there".to_string(),
     })
@@ -264,7 +246,7 @@ fn of_planets<T>(
 
 /// Every file of a folder, by its name without the ending.
 fn folder<T>(name: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<Named<T>, DataError> {
-    data_folder(name)
+    files::within(files::LIBRARY, name)
         .map(|(path, _)| {
             let file = path.rsplit('/').next().unwrap_or(path);
             let stem = file.split('.').next().unwrap_or(file);
