@@ -29,10 +29,13 @@ fn main() -> io::Result<()> {
     embed(&here.join("data"), "", &mut files)?;
     embed(&here.join("../../cases"), "cases/", &mut files)?;
     files.sort();
-    let begins = |(name, _): &Listed, with: &[&str]| with.iter().any(|start| name.starts_with(start));
-    let (cases, others): (Vec<Listed>, _) = files.into_iter().partition(|file| begins(file, &CASES));
-    let (mut validation, library): (Vec<Listed>, Vec<Listed>) =
-        others.into_iter().partition(|file| begins(file, &VALIDATION));
+    let begins =
+        |(name, _): &Listed, with: &[&str]| with.iter().any(|start| name.starts_with(start));
+    let (cases, others): (Vec<Listed>, _) =
+        files.into_iter().partition(|file| begins(file, &CASES));
+    let (mut validation, library): (Vec<Listed>, Vec<Listed>) = others
+        .into_iter()
+        .partition(|file| begins(file, &VALIDATION));
     if env::var_os("CARGO_FEATURE_VALIDATION").is_none() {
         validation.clear();
     }

@@ -3,8 +3,9 @@
 use crate::{assert_none, files};
 
 /// Modules of `crates/msape/src` from the ground up; each may use those before it and no other.
-const LAYERS: [&str; 20] = [
+const LAYERS: [&str; 21] = [
     "progress",
+    "datum",
     "units",
     "finding",
     "outcome",

@@ -55,7 +55,12 @@ impl Catalog {
             names: inputs().filter_map(named).collect(),
             outlines: library.outlines.clone(),
             grounds: library.grounds.clone(),
-            walls: library.vehicle.carrier.values().map(WallMaterial::of).collect(),
+            walls: library
+                .vehicle
+                .carrier
+                .values()
+                .map(WallMaterial::of)
+                .collect(),
             foam_law: format!("{} ({}; {})", foam.note, foam.place, foam.source),
         }
     }
@@ -114,11 +119,18 @@ mod tests {
             assert_eq!(found, Library::builtin().unwrap().choices(choices));
         }
         let planet = find("entry.planet").unwrap();
-        assert!(names(Some(&catalog), planet).iter().any(|(name, _)| name == "mars"));
+        assert!(
+            names(Some(&catalog), planet)
+                .iter()
+                .any(|(name, _)| name == "mars")
+        );
         for (name, outline) in &catalog.outlines {
             assert!(outline.body().is_ok(), "{name}");
         }
-        let cores = catalog.walls.iter().filter_map(|wall| wall.core_shear_strength_pa);
+        let cores = catalog
+            .walls
+            .iter()
+            .filter_map(|wall| wall.core_shear_strength_pa);
         assert!(cores.count() > 0 && catalog.foam_law.contains('('));
     }
 }

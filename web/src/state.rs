@@ -6,8 +6,8 @@ pub mod history;
 pub mod preferences;
 
 use crate::aerodynamics::{Curves, Question};
-use crate::clock::now_ms;
 use crate::catalog::{self, Catalog, Names};
+use crate::clock::now_ms;
 use crate::protocol::{self, Batch, Fault, FileKind, ReadRows, Reply};
 use crate::worker::{News, Role, WorkerLink};
 use cad::export::{Format, Model};

@@ -2,9 +2,7 @@
 //! one waits. Questions are answered one after the other.
 
 use crate::aerodynamics::{Curves, Question};
-use crate::protocol::{
-    self, Ask, Batch, Fault, FileKind, Job, ReadRows, Told, decode, encode,
-};
+use crate::protocol::{self, Ask, Batch, Fault, FileKind, Job, ReadRows, Told, decode, encode};
 use cad::export::{Format, Model};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;

@@ -57,6 +57,7 @@
 pub mod aero;
 pub mod answer;
 pub mod case;
+mod datum;
 pub mod design;
 pub mod finding;
 pub mod flight;

@@ -21,6 +21,7 @@ pub mod horizon;
 pub mod rows;
 pub mod wind;
 
+use crate::datum;
 use atmosphere::Atmosphere;
 use geodetic::{Ellipsoid, Geodetic, Local};
 pub use gravity::Gravity;
@@ -60,6 +61,9 @@ pub struct Planet {
     pub entry_interface_m: f64,
     /// Name of its own atmosphere.
     pub atmosphere: String,
+    /// Name of the planet whose heating relations it takes, where they do not name it.
+    #[serde(default)]
+    pub heating_as: Option<String>,
     /// Lowest altitude at which a flight may end, m: of its surface, or where its atmosphere is no longer known.
     pub lowest_altitude_m: f64,
     /// Altitudes through whose densities the closed form lays its exponential, m.
@@ -91,7 +95,7 @@ pub struct PlanetFault {
 impl Planet {
     /// The planet of a data file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let planet: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let planet: Self = datum::parse(text)?;
         match planet.check().first() {
             None => Ok(planet),
             Some(fault) => Err(fault.to_string()),

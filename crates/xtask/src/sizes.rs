@@ -39,7 +39,10 @@ pub fn print(dist: &Path) -> Result<Sizes> {
     for (part, sum) in PARTS.iter().zip(&mut sums) {
         println!("\n{:>12} {:>12}  {}", "bytes", "brotli", part.name);
         let mut total = Size::default();
-        for file in files.iter().filter(|file| std::ptr::eq(part_of(file), part)) {
+        for file in files
+            .iter()
+            .filter(|file| std::ptr::eq(part_of(file), part))
+        {
             let size = Size::of(&fs::read(file)?)?;
             total.add(size);
             println!(

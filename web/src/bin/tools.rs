@@ -7,5 +7,7 @@ use wasm_bindgen::JsValue;
 fn main() -> Result<(), JsValue> {
     console_error_panic_hook::set_once();
     let toolbox = Toolbox::new().map_err(serve::said)?;
-    serve::until_closed("ready".into(), move |ask| toolbox.answer(ask).map_err(serve::said))
+    serve::until_closed("ready".into(), move |ask| {
+        toolbox.answer(ask).map_err(serve::said)
+    })
 }

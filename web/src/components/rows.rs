@@ -172,7 +172,9 @@ fn read_as_file(
     put: impl Fn(Option<Value>) + 'static,
 ) {
     spawn_local(async move {
-        let read = state.read(kind(state, key), text.clone().into_bytes()).await;
+        let read = state
+            .read(kind(state, key), text.clone().into_bytes())
+            .await;
         let typed = Value::Text(text);
         let stands = state
             .case
@@ -224,7 +226,11 @@ mod tests {
         let rows = Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]);
         assert_eq!(parsed(&written(Some(&rows))), Some(rows));
         // as a spreadsheet in Germany copies it, with a heading, and what is no table
-        for text in ["0\t1,2250\n1000\t1,1\n", "z (km);rho (kg/m3)\n0;1,225\n", "0 x"] {
+        for text in [
+            "0\t1,2250\n1000\t1,1\n",
+            "z (km);rho (kg/m3)\n0;1,225\n",
+            "0 x",
+        ] {
             assert_eq!(parsed(text), Some(Value::Text(text.to_string())));
         }
     }

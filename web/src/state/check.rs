@@ -1,8 +1,8 @@
 //! How each input stands: at its default, changed, unusual, at fault.
 
 use crate::catalog::{Catalog, names};
-use msape::case::{Reader, Value};
 use msape::Case;
+use msape::case::{Reader, Value};
 use msape::quantity::input::{Kind, Preset, inputs};
 use std::collections::BTreeMap;
 

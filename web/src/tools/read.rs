@@ -34,12 +34,7 @@ pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows
     }
 }
 
-fn table(
-    key: &str,
-    bytes: &[u8],
-    case: &Case,
-    library: &Library,
-) -> Result<ReadRows, Vec<String>> {
+fn table(key: &str, bytes: &[u8], case: &Case, library: &Library) -> Result<ReadRows, Vec<String>> {
     let Table { key, rows, remarks } =
         table::read(key, bytes, &Ground::of(case, library)).map_err(words)?;
     Ok(ReadRows {
@@ -74,7 +69,10 @@ mod tests {
 
     #[test]
     fn a_table_of_coefficients_has_angles_of_attack() {
-        let faults = read(FileKind::Coefficients, "mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n");
+        let faults = read(
+            FileKind::Coefficients,
+            "mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n",
+        );
         assert!(faults.unwrap_err()[0].starts_with("line 3"));
         let drag = read(FileKind::Coefficients, "mach,cd\n1,1.2\n5,1.4\n").unwrap_err();
         assert!(drag[0].contains("drag over the Mach number"), "{drag:?}");
@@ -86,8 +84,11 @@ mod tests {
         mars.set("entry.planet", "mars");
         let read = |case: &Case| {
             let kind = FileKind::Table("atmosphere.file".to_string(), Box::new(case.clone()));
-            read(kind, "geopotential_altitude_m, density_kg_m3\n0, 0.02\n10000, 0.008\n")
-                .unwrap()
+            read(
+                kind,
+                "geopotential_altitude_m, density_kg_m3\n0, 0.02\n10000, 0.008\n",
+            )
+            .unwrap()
         };
         let (there, here) = (read(&mars), read(&Case::default()));
         assert_eq!(here.key, "atmosphere.table");

@@ -18,6 +18,7 @@
 
 use super::bridging::Bridging;
 use super::table::Grid;
+use crate::datum;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 
@@ -95,7 +96,7 @@ impl DampingData {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(text: &str) -> Result<DampingData, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// What must be known of the placeholder.

@@ -18,6 +18,7 @@
 use super::DragTable;
 use super::database::BASE_MACH_MIN;
 use super::newtonian::pressure_coefficient_max;
+use crate::datum;
 use numerics::math::{RADIANS_PER_DEGREE, sin};
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +81,7 @@ impl EulerCorrection {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(text: &str) -> Result<EulerCorrection, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// Factor on the modified Newtonian axial force of a forebody.

@@ -12,6 +12,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.5.2 and Table 6.
 
+use crate::datum;
 use serde::{Deserialize, Serialize};
 
 /// The fractions, from `heating/afterbody.toml`.
@@ -33,7 +34,7 @@ pub struct Afterbody {
 impl Afterbody {
     /// Reads the fractions from the text of `heating/afterbody.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 }
 

@@ -17,6 +17,7 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
+use crate::datum;
 use crate::finding::Finding;
 use numerics::math;
 use numerics::scalar::{Mask, Scalar};
@@ -34,6 +35,8 @@ pub struct BrandisJohnston {
     pub place: String,
     /// What is doubtful about the numbers.
     pub note: String,
+    /// Names of the planets whose gas they are for.
+    pub planets: Vec<String>,
     /// Convective part.
     pub convective: BrandisJohnstonConvective,
     /// Radiative part.
@@ -87,7 +90,7 @@ struct VelocityFunction {
 impl BrandisJohnston {
     /// Reads both from the text of `heating/brandis-johnston.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 }
 

@@ -23,6 +23,7 @@
 //! # References
 //! - \[samareh-2014\] eqs 9-12.
 
+use crate::datum;
 use crate::finding::{Finding, Severity};
 use numerics::math;
 use numerics::scalar::Scalar;
@@ -136,7 +137,7 @@ pub struct PressureFit {
 impl PressureFit {
     /// Reads the fit from the text of `heating/stagnation-pressure.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// Rise of the stagnation pressure above that of the air, Pa, from density in kg/m³ and speed in m/s.

@@ -15,6 +15,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.4.3; \[marvin-sinclair-1967\].
 
+use crate::datum;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use numerics::math;
@@ -48,7 +49,7 @@ struct Valid {
 impl Shoulder {
     /// Reads the law from the text of `heating/shoulder.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// Heat flux on the shoulder over that at the stagnation point.

@@ -16,6 +16,7 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
+use crate::datum;
 use crate::finding::Finding;
 use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
@@ -23,6 +24,8 @@ use serde::Deserialize;
 /// The correlation for one planet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TauberSutton {
+    /// Names of the planets whose gas it is for.
+    pub planets: Vec<String>,
     c: f64,
     density_exponent: f64,
     /// Exponent of the nose radius.
@@ -43,6 +46,7 @@ struct File {
     _place: String,
     #[serde(rename = "note")]
     _note: String,
+    planets: Vec<String>,
     c: f64,
     density_exponent: f64,
     exponent: NoseExponent,
@@ -59,7 +63,7 @@ struct VelocityFunction {
 impl TauberSutton {
     /// Reads the correlation from the text of `heating/tauber-sutton.toml` or its sister for another planet.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let file: File = datum::parse(text)?;
         let table = file.velocity_function.table;
         let mut rows = Vec::with_capacity(table.len());
         for pair in table.windows(2) {
@@ -76,6 +80,7 @@ impl TauberSutton {
         };
         rows.push([last[0], last[1], 0.0]);
         Ok(Self {
+            planets: file.planets,
             c: file.c,
             density_exponent: file.density_exponent,
             exponent: file.exponent,

@@ -60,11 +60,20 @@ mod tests {
         let lists = [LIBRARY, CASES, VALIDATION];
         for (path, text) in lists.into_iter().flatten() {
             let holding = lists.iter().filter(|files| of(files, path).is_some());
-            assert_eq!((holding.count(), data_file(path)), (1, Some(*text)), "{path}");
+            assert_eq!(
+                (holding.count(), data_file(path)),
+                (1, Some(*text)),
+                "{path}"
+            );
         }
-        assert!(case_file("versions/0.1.toml").is_some() && case_file("planets/earth.toml").is_none());
+        assert!(
+            case_file("versions/0.1.toml").is_some() && case_file("planets/earth.toml").is_none()
+        );
         assert!(cases().any(|(path, _)| path == "cases/run-page.toml"));
         assert!(cases().all(|(path, _)| !path.contains("0.1")));
-        assert_eq!(data_folder("planets").count(), within(LIBRARY, "planets").count());
+        assert_eq!(
+            data_folder("planets").count(),
+            within(LIBRARY, "planets").count()
+        );
     }
 }

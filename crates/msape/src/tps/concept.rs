@@ -13,6 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.1 and Table B1.
 
+use crate::datum;
 use serde::{Deserialize, Serialize};
 
 /// A forebody concept.
@@ -54,7 +55,7 @@ pub struct Bond {
 impl Concept {
     /// Reads a concept from the text of its file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// Thickness of the bond, m.

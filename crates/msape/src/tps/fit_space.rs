@@ -1,6 +1,7 @@
 //! The trajectories on which the mass-estimating relations were fitted, and findings for an entry outside them.
 
 use super::{Environment, PA_PER_ATM};
+use crate::datum;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
@@ -33,7 +34,7 @@ pub struct FitSpace {
 impl FitSpace {
     /// Reads the ranges from the text of their file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+        datum::parse(text)
     }
 
     /// Findings for an entry outside the fitted trajectories; `forebody` is what its heat

@@ -12,6 +12,7 @@
 //! # References
 //! - Those of each file.
 
+use crate::datum;
 use crate::vehicle::body::RigidBody;
 use crate::vehicle::body::shape::{Aft, AftCone, Shape};
 use crate::vehicle::rules::Datum;
@@ -55,7 +56,7 @@ const MOST_CONES: usize = 4;
 impl OutlineData {
     /// Reads a file of `data/outlines`; dimensions that make no outline are an error too.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let data: Self = datum::parse(text)?;
         data.body()?;
         Ok(data)
     }

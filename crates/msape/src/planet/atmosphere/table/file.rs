@@ -12,6 +12,7 @@
 
 use super::Table;
 use super::row::Row;
+use crate::datum;
 use crate::planet::gas::GasData;
 use serde::Deserialize;
 
@@ -48,7 +49,7 @@ struct Columns {
 impl Table {
     /// Title and atmosphere of a data file.
     pub fn parse(text: &str) -> Result<(String, Self), String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let file: File = datum::parse(text)?;
         let columns = &file.table;
         let height = columns.altitude_km.len();
         let optional = |column: &[f64]| column.is_empty() || column.len() == height;

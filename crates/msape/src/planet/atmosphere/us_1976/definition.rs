@@ -1,5 +1,6 @@
 //! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
 
+use crate::datum;
 use serde::Deserialize;
 
 /// The whole file.
@@ -139,7 +140,7 @@ pub struct Species {
 impl Definition {
     /// Reads the file and checks what the code relies on.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let definition: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let definition: Self = datum::parse(text)?;
         let Lower {
             base_geopotential_km: bases,
             gradient_k_km,
