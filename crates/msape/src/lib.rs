@@ -57,7 +57,6 @@
 pub mod aero;
 pub mod answer;
 pub mod case;
-mod datum;
 pub mod design;
 pub mod finding;
 pub mod flight;

@@ -21,7 +21,6 @@ pub mod horizon;
 pub mod rows;
 pub mod wind;
 
-use crate::datum;
 use atmosphere::Atmosphere;
 use geodetic::{Ellipsoid, Geodetic, Local};
 pub use gravity::Gravity;
@@ -95,7 +94,7 @@ pub struct PlanetFault {
 impl Planet {
     /// The planet of a data file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let planet: Self = datum::parse(text)?;
+        let planet: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         match planet.check().first() {
             None => Ok(planet),
             Some(fault) => Err(fault.to_string()),

@@ -21,7 +21,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.6.4, Tables 9, 12 and 13; limitation 1 of section 3.6.5.
 
-use crate::datum;
 use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
@@ -103,7 +102,7 @@ pub struct SoakInput {
 impl SoakCorrelation {
     /// Reads a correlation from the text of its file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let correlation: Self = datum::parse(text)?;
+        let correlation: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         if correlation.a > 0.0 {
             Ok(correlation)
         } else {

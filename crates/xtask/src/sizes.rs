@@ -18,13 +18,13 @@ struct Part {
 const PARTS: [Part; 2] = [
     Part {
         name: "until the first interactive design",
-        budget_bytes: 1_500_000,
+        budget_bytes: 1_350_000,
         files: &[],
     },
     // Readers and writers of files, aerodynamics, six degrees of freedom, flights of an outline, the benchmark.
     Part {
         name: "the toolbox, on first use",
-        budget_bytes: 900_000,
+        budget_bytes: 850_000,
         files: &["tools"],
     },
 ];

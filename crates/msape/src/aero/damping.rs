@@ -18,7 +18,6 @@
 
 use super::bridging::Bridging;
 use super::table::Grid;
-use crate::datum;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 
@@ -96,7 +95,7 @@ impl DampingData {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(text: &str) -> Result<DampingData, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// What must be known of the placeholder.

@@ -18,7 +18,6 @@
 use super::DragTable;
 use super::database::BASE_MACH_MIN;
 use super::newtonian::pressure_coefficient_max;
-use crate::datum;
 use numerics::math::{RADIANS_PER_DEGREE, sin};
 use serde::{Deserialize, Serialize};
 
@@ -81,7 +80,7 @@ impl EulerCorrection {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(text: &str) -> Result<EulerCorrection, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// Factor on the modified Newtonian axial force of a forebody.

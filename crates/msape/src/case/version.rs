@@ -121,7 +121,7 @@ fn since(version: Version) -> Vec<(Version, Changes)> {
     EARLIER
         .iter()
         .filter(|(of, ..)| *of >= version)
-        .filter_map(|(of, file, _)| Some((*of, crate::datum::parse(case_file(file)?).ok()?)))
+        .filter_map(|(of, file, _)| Some((*of, toml::from_str(case_file(file)?).ok()?)))
         .collect()
 }
 

@@ -12,7 +12,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.5.2 and Table 6.
 
-use crate::datum;
 use serde::{Deserialize, Serialize};
 
 /// The fractions, from `heating/afterbody.toml`.
@@ -34,7 +33,7 @@ pub struct Afterbody {
 impl Afterbody {
     /// Reads the fractions from the text of `heating/afterbody.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 }
 

@@ -17,7 +17,6 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
-use crate::datum;
 use crate::finding::Finding;
 use numerics::math;
 use numerics::scalar::{Mask, Scalar};
@@ -90,7 +89,7 @@ struct VelocityFunction {
 impl BrandisJohnston {
     /// Reads both from the text of `heating/brandis-johnston.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 }
 

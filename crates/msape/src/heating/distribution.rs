@@ -18,7 +18,6 @@
 //! # References
 //! - \[lees-1956\], re-derived for this project: dD/dθ = 16 θ sin² θ P, D(0) = 0.
 
-use crate::datum;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use numerics::math;
@@ -55,7 +54,7 @@ pub struct SphereCone {
 impl Lees {
     /// Reads the range from the text of `heating/lees.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// The caution, where the cone is too steep.

@@ -23,7 +23,6 @@
 //! # References
 //! - \[samareh-2014\] eqs 9-12.
 
-use crate::datum;
 use crate::finding::{Finding, Severity};
 use numerics::math;
 use numerics::scalar::Scalar;
@@ -137,7 +136,7 @@ pub struct PressureFit {
 impl PressureFit {
     /// Reads the fit from the text of `heating/stagnation-pressure.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// Rise of the stagnation pressure above that of the air, Pa, from density in kg/m³ and speed in m/s.

@@ -15,7 +15,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.4.3; \[marvin-sinclair-1967\].
 
-use crate::datum;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use numerics::math;
@@ -49,7 +48,7 @@ struct Valid {
 impl Shoulder {
     /// Reads the law from the text of `heating/shoulder.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// Heat flux on the shoulder over that at the stagnation point.

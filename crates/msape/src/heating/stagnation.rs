@@ -20,7 +20,6 @@ use super::pressure::StagnationPressure;
 use super::radiative::Radiative;
 use super::wall::{ColdWall, Wall, WallGas};
 use super::{Flow, PeakConditions};
-use crate::datum;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use numerics::scalar::{Mask, Scalar};
@@ -47,7 +46,7 @@ pub struct Margins {
 impl Margins {
     /// Reads them from the text of `heating/margins.toml`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 }
 

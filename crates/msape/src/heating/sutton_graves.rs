@@ -14,7 +14,6 @@
 //! - \[samareh-2014\] eq. 8; \[sutton-graves-1972\] eq. 33 and 42.
 
 use super::{Flow, FlowRange, PeakConditions};
-use crate::datum;
 use crate::finding::Finding;
 use crate::finding::range::Range;
 use numerics::scalar::Scalar;
@@ -71,7 +70,7 @@ impl SuttonGraves {
 
     /// Reads all constants of such a file, each with the names of its planets.
     pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
-        let file: File = datum::parse(text)?;
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let valid = FlowRange {
             speed_m_s: file.valid.speed_m_s,
             ..FlowRange::default()

@@ -16,7 +16,6 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
-use crate::datum;
 use crate::finding::Finding;
 use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
@@ -63,7 +62,7 @@ struct VelocityFunction {
 impl TauberSutton {
     /// Reads the correlation from the text of `heating/tauber-sutton.toml` or its sister for another planet.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let file: File = datum::parse(text)?;
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let table = file.velocity_function.table;
         let mut rows = Vec::with_capacity(table.len());
         for pair in table.windows(2) {

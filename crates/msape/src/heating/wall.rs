@@ -17,7 +17,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.4.2 (radiative-equilibrium wall, emissivity 0.85); \[sutton-graves-1972\].
 
-use crate::datum;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -136,7 +135,7 @@ impl WallGas {
 
     /// Reads all gases of such a file, each with the names of its planets.
     pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
-        let file: File = datum::parse(text)?;
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let wall_emissivity = file.wall_emissivity;
         file.gas
             .into_iter()

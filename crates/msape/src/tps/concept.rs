@@ -13,7 +13,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.1 and Table B1.
 
-use crate::datum;
 use serde::{Deserialize, Serialize};
 
 /// A forebody concept.
@@ -55,7 +54,7 @@ pub struct Bond {
 impl Concept {
     /// Reads a concept from the text of its file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// Thickness of the bond, m.

@@ -1,7 +1,6 @@
 //! The trajectories on which the mass-estimating relations were fitted, and findings for an entry outside them.
 
 use super::{Environment, PA_PER_ATM};
-use crate::datum;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
@@ -34,7 +33,7 @@ pub struct FitSpace {
 impl FitSpace {
     /// Reads the ranges from the text of their file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        datum::parse(text)
+        toml::from_str(text).map_err(|error| error.to_string())
     }
 
     /// Findings for an entry outside the fitted trajectories; `forebody` is what its heat

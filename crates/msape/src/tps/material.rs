@@ -2,7 +2,6 @@
 
 use super::Side;
 use super::mer::Mer;
-use crate::datum;
 use crate::finding::range::Range;
 use serde::{Deserialize, Serialize};
 
@@ -109,7 +108,7 @@ pub struct Emissivity {
 impl TpsMaterial {
     /// Reads a material from the text of its file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let material: Self = datum::parse(text)?;
+        let material: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let positive = [
             ("density.density_kg_m3", material.density.density_kg_m3),
             (

@@ -1,6 +1,5 @@
 //! A file of expectations.
 
-use crate::datum;
 use crate::units::Unit;
 use crate::units::number::shortest;
 use serde::Deserialize;
@@ -123,7 +122,7 @@ impl File {
     /// # Errors
     /// What is wrong, in one sentence.
     pub fn parse(text: &str) -> Result<File, String> {
-        let file: File = datum::parse(text)?;
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let of_points = file.points.iter().map(|points| &points.expected);
         for row in file.rows.iter().chain(of_points) {
             let quantity = &row.quantity;

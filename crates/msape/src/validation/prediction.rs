@@ -161,7 +161,7 @@ pub fn capsules(library: &Library) -> Result<Vec<Capsule>, DataError> {
                 file: path.to_string(),
                 message,
             };
-            let file: File = crate::datum::parse(text).map_err(error)?;
+            let file: File = toml::from_str(text).map_err(|e| error(e.to_string()))?;
             Closing::new(library, &file)
                 .map(|closing| closing.capsule(name, &file))
                 .map_err(error)

@@ -1,6 +1,5 @@
 //! Constants of a family of vehicles, read from a file of `data/vehicles`: each with its source, assumed ones marked.
 
-use crate::datum;
 use crate::vehicle::kinds::{ComponentDensities, FoamGrade, WallPlace};
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::structure::{Carrier, Construction, LaunchLoad, StructureLoads};
@@ -159,7 +158,7 @@ pub struct VehicleData {
 impl VehicleData {
     /// Reads a file of `data/vehicles`; a missing constant is an error too.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = datum::parse(text)?;
+        let data: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         data.rules()?;
         data.densities()?;
         data.structure_loads()?;

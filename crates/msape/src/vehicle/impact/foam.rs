@@ -15,7 +15,6 @@
 //! # References
 //! - \[gibson-ashby-1997\] chapters 5 and 8; \[maiti-1984\].
 
-use crate::datum;
 use serde::{Deserialize, Serialize};
 
 /// Constants of a kind of foam, a file of `data/foams`.
@@ -58,7 +57,7 @@ pub struct CrushLaw {
 impl FoamKind {
     /// Reads a file of `data/foams`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let kind: Self = datum::parse(text)?;
+        let kind: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let positive = [
             kind.solid_density_kg_m3,
             kind.solid_modulus_pa,

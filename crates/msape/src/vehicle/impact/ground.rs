@@ -17,7 +17,6 @@
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
 
-use crate::datum;
 use crate::vehicle::impact::soil::Soil;
 use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::{self, Penetrator};
@@ -86,7 +85,7 @@ enum Law {
 impl Ground {
     /// Reads a file of `data/grounds`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let ground: Self = datum::parse(text)?;
+        let ground: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let [least, middle, largest] = match (ground.penetration, ground.young) {
             (Some(_), Some(_)) => {
                 return Err("penetration and young: one of them, or neither".to_string());

@@ -12,7 +12,6 @@
 
 use super::Table;
 use super::row::Row;
-use crate::datum;
 use crate::planet::gas::GasData;
 use serde::Deserialize;
 
@@ -49,7 +48,7 @@ struct Columns {
 impl Table {
     /// Title and atmosphere of a data file.
     pub fn parse(text: &str) -> Result<(String, Self), String> {
-        let file: File = datum::parse(text)?;
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let columns = &file.table;
         let height = columns.altitude_km.len();
         let optional = |column: &[f64]| column.is_empty() || column.len() == height;

@@ -1,6 +1,5 @@
 //! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
 
-use crate::datum;
 use serde::Deserialize;
 
 /// The whole file.
@@ -140,7 +139,7 @@ pub struct Species {
 impl Definition {
     /// Reads the file and checks what the code relies on.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let definition: Self = datum::parse(text)?;
+        let definition: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let Lower {
             base_geopotential_km: bases,
             gradient_k_km,
