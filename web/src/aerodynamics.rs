@@ -2,8 +2,7 @@
 //!
 //! The theory is in `msape::aero`.
 
-use crate::protocol::{Fault, ReadTable};
-use cad::table::{self, Ground, Table};
+use crate::protocol::Fault;
 use msape::aero::database::{Coefficients, Database, Regime};
 use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
 use msape::aero::standard::AeroBody;
@@ -12,9 +11,6 @@ use msape::{Case, Library};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 
-/// Key of a file of coefficients, and of the rows in it.
-const FILE: &str = "vehicle.aerodynamics.file";
-const TABLE: &str = "vehicle.aerodynamics.table";
 /// Most curves of a figure.
 pub const CURVES_MAX: usize = 6;
 /// Mach numbers of curves over the Mach number: first, last.
@@ -145,23 +141,6 @@ pub fn curves(question: &Question, library: &Library, kept: &Kept) -> Result<Cur
     body.cg_m = own_cg_m;
     *kept = Some((question.case.clone(), (body, database)));
     Ok(drawn)
-}
-
-/// A table as a case takes it, or what is wrong with its file.
-///
-/// # Errors
-/// Every fault with its line.
-pub fn read_table(bytes: &[u8], library: &Library) -> Result<ReadTable, Vec<String>> {
-    let found = table::read(FILE, bytes, &Ground::earth(library));
-    let Table { key, rows, remarks } =
-        found.map_err(|faults| faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
-    if key == TABLE {
-        Ok(ReadTable { rows, remarks })
-    } else {
-        Err(vec![
-            "the file is drag over the Mach number, as a point mass has it; a table here has angles of attack".to_string(),
-        ])
-    }
 }
 
 fn drawn(body: &AeroBody, database: &Database, places: &Places) -> Curves {
@@ -308,14 +287,6 @@ mod tests {
         )
         .unwrap_err();
         assert_eq!(faults[0].key, "outline.preset");
-        assert!(
-            read_table(
-                b"mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n",
-                &Library::builtin().unwrap()
-            )
-            .unwrap_err()[0]
-                .starts_with("line 3")
-        );
     }
 
     #[test]

@@ -2,7 +2,8 @@
 //!
 //! - `app`: the frame around the pages; `pages`: one file per page; `components`: what they are made of.
 //! - `state`: the undo stack of immutable documents, the newest answer, what is shown.
-//! - [`solver`] and [`protocol`]: what the worker does and how the page asks for it.
+//! - [`solver`], [`tools`] and [`protocol`]: what the two workers do and how the page asks for it; [`serve`]: their end of the line;
+//!   `catalog`: what the page shows of the library.
 //! - `drawing` and `view3d`: the vehicle as a section and in three dimensions.
 //! - `clock` and `timing`: what the benchmark page measures with.
 //! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files.
@@ -11,6 +12,7 @@
 
 mod aerodynamics;
 mod app;
+mod catalog;
 mod charts;
 mod clock;
 mod components;
@@ -21,10 +23,12 @@ mod link;
 mod pages;
 mod presets;
 pub mod protocol;
+pub mod serve;
 pub mod solver;
 mod state;
 mod storage;
 mod timing;
+pub mod tools;
 mod view3d;
 mod worker;
 

@@ -1,7 +1,7 @@
 //! Cases to start from.
 
 use msape::Case;
-use msape::library::data_folder;
+use msape::library::cases;
 
 /// A case that ships with the program.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub const RUN_PAGE: &str = "run-page";
 
 /// The designs that ship with the program, the report's run page last.
 pub fn starts() -> Vec<Start> {
-    let mut starts: Vec<Start> = data_folder("cases")
+    let mut starts: Vec<Start> = cases()
         .filter_map(|(path, text)| {
             let id = path.rsplit('/').next()?.strip_suffix(".toml")?;
             let case = Case::from_toml(text).ok()?;

@@ -1,15 +1,27 @@
-//! Messages between page and worker, as postcard bytes: both ends are of one build.
+//! Messages between the page and its two workers, as postcard bytes: all of them are of one build.
+//!
+//! The solver gets a [`Job`] and says [`News`]; the toolbox, which starts when it is first asked, gets an [`Ask`] and says what
+//! was [`Told`].
 
 use crate::aerodynamics::{Curves, Question};
+use crate::catalog::Catalog;
+use cad::export::{Format, Model};
 use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
-/// What the page asks of the worker.
+/// What the solver says.
+#[derive(Debug, Serialize, Deserialize)]
+pub enum News {
+    /// It is ready, and has read the library.
+    Ready(Box<Catalog>),
+    /// What became of a job.
+    Solved(Box<Reply>),
+}
+
+/// What the page asks of the toolbox.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Ask {
-    /// To solve a case.
-    Solve(Job),
     /// To measure a batch.
     Measure(Batch),
     /// To fly a vehicle as it is.
@@ -20,15 +32,15 @@ pub enum Ask {
     Attitude(Box<Case>),
     /// For one entry of a design from a set of attitudes and rates, by its number in the set.
     Turn(Box<Case>, u32),
-    /// To read a table of coefficients.
-    ReadTable(Vec<u8>),
+    /// To read the rows of a file, in bytes.
+    Read(FileKind, Vec<u8>),
+    /// To write a model as a file.
+    Write(Format, Box<Model>),
 }
 
-/// What the worker replies.
+/// What the toolbox replies.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Told {
-    /// What became of a job.
-    Solved(Box<Reply>),
     /// Time that a batch took, ms, or why it could not be measured.
     Measured(Result<f64, String>),
     /// A flight, or every fault of its case.
@@ -37,13 +49,28 @@ pub enum Told {
     Aerodynamics(Box<Result<Curves, Vec<Fault>>>),
     /// An entry of the set, or every fault of its case.
     Turned(Box<Result<Turn, Vec<Fault>>>),
-    /// A table, or every fault of its file.
-    TableRead(Result<ReadTable, Vec<String>>),
+    /// The rows of a file, or every fault of it.
+    Read(Result<ReadRows, Vec<String>>),
+    /// A file, in bytes.
+    Written(Vec<u8>),
 }
 
-/// A table of coefficients from a file.
+/// What is read from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ReadTable {
+pub enum FileKind {
+    /// A table: the key that names its file in a case, and the case that it is for.
+    Table(String, Box<Case>),
+    /// Coefficients with angles of attack.
+    Coefficients,
+    /// An outline: the name of its file, and the symbol of its unit where one is given.
+    Outline(String, Option<String>),
+}
+
+/// Rows of a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadRows {
+    /// Key of the input that takes them.
+    pub key: String,
     /// Rows as a case takes them.
     pub rows: Vec<Vec<f64>>,
     /// What the reader decided.
@@ -119,13 +146,11 @@ mod tests {
 
     #[test]
     fn a_job_survives_the_way_to_the_worker() {
-        let ask = Ask::Solve(Job {
+        let job = Job {
             id: 7,
             case: Case::run_page(),
-        });
-        let Ask::Solve(back) = decode(&encode(&ask).unwrap()).unwrap() else {
-            panic!("another question");
         };
+        let back: Job = decode(&encode(&job).unwrap()).unwrap();
         assert_eq!((back.id, back.case), (7, Case::run_page()));
     }
 }

@@ -1,36 +1,14 @@
-//! What the worker does with a question.
+//! What the worker does with a case.
 
-use crate::aerodynamics::{self, Kept};
+use crate::catalog::Catalog;
 use crate::clock::now_ms;
-use crate::protocol::{Ask, Batch, Fault, Job, Reply, Told, decode, encode};
-use benchmark::{Bench, JOBS};
-use msape::design::Design;
-use msape::flight::Flight;
-use msape::flight::six_dof::turning::{Start, Turn, turn};
+use crate::protocol::{Fault, Job, News, Reply, decode, encode};
 use msape::library::DataError;
-use msape::problem::{FlightProblem, attitude_of_design, fly_designed};
-use msape::progress::Unwatched;
-use msape::{Answer, Case, InputError, Library, Request, design, fly};
-use std::cell::{OnceCell, RefCell};
-
-/// Rows of a history of attitude: it turns several times a second for minutes.
-const ATTITUDE_ROWS: f64 = 8000.0;
-
-/// Whether a design is flown with its attitude, too.
-pub fn is_rigid(case: &Case) -> bool {
-    case.text("vehicle.dof")
-        .is_some_and(|dof| dof.trim() == "6")
-}
+use msape::{Library, Request, design};
 
 /// Solves jobs with the library that ships with the program.
 pub struct Solver {
     library: Library,
-    /// Made when it is first asked for.
-    bench: OnceCell<Result<Bench, DataError>>,
-    /// The answer to the last case of a design.
-    designed: RefCell<Option<(Case, Answer)>>,
-    /// The database that was last asked for.
-    aerodynamics: Kept,
 }
 
 impl Solver {
@@ -40,115 +18,30 @@ impl Solver {
     /// A data file that cannot be read.
     pub fn new() -> Result<Solver, DataError> {
         let library = Library::builtin()?;
-        let bench = OnceCell::new();
-        Ok(Solver {
-            library,
-            bench,
-            designed: RefCell::default(),
-            aerodynamics: Kept::default(),
-        })
+        Ok(Solver { library })
     }
 
-    /// The reply to a question, both as bytes.
+    /// What is said first, as bytes.
     ///
     /// # Errors
-    /// Bytes that are no question.
-    pub fn answer(&self, ask: &[u8]) -> Result<Vec<u8>, postcard::Error> {
-        encode(&match decode(ask)? {
-            Ask::Solve(job) => Told::Solved(Box::new(self.solve(job))),
-            Ask::Measure(batch) => Told::Measured(self.measure(batch)),
-            Ask::Fly(case) => Told::Flown(Box::new(self.fly(&case))),
-            Ask::Aerodynamics(question) => Told::Aerodynamics(Box::new(aerodynamics::curves(
-                &question,
-                &self.library,
-                &self.aerodynamics,
-            ))),
-            Ask::Attitude(case) => Told::Flown(Box::new(self.attitude(&case))),
-            Ask::Turn(case, number) => Told::Turned(Box::new(self.turn(&case, number))),
-            Ask::ReadTable(bytes) => {
-                Told::TableRead(aerodynamics::read_table(&bytes, &self.library))
-            }
-        })
+    /// What postcard cannot write.
+    pub fn ready(&self) -> Result<Vec<u8>, postcard::Error> {
+        encode(&News::Ready(Box::new(Catalog::of(&self.library))))
     }
 
-    fn solve(&self, Job { id, case }: Job) -> Reply {
+    /// The news of a job, both as bytes.
+    ///
+    /// # Errors
+    /// Bytes that are no job.
+    pub fn solve(&self, job: &[u8]) -> Result<Vec<u8>, postcard::Error> {
+        let Job { id, case } = decode(job)?;
         let start_ms = now_ms();
         let result = design(&case, &self.library, Request::Steps)
             .map_err(|faults| faults.into_iter().map(Fault::from).collect());
-        let duration_ms = now_ms() - start_ms;
-        // Only who flies the attitude as well asks for the design again.
-        if let Ok(answer) = &result
-            && is_rigid(&case)
-        {
-            *self.designed.borrow_mut() = Some((case, answer.clone()));
-        }
-        Reply {
+        encode(&News::Solved(Box::new(Reply {
             id,
             result,
-            duration_ms,
-        }
-    }
-
-    /// What is wanted of a design that has a vehicle, which is solved anew only for another case.
-    fn with_designed<T>(
-        &self,
-        case: &Case,
-        wanted: impl FnOnce(&Answer, &Design, &Flight) -> Result<T, Vec<InputError>>,
-    ) -> Result<T, Vec<Fault>> {
-        let faults =
-            |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
-        let mut designed = self.designed.borrow_mut();
-        if designed.as_ref().is_none_or(|(of, _)| of != case) {
-            let answer = design(case, &self.library, Request::Steps).map_err(faults)?;
-            *designed = Some((case.clone(), answer));
-        }
-        let vehicle = designed.as_ref().and_then(|(_, answer)| {
-            Some((answer, answer.design.as_ref()?, answer.flight.as_ref()?))
-        });
-        match vehicle {
-            Some((answer, vehicle, flight)) => wanted(answer, vehicle, flight).map_err(faults),
-            None => Err(vec![Fault {
-                key: "vehicle.dof".to_string(),
-                message: "the design has no vehicle that could fly".to_string(),
-            }]),
-        }
-    }
-
-    /// The flight of a design with its attitude.
-    fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
-        self.with_designed(case, |answer, _, flight| {
-            let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
-            fly_designed(case, &self.library, answer, Request::Uniform(step_s))
-        })
-    }
-
-    /// One entry of a design from a set of attitudes and rates.
-    fn turn(&self, case: &Case, number: u32) -> Result<Turn, Vec<Fault>> {
-        let turned = self.with_designed(case, |_, vehicle, _| {
-            let FlightProblem { mission, body, .. } =
-                attitude_of_design(case, &self.library, vehicle)?;
-            let start = Start::all().get(number as usize).copied();
-            Ok(start.and_then(|start| turn(&mission, &body, start, &mut Unwatched)))
-        })?;
-        turned.ok_or_else(|| {
-            vec![Fault {
-                key: String::new(),
-                message: format!("there is no entry {number}"),
-            }]
-        })
-    }
-
-    fn fly(&self, case: &Case) -> Result<msape::Answer, Vec<Fault>> {
-        fly(case, &self.library, Request::Steps)
-            .map_err(|faults| faults.into_iter().map(Fault::from).collect())
-    }
-
-    fn measure(&self, Batch { job, repetitions }: Batch) -> Result<f64, String> {
-        let bench = self.bench.get_or_init(Bench::new);
-        let bench = bench.as_ref().map_err(DataError::to_string)?;
-        let job = JOBS.get(job as usize).ok_or("there is no such job")?;
-        let start_ms = now_ms();
-        (0..repetitions).for_each(|_| job(bench));
-        Ok(now_ms() - start_ms)
+            duration_ms: now_ms() - start_ms,
+        })))
     }
 }

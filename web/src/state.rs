@@ -6,15 +6,18 @@ pub mod history;
 pub mod preferences;
 
 use crate::aerodynamics::{Curves, Question};
+use crate::catalog::{self, Catalog, Names};
 use crate::clock::now_ms;
-use crate::protocol::{Batch, Fault, ReadTable, Reply};
-use crate::worker::{News, WorkerLink};
+use crate::protocol::{self, Batch, Fault, FileKind, ReadRows, Reply};
+use crate::worker::{News, Role, WorkerLink};
+use cad::export::{Format, Model};
 use check::{Check, Checks, check_inputs};
 use document::Document;
 use history::History;
 use leptos::prelude::*;
 use msape::flight::six_dof::turning::Turn;
-use msape::{Answer, Case, Library};
+use msape::quantity::input::Input;
+use msape::{Answer, Case};
 use preferences::Preferences;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -95,28 +98,25 @@ pub struct State {
     pub version_remarks: RwSignal<Vec<String>>,
     /// Look and depth of the page.
     pub preferences: Preferences,
-    /// What a case may name.
-    pub library: StoredValue<Option<Library>>,
+    /// What a case may name; absent until the worker is ready.
+    pub catalog: RwSignal<Option<Arc<Catalog>>>,
     /// Inputs that the next flight of an outline begins with.
     pub flight_fields: StoredValue<Option<Case>>,
     /// Time from navigation to the first answer, ms.
     pub first_answer_ms: RwSignal<Option<f64>>,
-    worker: StoredValue<Option<WorkerLink>, LocalStorage>,
+    /// Started when it is first asked.
+    toolbox: StoredValue<Option<WorkerLink>, LocalStorage>,
 }
 
 impl State {
     /// The state around a first document; solving starts at once.
     pub fn new(document: Document, preferences: Preferences) -> State {
-        // The worker reports a library that cannot be read; here only lists of choices come from it.
-        let library = Library::builtin().ok();
         let history = RwSignal::new(History::new(document));
         let document = Memo::new(move |_| history.with(|history| history.present().clone()));
         let case = Memo::new(move |_| document.with(|document| document.case.clone()));
-        let stored_library = StoredValue::new(library);
+        let catalog = RwSignal::new(None::<Arc<Catalog>>);
         let checks = Memo::new(move |_| {
-            Arc::new(
-                stored_library.with_value(|library| check_inputs(&case.get(), library.as_ref())),
-            )
+            Arc::new(catalog.with(|catalog| check_inputs(&case.get(), catalog.as_deref())))
         });
         let state = State {
             history,
@@ -134,10 +134,10 @@ impl State {
             file_faults: RwSignal::new(Vec::new()),
             version_remarks: RwSignal::new(Vec::new()),
             preferences,
-            library: stored_library,
+            catalog,
             flight_fields: StoredValue::new(None),
             first_answer_ms: RwSignal::new(None),
-            worker: StoredValue::new_local(None),
+            toolbox: StoredValue::new_local(None),
         };
         state.solve_on_change();
         state
@@ -166,10 +166,11 @@ impl State {
                 self.take(reply, newest.get_value(), case);
             }
         };
-        let link = WorkerLink::start(move |news| match news {
+        let link = WorkerLink::start(Role::Solver, move |news| match news {
             News::Failed(message) => self.phase.set(Phase::Failed(message)),
+            News::Told(protocol::News::Ready(catalog)) => self.learn(*catalog),
             // The screen shows one answer a frame; of several, the newest.
-            News::Reply(reply) => {
+            News::Told(protocol::News::Solved(reply)) => {
                 let waits = replies.with_value(Option::is_some);
                 replies.set_value(Some(*reply));
                 if !waits {
@@ -177,7 +178,6 @@ impl State {
                 }
             }
         });
-        self.worker.set_value(Some(link.clone()));
         Effect::new(move |_| {
             let case = self.case.get();
             newest.update_value(|id| *id += 1);
@@ -185,6 +185,30 @@ impl State {
             self.phase.set(Phase::Updating);
             link.solve(newest.get_value(), (*case).clone());
         });
+    }
+
+    /// A worker that is started anew says the same again: the lists on the screen stay.
+    fn learn(self, catalog: Catalog) {
+        if self.catalog.with_untracked(Option::is_none) {
+            self.catalog.set(Some(Arc::new(catalog)));
+        }
+    }
+
+    /// What an input may be.
+    pub fn names(self, input: &Input) -> Names {
+        self.catalog
+            .with(|catalog| catalog::names(catalog.as_deref(), input))
+    }
+
+    /// The line to the toolbox.
+    fn toolbox(self) -> WorkerLink {
+        if let Some(link) = self.toolbox.get_value() {
+            return link;
+        }
+        // A question that is under way when it fails is told so.
+        let link = WorkerLink::start(Role::Toolbox, |_| {});
+        self.toolbox.set_value(Some(link.clone()));
+        link
     }
 
     fn take(self, reply: Reply, newest: u64, case: Arc<Case>) {
@@ -218,8 +242,7 @@ impl State {
     /// # Errors
     /// Why it could not be measured.
     pub async fn measure(self, batch: Batch) -> Result<f64, String> {
-        let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.measure(batch).await
+        self.toolbox().measure(batch).await
     }
 
     /// A flight of a vehicle as it is, or every fault of its case.
@@ -227,8 +250,7 @@ impl State {
     /// # Errors
     /// Why the worker did not answer.
     pub async fn fly(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.fly(case).await
+        self.toolbox().fly(case).await
     }
 
     /// The flight of a design with its attitude, or every fault of its case.
@@ -236,8 +258,7 @@ impl State {
     /// # Errors
     /// Why the worker did not answer.
     pub async fn attitude(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.attitude(case).await
+        self.toolbox().attitude(case).await
     }
 
     /// One entry of a design from a set of attitudes and rates, or every fault of its case.
@@ -245,8 +266,7 @@ impl State {
     /// # Errors
     /// Why the worker did not answer.
     pub async fn turn(self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
-        let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.turn(case, number).await
+        self.toolbox().turn(case, number).await
     }
 
     /// Curves of coefficients, or every fault of their case.
@@ -257,21 +277,21 @@ impl State {
         self,
         question: Question,
     ) -> Result<Result<Curves, Vec<Fault>>, String> {
-        let link = self.worker.get_value();
-        let link = link.ok_or("there is no worker")?;
-        link.aerodynamics(question).await
+        self.toolbox().aerodynamics(question).await
     }
 
-    /// A table of coefficients, or every fault of its file.
+    /// The rows of a file, or every fault of it.
+    pub async fn read(self, kind: FileKind, bytes: Vec<u8>) -> Result<ReadRows, Vec<String>> {
+        let read = self.toolbox().read(kind, bytes).await;
+        read.unwrap_or_else(|message| Err(vec![message]))
+    }
+
+    /// A model as a file, in bytes.
     ///
     /// # Errors
     /// Why the worker did not answer.
-    pub async fn read_table(
-        self,
-        bytes: Vec<u8>,
-    ) -> Result<Result<ReadTable, Vec<String>>, String> {
-        let link = self.worker.get_value();
-        link.ok_or("there is no worker")?.read_table(bytes).await
+    pub async fn write(self, format: Format, model: Model) -> Result<Vec<u8>, String> {
+        self.toolbox().write(format, model).await
     }
 
     /// Takes the last change back.

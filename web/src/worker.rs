@@ -1,8 +1,9 @@
-//! The page's end of the line to the worker. The newest edit wins: one job is under way, at most one waits. Batches of the
-//! benchmark and flights come after it.
+//! The page's end of the line to a worker: to the solver, or to the toolbox. Of jobs the newest wins: one is under way, at most
+//! one waits. Questions are answered one after the other.
 
 use crate::aerodynamics::{Curves, Question};
-use crate::protocol::{Ask, Batch, Fault, Job, ReadTable, Reply, Told, decode, encode};
+use crate::protocol::{self, Ask, Batch, Fault, FileKind, Job, ReadRows, Told, decode, encode};
+use cad::export::{Format, Model};
 use js_sys::{Function, Promise};
 use leptos::prelude::document;
 use msape::flight::six_dof::turning::Turn;
@@ -14,8 +15,8 @@ use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 /// What the page hears of the worker.
 pub enum News {
-    /// A job is done.
-    Reply(Box<Reply>),
+    /// What the solver says.
+    Told(protocol::News),
     /// The worker failed; it has been started anew.
     Failed(String),
 }
@@ -27,12 +28,22 @@ const OTHER_ANSWER: &str = "the solver answered something else";
 #[derive(Clone)]
 pub struct WorkerLink(Rc<RefCell<Line>>);
 
+/// Which worker a line leads to.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Role {
+    /// The one that solves jobs.
+    Solver,
+    /// The one that answers questions.
+    Toolbox,
+}
+
 struct Line {
+    role: Role,
     worker: Option<Worker>,
     on_news: Rc<dyn Fn(News)>,
     phase: Phase,
     waiting: Option<Job>,
-    /// Batches and flights that wait, and what resolves the promise of each; the first may be under way.
+    /// Questions that wait, and what resolves the promise of each; the first may be under way.
     questions: VecDeque<(Ask, Function)>,
 }
 
@@ -40,13 +51,17 @@ struct Line {
 enum Phase {
     Starting,
     Idle,
-    Busy,
+    /// With a job.
+    Solving,
+    /// With the first question.
+    Answering,
 }
 
 impl WorkerLink {
-    /// Starts the worker; `on_news` is called with each of its replies and failures.
-    pub fn start(on_news: impl Fn(News) + 'static) -> WorkerLink {
+    /// Starts the worker; `on_news` is called with what the solver says and with each failure.
+    pub fn start(role: Role, on_news: impl Fn(News) + 'static) -> WorkerLink {
         let link = WorkerLink(Rc::new(RefCell::new(Line {
+            role,
             worker: None,
             on_news: Rc::new(on_news),
             phase: Phase::Starting,
@@ -121,16 +136,28 @@ impl WorkerLink {
         }
     }
 
-    /// A table of coefficients, or every fault of its file.
+    /// The rows of a file, or every fault of it.
     ///
     /// # Errors
     /// Why the worker did not answer.
-    pub async fn read_table(
+    pub async fn read(
         &self,
+        kind: FileKind,
         bytes: Vec<u8>,
-    ) -> Result<Result<ReadTable, Vec<String>>, String> {
-        match self.ask(Ask::ReadTable(bytes)).await? {
-            Told::TableRead(table) => Ok(table),
+    ) -> Result<Result<ReadRows, Vec<String>>, String> {
+        match self.ask(Ask::Read(kind, bytes)).await? {
+            Told::Read(rows) => Ok(rows),
+            _ => Err(OTHER_ANSWER.to_string()),
+        }
+    }
+
+    /// A model as a file, in bytes.
+    ///
+    /// # Errors
+    /// Why the worker did not answer.
+    pub async fn write(&self, format: Format, model: Model) -> Result<Vec<u8>, String> {
+        match self.ask(Ask::Write(format, Box::new(model))).await? {
+            Told::Written(bytes) => Ok(bytes),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }
@@ -167,14 +194,14 @@ impl WorkerLink {
         let Some(worker) = line.worker.clone() else {
             return;
         };
-        let bytes = match line.waiting.take() {
-            Some(job) => encode(&Ask::Solve(job)),
+        let (phase, bytes) = match line.waiting.take() {
+            Some(job) => (Phase::Solving, encode(&job)),
             None => match line.questions.front() {
-                Some((ask, _)) => encode(ask),
+                Some((ask, _)) => (Phase::Answering, encode(ask)),
                 None => return,
             },
         };
-        line.phase = Phase::Busy;
+        line.phase = phase;
         drop(line);
         let sent = bytes.map_err(|error| error.to_string()).and_then(|bytes| {
             worker
@@ -197,7 +224,7 @@ impl WorkerLink {
     fn try_start(&self) -> Result<Worker, JsValue> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        let worker = Worker::new_with_options(&script()?, &options)?;
+        let worker = Worker::new_with_options(&script(self.0.borrow().role)?, &options)?;
         let on_message = Closure::<dyn Fn(MessageEvent)>::new({
             let link = self.clone();
             move |event: MessageEvent| link.receive(&event)
@@ -223,20 +250,22 @@ impl WorkerLink {
     }
 
     fn receive(&self, event: &MessageEvent) {
-        self.0.borrow_mut().phase = Phase::Idle;
+        let (phase, role) = {
+            let mut line = self.0.borrow_mut();
+            (std::mem::replace(&mut line.phase, Phase::Idle), line.role)
+        };
         let data = event.data();
-        let bytes = data.dyn_ref::<js_sys::Uint8Array>();
-        let told = bytes.map(|bytes| decode::<Told>(&bytes.to_vec()));
-        if let Some(Ok(told)) = &told
-            && !matches!(told, Told::Solved(_))
-        {
+        if phase == Phase::Answering {
             self.settle(&data);
         }
         self.send_next();
-        match told {
-            Some(Ok(Told::Solved(reply))) => self.news(News::Reply(reply)),
-            Some(Err(error)) => self.news(News::Failed(error.to_string())),
-            Some(Ok(_)) | None => {}
+        if role == Role::Solver
+            && let Some(bytes) = data.dyn_ref::<js_sys::Uint8Array>()
+        {
+            self.news(match decode(&bytes.to_vec()) {
+                Ok(news) => News::Told(news),
+                Err(error) => News::Failed(error.to_string()),
+            });
         }
     }
 
@@ -246,10 +275,14 @@ impl WorkerLink {
     }
 }
 
-/// Address of the worker's script, from the page.
-fn script() -> Result<String, JsValue> {
+/// Address of a worker's script, from the page.
+fn script(role: Role) -> Result<String, JsValue> {
+    let attribute = match role {
+        Role::Solver => "data-solver",
+        Role::Toolbox => "data-tools",
+    };
     document()
         .get_element_by_id("worker-files")
-        .and_then(|files| files.get_attribute("data-script"))
+        .and_then(|files| files.get_attribute(attribute))
         .ok_or_else(|| "the page names no worker".into())
 }

@@ -57,7 +57,8 @@ impl Ground {
         let mut reader = Reader::new(case);
         let names: Vec<&str> = library.planets.iter().map(|(name, _)| &**name).collect();
         let name = reader.choice("entry.planet", &names).unwrap_or_default();
-        let planet = named(&library.planets, name);
+        let world = named(&library.planets, name);
+        let planet = world.map(|world| &world.planet);
         let mean = |equatorial_m: f64, polar_m: f64| (2.0 * equatorial_m + polar_m) / 3.0;
         let own_m = reader
             .number("planet.equatorial_radius_m")
@@ -65,9 +66,9 @@ impl Ground {
                 let polar_m = reader.number("planet.polar_radius_m");
                 mean(equatorial_m, polar_m.unwrap_or(equatorial_m))
             });
-        let gas = planet.filter(|_| own_m.is_none() || reader.given("entry.planet"));
+        let gas = world.filter(|_| own_m.is_none() || reader.given("entry.planet"));
         match (own_m, planet) {
-            (None, Some(_)) if name.starts_with("earth") => Ground::earth(library),
+            (None, Some(planet)) if planet.atmosphere == STANDARD => Ground::earth(library),
             (None, None) => Ground::earth(library),
             (own_m, planet) => Ground {
                 radius_m: own_m
@@ -75,8 +76,7 @@ impl Ground {
                         planet.map(|planet| mean(planet.equatorial_radius_m, planet.polar_radius_m))
                     })
                     .unwrap_or(EARTH_RADIUS_M),
-                gas_constant_j_kg_k: gas
-                    .and_then(|planet| gas_constant_j_kg_k(library, &planet.atmosphere)),
+                gas_constant_j_kg_k: gas.map(|world| gas_constant_j_kg_k(&world.atmosphere)),
                 standard: None,
             },
         }
@@ -84,18 +84,18 @@ impl Ground {
 
     /// That of the Earth, as in its standard atmosphere.
     pub fn earth(library: &Library) -> Ground {
+        let standard = named(&library.atmospheres, STANDARD).map(|(_, standard)| standard);
         Ground {
             radius_m: EARTH_RADIUS_M,
-            gas_constant_j_kg_k: gas_constant_j_kg_k(library, STANDARD),
-            standard: named(&library.atmospheres, STANDARD).map(|(_, standard)| standard.clone()),
+            gas_constant_j_kg_k: standard.map(gas_constant_j_kg_k),
+            standard: standard.cloned(),
         }
     }
 }
 
-/// Gas constant of an atmosphere of the library, J/(kg K).
-fn gas_constant_j_kg_k(library: &Library, atmosphere: &str) -> Option<f64> {
-    let (_, atmosphere) = named(&library.atmospheres, atmosphere)?;
-    Some(atmosphere.planet_air().gas.gas_constant_j_kg_k)
+/// Gas constant of an atmosphere, J/(kg K).
+fn gas_constant_j_kg_k(atmosphere: &Atmosphere) -> f64 {
+    atmosphere.planet_air().gas.gas_constant_j_kg_k
 }
 
 /// Rows for an input of a case.

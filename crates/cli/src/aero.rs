@@ -92,12 +92,16 @@ pub enum Regime {
 }
 
 /// Answers and writes.
-pub fn run(arguments: &Aero) -> Done {
-    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+pub fn run(arguments: &Aero, library: &Library) -> Done {
+    let mut loaded = read::case(
+        &arguments.case,
+        &arguments.set,
+        arguments.root.as_deref(),
+        library,
+    )?;
     output::check(arguments.output.as_deref(), &loaded.files)?;
     let mut faults = std::mem::take(&mut loaded.faults);
     let case = &mut loaded.case;
-    let library = Library::builtin()?;
     let angles = angles(&arguments.alpha, &mut faults);
     for (key, value) in [
         (WALL, arguments.wall_temperature_ratio),
@@ -107,7 +111,7 @@ pub fn run(arguments: &Aero) -> Done {
             case.set(key, &value.to_string());
         }
     }
-    let found = msape::problem::aero(case, &library);
+    let found = msape::problem::aero(case, library);
     let of_air = found
         .as_ref()
         .map(|(_, database)| database.heat_capacity_ratio());

@@ -16,6 +16,7 @@ Examples:
   msape fly cases/msr-eev-cp.toml --set vehicle.dof=6 --set attitude.alpha_deg=145    the vehicle of the design as a rigid body
   msape reorientation cases/msr-eev-cp.toml               does it turn nose first?
   msape fly - < my-case.toml                              the case from standard input
+  msape fly my-case.toml --data my-data                   with planets, materials ... of the folder my-data
   msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
   msape quantities inputs                                 every key of a case, with unit, range and default
@@ -30,6 +31,10 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Folder with data files of your own, laid out as crates/msape/data: planets/NAME.toml, atmospheres, materials, concepts,
+    /// soak, grounds, outlines, aerodynamics/NAME.csv; a case may then name them
+    #[arg(long, value_name = "DIR", global = true)]
+    pub data: Option<PathBuf>,
 }
 
 /// What to do.

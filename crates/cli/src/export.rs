@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// Designs a case, or takes its outline, and writes it in a format of CAD, mesh or drawing.
-pub fn export(arguments: &Export) -> Done {
+pub fn export(arguments: &Export, library: &Library) -> Done {
     let path = arguments.output.as_deref().filter(|p| *p != Path::new("-"));
     let format = format(arguments, path)?;
     if path.is_none() && !format.is_text() {
@@ -18,11 +18,15 @@ pub fn export(arguments: &Export) -> Done {
             format.name()
         )));
     }
-    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+    let mut loaded = read::case(
+        &arguments.case,
+        &arguments.set,
+        arguments.root.as_deref(),
+        library,
+    )?;
     output::check(path, &loaded.files)?;
     let mut faults = std::mem::take(&mut loaded.faults);
-    let library = Library::builtin()?;
-    let model = match model(&loaded.case, &library) {
+    let model = match model(&loaded.case, library) {
         Ok(model) if faults.is_empty() => model?,
         Ok(_) => return Err(Failure::Input(faults)),
         Err(found) => {

@@ -35,27 +35,31 @@ fn main() -> ExitCode {
         }
         Err(told) => return refused(&told),
     };
-    let done = match arguments.command {
-        Command::Fly(arguments) => run::run(&arguments, Job::Fly, Entries::Nominal),
+    match done(arguments) {
+        Ok(code) => code,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn done(Arguments { command, data }: Arguments) -> Done {
+    let library = &read::library(data.as_deref())?;
+    match command {
+        Command::Fly(arguments) => run::run(&arguments, library, Job::Fly, Entries::Nominal),
         Command::Design(Design { run, reorientation }) => {
             let entries = if reorientation {
                 Entries::AnyAttitude
             } else {
                 Entries::Nominal
             };
-            run::run(&run, Job::Design, entries)
+            run::run(&run, library, Job::Design, entries)
         }
-        Command::Reorientation(arguments) => reorientation::reorientation(&arguments),
-        Command::Export(arguments) => export::export(&arguments),
-        Command::Aero(arguments) => aero::run(&arguments),
-        Command::Validate(arguments) => validate::validate(&arguments),
-        Command::Outline(arguments) => outline::outline(&arguments),
-        Command::Schema(arguments) => quantities::schema(&arguments),
-        Command::Quantities(arguments) => quantities::quantities(&arguments),
-    };
-    match done {
-        Ok(code) => code,
-        Err(failure) => failure.report(),
+        Command::Reorientation(arguments) => reorientation::reorientation(&arguments, library),
+        Command::Export(arguments) => export::export(&arguments, library),
+        Command::Aero(arguments) => aero::run(&arguments, library),
+        Command::Validate(arguments) => validate::validate(&arguments, library),
+        Command::Outline(arguments) => outline::outline(&arguments, library),
+        Command::Schema(arguments) => quantities::schema(&arguments, library),
+        Command::Quantities(arguments) => quantities::quantities(&arguments, library),
     }
 }
 

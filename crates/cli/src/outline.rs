@@ -12,12 +12,16 @@ use std::process::ExitCode;
 const DIGITS: usize = 8;
 
 /// Prints the facts of the outline of a case.
-pub fn outline(arguments: &Outline) -> Done {
-    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+pub fn outline(arguments: &Outline, library: &Library) -> Done {
+    let mut loaded = read::case(
+        &arguments.case,
+        &arguments.set,
+        arguments.root.as_deref(),
+        library,
+    )?;
     output::check(arguments.output.as_deref(), &loaded.files)?;
     let mut faults = std::mem::take(&mut loaded.faults);
-    let library = Library::builtin()?;
-    let found = match problem::rigid_body(&loaded.case, &library) {
+    let found = match problem::rigid_body(&loaded.case, library) {
         Ok(found) => found,
         Err(errors) => {
             faults.extend(errors.iter().map(ToString::to_string));

@@ -13,17 +13,16 @@ use msape::units::number::shortest;
 use std::process::ExitCode;
 
 /// Prints the JSON Schema of case files.
-pub fn schema(arguments: &Plain) -> Done {
-    let library = Library::builtin()?;
-    let text = format!("{:#}\n", json_schema::schema(&library));
+pub fn schema(arguments: &Plain, library: &Library) -> Done {
+    let text = format!("{:#}\n", json_schema::schema(library));
     output::write(&text, arguments.output.as_deref())?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Prints a list of quantities.
-pub fn quantities(arguments: &Quantities) -> Done {
+pub fn quantities(arguments: &Quantities, library: &Library) -> Done {
     let table = match arguments.list {
-        List::Inputs => list_of_inputs(&Library::builtin()?),
+        List::Inputs => list_of_inputs(library),
         List::Outputs => list_of_outputs(),
         List::Trajectory => list_of_columns(),
     };

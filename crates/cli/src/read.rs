@@ -3,11 +3,13 @@
 //! A case may come from anybody: the files it names are read below its own folder, or below `--root`, and nowhere else. A file
 //! that the command line names with `--set` is the user's own word and may lie anywhere.
 
+mod data;
 mod place;
 
 use crate::failure::{Failure, cut, say};
 use cad::outline::{self, LengthUnit};
 use cad::table::{self, Ground, Table};
+pub use data::library;
 use msape::case::Value;
 use msape::finding::{Finding, Severity};
 use msape::{Case, InputError, Library};
@@ -65,7 +67,12 @@ impl Loaded {
 }
 
 /// The case of `path` with `settings` applied; files that it names may lie below `root` as well.
-pub fn case(path: &Path, settings: &[String], root: Option<&Path>) -> Result<Loaded, Failure> {
+pub fn case(
+    path: &Path,
+    settings: &[String],
+    root: Option<&Path>,
+    library: &Library,
+) -> Result<Loaded, Failure> {
     let unreadable = |faults: Vec<InputError>| {
         let named = faults
             .iter()
@@ -107,7 +114,7 @@ pub fn case(path: &Path, settings: &[String], root: Option<&Path>) -> Result<Loa
             }
         }
     };
-    let ground = Ground::of(&loaded.case, &Library::builtin()?);
+    let ground = Ground::of(&loaded.case, library);
     for key in table::FILES {
         resolve_table(&mut loaded, key, &place(key), &ground);
     }

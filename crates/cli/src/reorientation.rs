@@ -21,13 +21,17 @@ struct Flown {
 }
 
 /// Flies the entries and writes them.
-pub fn reorientation(arguments: &Reorientation) -> Done {
-    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+pub fn reorientation(arguments: &Reorientation, library: &Library) -> Done {
+    let mut loaded = read::case(
+        &arguments.case,
+        &arguments.set,
+        arguments.root.as_deref(),
+        library,
+    )?;
     output::check(arguments.output.as_deref(), &loaded.files)?;
     let mut faults = std::mem::take(&mut loaded.faults);
     let case = &loaded.case;
-    let library = Library::builtin()?;
-    let flown = flown(case, &library);
+    let flown = flown(case, library);
     watched();
     let flown = match flown {
         Ok(flown) if faults.is_empty() => flown,

@@ -20,13 +20,17 @@ pub enum Entries {
 }
 
 /// Solves a case and writes the answer.
-pub fn run(arguments: &Run, job: Job, entries: Entries) -> Done {
-    let mut loaded = read::case(&arguments.case, &arguments.set, arguments.root.as_deref())?;
+pub fn run(arguments: &Run, library: &Library, job: Job, entries: Entries) -> Done {
+    let mut loaded = read::case(
+        &arguments.case,
+        &arguments.set,
+        arguments.root.as_deref(),
+        library,
+    )?;
     output::check(arguments.output.as_deref(), &loaded.files)?;
     let mut faults = std::mem::take(&mut loaded.faults);
-    let library = Library::builtin()?;
     let request = request(arguments);
-    let mut answer = match solve(&loaded.case, &library, request, (job, entries)) {
+    let mut answer = match solve(&loaded.case, library, request, (job, entries)) {
         Ok(answer) if faults.is_empty() => answer,
         Ok(_) => return Err(Failure::Input(faults)),
         Err(found) => {

@@ -13,17 +13,16 @@ use serde_json::json;
 use std::process::ExitCode;
 
 /// Compares and prints; ends with 1 when a judged value is beyond its tolerance. A missed prediction is no such end.
-pub fn validate(arguments: &Validate) -> Done {
-    let library = Library::builtin()?;
+pub fn validate(arguments: &Validate, library: &Library) -> Done {
     let (files, capsules) = chosen(
         validation::files()?,
-        prediction::capsules(&library)?,
+        prediction::capsules(library)?,
         &arguments.names,
     )?;
     let mut compared = Vec::with_capacity(files.len());
     for (i, (name, file)) in files.iter().enumerate() {
         progress(&format!("{} of {}: {name}", i + 1, files.len()));
-        compared.push((name, file, validation::run_file(&library, name, file)?));
+        compared.push((name, file, validation::run_file(library, name, file)?));
     }
     progress("");
     let rows = || compared.iter().flat_map(|(_, _, rows)| rows);

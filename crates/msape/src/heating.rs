@@ -57,6 +57,13 @@ pub struct PeakConditions {
     pub nose_radius_m: f64,
 }
 
+/// What belongs to a planet, of things that belong to some planets each.
+fn of_planet<T>(all: Vec<(Vec<String>, T)>, planet: &str) -> Option<T> {
+    let mut all = all.into_iter();
+    all.find(|(planets, _)| planets.iter().any(|name| name == planet))
+        .map(|(_, thing)| thing)
+}
+
 /// Ranges of a stagnation-point correlation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,6 +1,10 @@
-//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, plus what the user adds.
+//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, plus files of one's own.
 //!
 //! A library is always passed, never global.
+
+mod build;
+mod files;
+mod read;
 
 use crate::aero::AxialForce;
 use crate::aero::damping::DampingData;
@@ -24,36 +28,59 @@ use crate::tps::material::TpsMaterial;
 use crate::vehicle::body::OutlineData;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
-use crate::vehicle::rules::VehicleData;
+use crate::vehicle::rules::{CarrierMaterial, VehicleData};
 use thiserror::Error;
 
-/// The files of the folder `data`, and the shipped cases as its folder `cases`: path and text.
-static FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/data_files.rs"));
+pub use files::{case_file, cases, data_file, data_folder};
 
-/// A data file that cannot be read.
-#[derive(Clone, Debug, PartialEq, Error)]
+/// A data file that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{file}: {message}")]
 pub struct DataError {
     /// Path of the file below `data`.
     pub file: String,
-    /// What is wrong with it.
+    /// What is wrong with it: key, value, and what it must be.
     pub message: String,
 }
 
 /// A thing of the library and the name by which a case calls it.
 pub type Named<T> = Vec<(String, T)>;
 
-/// Heating models and what goes with them.
+/// A planet with its air and its heating relations.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The planet.
+    pub planet: Planet,
+    /// Title of its own atmosphere.
+    pub atmosphere_title: String,
+    /// Its own atmosphere.
+    pub atmosphere: Atmosphere,
+    /// Sutton-Graves constant.
+    pub sutton_graves: SuttonGraves,
+    /// Tauber-Sutton relation, where there is one for its gas.
+    pub tauber_sutton: Option<TauberSutton>,
+    /// Brandis-Johnston relations, where they are for its gas.
+    pub brandis_johnston: Option<BrandisJohnston>,
+    /// Gas at a hot wall.
+    pub wall_gas: WallGas,
+}
+
+/// A forebody concept with what it names.
+#[derive(Clone, Debug)]
+pub struct Stack {
+    /// The concept.
+    pub concept: Concept,
+    /// Material of its heat shield.
+    pub tps: TpsMaterial,
+    /// Soak correlation behind it.
+    pub soak: SoakCorrelation,
+    /// Carrier structure below it.
+    pub carrier: CarrierMaterial,
+}
+
+/// Heating models that are the same on all planets.
 #[derive(Clone, Debug)]
 pub struct HeatingModels {
-    /// Sutton-Graves constants by planet.
-    pub sutton_graves: Named<SuttonGraves>,
-    /// Tauber-Sutton relations by planet.
-    pub tauber_sutton: Named<TauberSutton>,
-    /// Brandis-Johnston relations, for the Earth.
-    pub brandis_johnston: BrandisJohnston,
-    /// Gas at a hot wall by planet.
-    pub wall_gas: Named<WallGas>,
     /// Fractions of the aftbody.
     pub afterbody: Afterbody,
     /// Shoulder factor.
@@ -62,11 +89,11 @@ pub struct HeatingModels {
     pub pressure_fit: PressureFit,
 }
 
-/// Everything a case may name.
+/// Everything a case may name; what its data files name of each other is at hand.
 #[derive(Clone, Debug)]
 pub struct Library {
-    /// Planets by name.
-    pub planets: Named<Planet>,
+    /// Planets by name; one at least.
+    pub planets: Named<World>,
     /// Atmospheres by name, with a title.
     pub atmospheres: Named<(String, Atmosphere)>,
     /// Heating models.
@@ -74,9 +101,7 @@ pub struct Library {
     /// Heat-shield materials by name.
     pub materials: Named<TpsMaterial>,
     /// Forebody concepts by name.
-    pub concepts: Named<Concept>,
-    /// Soak correlations by the name of the heat-shield material.
-    pub soak: Named<SoakCorrelation>,
+    pub concepts: Named<Stack>,
     /// Trajectory space of the mass-estimating relations.
     pub fit_space: FitSpace,
     /// Rules, densities, carriers and foams of the vehicle family.
@@ -99,50 +124,43 @@ impl Library {
     /// The library that ships with the program.
     ///
     /// # Errors
-    /// A data file that cannot be read, which a test excludes.
+    /// A data file that cannot be used, which a test excludes.
     ///
     /// ```
     /// let library = msape::Library::builtin().unwrap();
     /// assert!(library.planets.iter().any(|(name, _)| name == "earth-msape"));
     /// ```
     pub fn builtin() -> Result<Library, DataError> {
-        let planets = folder("planets", Planet::parse)?;
-        let earth = parsed("heating/tauber-sutton.toml", TauberSutton::parse)?;
-        Ok(Library {
-            atmospheres: folder("atmospheres", Atmosphere::parse)?,
-            heating: HeatingModels {
-                sutton_graves: of_planets(
-                    "heating/sutton-graves.toml",
-                    &planets,
-                    SuttonGraves::parse,
-                )?,
-                tauber_sutton: vec![
-                    ("earth".to_string(), earth.clone()),
-                    ("earth-msape".to_string(), earth),
-                    (
-                        "mars".to_string(),
-                        parsed("heating/tauber-sutton-mars.toml", TauberSutton::parse)?,
-                    ),
-                ],
-                brandis_johnston: parsed("heating/brandis-johnston.toml", BrandisJohnston::parse)?,
-                wall_gas: of_planets("heating/hot-wall.toml", &planets, WallGas::parse)?,
-                afterbody: parsed("heating/afterbody.toml", Afterbody::parse)?,
-                shoulder: parsed("heating/shoulder.toml", Shoulder::parse)?,
-                pressure_fit: parsed("heating/stagnation-pressure.toml", PressureFit::parse)?,
-            },
-            materials: folder("materials", TpsMaterial::parse)?,
-            concepts: folder("concepts", Concept::parse)?,
-            planets,
-            soak: folder("soak", SoakCorrelation::parse)?,
-            fit_space: parsed("tps/mer-fit-space.toml", FitSpace::parse)?,
-            vehicle: parsed("vehicles/mmeev.toml", VehicleData::parse)?,
-            grounds: folder("grounds", Ground::parse)?,
-            impact_foam: parsed("foams/pmi.toml", FoamKind::parse)?,
-            aerodynamics: folder("aerodynamics", AxialForce::parse)?,
-            damping: parsed("aero-models/damping.toml", DampingData::parse)?,
-            euler: parsed("aero-models/euler-correction.toml", EulerCorrection::parse)?,
-            outlines: folder("outlines", OutlineData::parse)?,
+        build::library(&[]).map_err(|faults| {
+            let nameless = DataError {
+                file: String::new(),
+                message: "the library cannot be built".to_string(),
+            };
+            faults.into_iter().next().unwrap_or(nameless)
         })
+    }
+
+    /// The library that ships with the program and files of one's own: path below a folder laid out as `data`, and text. Their
+    /// names must be new ones; what they name may be shipped or their own.
+    ///
+    /// ```
+    /// use msape::Library;
+    ///
+    /// let text = msape::library::data_file("planets/mars.toml").unwrap();
+    /// let own = text.replace("\"mars\"\ntitle", "\"dusty\"\ntitle") + "\n";
+    /// let own = own.replace("\natmosphere", "\nheating_as = \"mars\"\natmosphere");
+    /// let library = Library::with_files(&[("planets/dusty.toml".to_string(), own.clone())]).unwrap();
+    /// assert!(library.planets.iter().any(|(name, _)| name == "dusty"));
+    ///
+    /// let dangling = own.replace("atmosphere = \"mars\"", "atmosphere = \"mrs\"");
+    /// let faults = Library::with_files(&[("planets/dusty.toml".to_string(), dangling)]).unwrap_err();
+    /// assert!(faults[0].to_string().starts_with("planets/dusty.toml: atmosphere: got \"mrs\", must be one of jupiter, mars"));
+    /// ```
+    ///
+    /// # Errors
+    /// Every file that cannot be used, and every name in one that nothing has.
+    pub fn with_files(own: &[(String, String)]) -> Result<Library, Vec<DataError>> {
+        build::library(own)
     }
 
     /// Data from which the axial force of an outline is computed.
@@ -183,13 +201,13 @@ impl Library {
                 .iter()
                 .map(|(name, label)| (name.to_string(), label.to_string()))
                 .collect(),
-            Choices::Planets => titles(&self.planets, |planet| &planet.title),
+            Choices::Planets => titles(&self.planets, |world| &world.planet.title),
             Choices::Atmospheres => {
                 let mut all = vec![(OWN_ATMOSPHERE.to_string(), "Of the planet".to_string())];
                 all.extend(titles(&self.atmospheres, |(title, _)| title));
                 all
             }
-            Choices::ForebodyConcepts => titles(&self.concepts, |concept| &concept.name),
+            Choices::ForebodyConcepts => titles(&self.concepts, |stack| &stack.concept.name),
             Choices::AftbodyMaterials => self
                 .aftbody_materials()
                 .map(|(name, material)| (name.clone(), material.name.clone()))
@@ -214,61 +232,4 @@ pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
     list.iter()
         .find(|(known, _)| known == name)
         .map(|(_, thing)| thing)
-}
-
-/// Text of a data file by its path below `data`, such as `planets/earth.toml`.
-pub fn data_file(path: &str) -> Option<&'static str> {
-    FILES
-        .iter()
-        .find(|(name, _)| *name == path)
-        .map(|(_, text)| *text)
-}
-
-/// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
-pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let prefix = format!("{folder}/");
-    FILES
-        .iter()
-        .filter(move |(name, _)| {
-            let inside = name.strip_prefix(&prefix);
-            inside.is_some_and(|file| !file.contains('/'))
-        })
-        .map(|(name, text)| (*name, *text))
-}
-
-fn text(path: &str) -> Result<&'static str, DataError> {
-    data_file(path).ok_or_else(|| DataError {
-        file: path.to_string(),
-        message: "is not there".to_string(),
-    })
-}
-
-fn parsed<T>(path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<T, DataError> {
-    parse(text(path)?).map_err(|message| DataError {
-        file: path.to_string(),
-        message,
-    })
-}
-
-/// A file that holds something for each planet.
-fn of_planets<T>(
-    file: &str,
-    planets: &Named<Planet>,
-    parse: impl Fn(&str, &str) -> Result<T, String>,
-) -> Result<Named<T>, DataError> {
-    planets
-        .iter()
-        .map(|(name, _)| Ok((name.clone(), parsed(file, |text| parse(text, name))?)))
-        .collect()
-}
-
-/// Every file of a folder, by its name without the ending.
-fn folder<T>(name: &str, parse: impl Fn(&str) -> Result<T, String>) -> Result<Named<T>, DataError> {
-    data_folder(name)
-        .map(|(path, _)| {
-            let file = path.rsplit('/').next().unwrap_or(path);
-            let stem = file.split('.').next().unwrap_or(file);
-            Ok((stem.to_string(), parsed(path, &parse)?))
-        })
-        .collect()
 }

@@ -60,6 +60,9 @@ pub struct Planet {
     pub entry_interface_m: f64,
     /// Name of its own atmosphere.
     pub atmosphere: String,
+    /// Name of the planet whose heating relations it takes, where they do not name it.
+    #[serde(default)]
+    pub heating_as: Option<String>,
     /// Lowest altitude at which a flight may end, m: of its surface, or where its atmosphere is no longer known.
     pub lowest_altitude_m: f64,
     /// Altitudes through whose densities the closed form lays its exponential, m.
@@ -91,7 +94,7 @@ pub struct PlanetFault {
 impl Planet {
     /// The planet of a data file.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let planet: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let planet: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         match planet.check().first() {
             None => Ok(planet),
             Some(fault) => Err(fault.to_string()),

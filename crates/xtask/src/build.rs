@@ -19,10 +19,10 @@ use crate::{
 };
 
 /// Binaries of the package `msape-web`.
-const BINARIES: [&str; 2] = ["app", "worker"];
+const BINARIES: [&str; 3] = ["app", "worker", "tools"];
 
-/// Builds `dist/` and prints the sizes of what is in it; returns its size, compressed, bytes.
-pub fn dist(project: &Project) -> Result<usize> {
+/// Builds `dist/` and prints the sizes of what is in it; returns those of its parts.
+pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     setup::for_build(project)?;
     compile(project)?;
     announce("Putting dist/ together");
@@ -41,10 +41,10 @@ pub fn dist(project: &Project) -> Result<usize> {
         with_code_in(&named, &page, &code)?,
     )?;
     fs::rename(&code, project.dist.join(&named))?;
-    let compressed_bytes = sizes::print(&project.dist)?;
+    let sizes = sizes::print(&project.dist)?;
     // not counted: a browser gets it when somebody asks for it
     licences::write(project)?;
-    Ok(compressed_bytes)
+    Ok(sizes)
 }
 
 /// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.

@@ -10,13 +10,12 @@ use crate::components::chart_panel::ChartPanel;
 use crate::components::segments::Segments;
 use crate::display::{number, symbol};
 use crate::protocol::Fault;
-use crate::solver::is_rigid;
 use crate::state::{Phase, Solved, State};
 use crate::view3d::attitude::Course;
 use inputs::Inputs;
 use leptos::prelude::*;
-use msape::Answer;
 use msape::answer::output;
+use msape::{Answer, Case};
 use player::Player;
 use reorientation::Reorientation;
 use scene::Scene;
@@ -192,6 +191,12 @@ impl AttitudeView {
             self.cursor.set(row);
         }
     }
+}
+
+/// Whether a design is flown with its attitude, too.
+fn is_rigid(case: &Case) -> bool {
+    case.text("vehicle.dof")
+        .is_some_and(|dof| dof.trim() == "6")
 }
 
 /// The card.

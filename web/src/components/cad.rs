@@ -3,25 +3,30 @@
 use crate::components::export::save;
 use crate::files::{self, file_name};
 use crate::state::State;
-use cad::export::{Format, Info, Model};
+use cad::export::{Format, Model};
 use leptos::ev::PointerEvent;
 use leptos::html::Details;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
+use wasm_bindgen_futures::spawn_local;
 
 /// A button that opens the list of formats.
 #[component]
 pub fn CadMenu(#[prop(into)] model: Signal<Option<Model>>) -> impl IntoView {
     let state = State::expect();
     let write = move |format: Format| match model.get_untracked() {
-        Some(model) => {
-            let bytes = format.write(&model, &Info::default());
+        Some(model) => spawn_local(async move {
             let name = file_name(&model.name, format.name());
-            save(
-                state,
-                files::download_bytes(&name, format.media_type(), &bytes),
-            );
-        }
+            match state.write(format, model).await {
+                Ok(bytes) => save(
+                    state,
+                    files::download_bytes(&name, format.media_type(), &bytes),
+                ),
+                Err(message) => state
+                    .notice
+                    .set(format!("{name} was not written: {message}.")),
+            }
+        }),
         None => state
             .notice
             .set("There is no vehicle to export yet.".to_string()),

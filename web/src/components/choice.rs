@@ -1,19 +1,17 @@
 //! Names and yes-or-no as lists to choose from.
 
+use crate::catalog::Names;
 use crate::components::field::{Field, control_id, described_by};
 use crate::state::State;
 use leptos::prelude::*;
 use msape::case::Value;
-use msape::quantity::input::{Choices, Input, Preset};
+use msape::quantity::input::{Input, Preset};
 
 /// A field for one of several names.
 #[component]
-pub fn ChoiceField(input: &'static Input, choices: Choices) -> impl IntoView {
+pub fn ChoiceField(input: &'static Input) -> impl IntoView {
     let state = State::expect();
-    let choices = state
-        .library
-        .with_value(|library| library.as_ref().map(|library| library.choices(choices)))
-        .unwrap_or_default();
+    let choices = Signal::derive(move || state.names(input));
     view! { <Select input choices to_value=|name: &str| Value::Text(name.to_string()) /> }
 }
 
@@ -24,13 +22,13 @@ pub fn FlagField(input: &'static Input) -> impl IntoView {
         ("true".to_string(), "Yes".to_string()),
         ("false".to_string(), "No".to_string()),
     ];
-    view! { <Select input choices to_value=|name: &str| Value::Flag(name == "true") /> }
+    view! { <Select input choices=Signal::stored(choices) to_value=|name: &str| Value::Flag(name == "true") /> }
 }
 
 #[component]
 fn Select(
     input: &'static Input,
-    choices: Vec<(String, String)>,
+    choices: Signal<Names>,
     to_value: fn(&str) -> Value,
 ) -> impl IntoView {
     let state = State::expect();
@@ -42,14 +40,13 @@ fn Select(
             _ => String::new(),
         })
     });
-    let known = choices.clone();
-    // A name that is not in the list stays visible, with its fault.
+    // A name that is not in the list stays visible, with its fault; as long as there is no list, none is.
     let foreign = Memo::new(move |_| {
         let now = now.get();
-        let is_foreign = !now.is_empty()
-            && known
-                .iter()
-                .all(|(name, _)| squeezed(name) != squeezed(&now));
+        let is_foreign = choices.with(|known| {
+            let mut names = known.iter().map(|(name, _)| squeezed(name));
+            !known.is_empty() && !now.is_empty() && names.all(|name| name != squeezed(&now))
+        });
         is_foreign.then_some(now)
     });
     let check = state.check(input.key);
@@ -72,7 +69,7 @@ fn Select(
                     }
                 >
                     {move || foreign.get().map(|name| view! { <option value=name.clone() selected=true>{name.clone()}</option> })}
-                    {choices.into_iter().map(|(name, title)| {
+                    {move || choices.get().into_iter().map(|(name, title)| {
                         let wanted = squeezed(&name);
                         view! {
                             <option value=name prop:selected=move || squeezed(&now.get()) == wanted>{title}</option>

@@ -97,7 +97,7 @@ fn is_wide() -> bool {
 fn any_field(input: &'static Input) -> AnyView {
     match input.kind {
         Kind::Number { .. } => view! { <NumberField input /> }.into_any(),
-        Kind::Choice(choices) => view! { <ChoiceField input choices /> }.into_any(),
+        Kind::Choice(_) => view! { <ChoiceField input /> }.into_any(),
         Kind::Flag => view! { <FlagField input /> }.into_any(),
         Kind::Rows(columns) => view! { <RowsField input columns /> }.into_any(),
         Kind::Text => ().into_any(),

@@ -58,8 +58,8 @@ impl Entry {
 
 /// All outlines: the shipped ones, then the imported ones by name.
 pub fn entries(state: State) -> Vec<Entry> {
-    let mut entries = state.library.with_value(|library| {
-        let outlines = library.iter().flat_map(|library| &library.outlines);
+    let mut entries = state.catalog.with(|catalog| {
+        let outlines = catalog.iter().flat_map(|catalog| &catalog.outlines);
         outlines
             .map(|(name, data)| Entry::Preset(name.clone(), data.clone()))
             .collect::<Vec<_>>()

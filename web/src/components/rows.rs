@@ -4,10 +4,9 @@ use crate::components::field::{Field, control_id, described_by};
 use crate::components::file_import::notes;
 use crate::components::file_input::FileInput;
 use crate::files;
+use crate::protocol::{FileKind, ReadRows};
 use crate::state::State;
-use cad::table::{Ground, Table, read};
 use leptos::prelude::*;
-use msape::Case;
 use msape::case::Value;
 use msape::quantity::input::{Column, Input};
 use wasm_bindgen_futures::spawn_local;
@@ -48,7 +47,17 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
     let check = state.check(input.key);
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
     let names = names.join(", ");
-    let tag = format!("rows {}", input.key);
+    let tag = StoredValue::new(format!("rows {}", input.key));
+    let put = move |value: Option<Value>| {
+        state.edit(input.label, Some(&tag.get_value()), |document| {
+            document.with_case(|case| {
+                match value {
+                    Some(value) => case.values.insert(input.key.to_string(), value),
+                    None => case.values.remove(input.key),
+                };
+            })
+        });
+    };
     let count = move || match value.get() {
         Some(Value::Rows(rows)) => Some(format!("{} rows", rows.len())),
         _ => None,
@@ -65,16 +74,12 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                 prop:value=text
                 on:input:target=move |event| {
                     let text = event.target().value();
-                    let value = parsed(&text, file_key(input.key), || ground(state));
+                    let value = parsed(&text);
                     draft.set(Some((state.turns.get_untracked(), text)));
-                    state.edit(input.label, Some(&tag), |document| {
-                        document.with_case(|case| {
-                            match value {
-                                Some(value) => case.values.insert(input.key.to_string(), value),
-                                None => case.values.remove(input.key),
-                            };
-                        })
-                    });
+                    put(value.clone());
+                    if let Some(Value::Text(text)) = value && let Some(key) = file_key(input.key) {
+                        read_as_file(state, input.key, key, text, put);
+                    }
                 }
                 on:blur=move |_| {
                     draft.set(None);
@@ -111,11 +116,11 @@ fn FromFile(input: &'static Input, key: &'static str) -> impl IntoView {
         let name = file.name();
         spawn_local(async move {
             let read = match files::bytes(file).await {
-                Ok(bytes) => table(key, &bytes, &ground(state)),
+                Ok(bytes) => state.read(kind(state, key), bytes).await,
                 Err(message) => Err(vec![message]),
             };
             match read {
-                Ok(Table { key, rows, remarks }) => {
+                Ok(ReadRows { key, rows, remarks }) => {
                     let notice = format!(
                         "{name}: {} rows; undo takes them out again.{}",
                         rows.len(),
@@ -124,7 +129,7 @@ fn FromFile(input: &'static Input, key: &'static str) -> impl IntoView {
                     faults.set(Vec::new());
                     state.edit(&format!("Open {name}"), None, |document| {
                         document.with_case(|case| {
-                            case.values.insert(key.to_string(), Value::Rows(rows));
+                            case.values.insert(key, Value::Rows(rows));
                         })
                     });
                     state.notice.set(notice);
@@ -155,28 +160,37 @@ fn file_key(table: &str) -> Option<&'static str> {
         .map(|(_, file)| *file)
 }
 
-/// Facts of the planet of the present case.
-fn ground(state: State) -> Option<Ground> {
-    state.library.with_value(|library| {
-        let library = library.as_ref()?;
-        Some(
-            state
-                .case
-                .with_untracked(|case: &std::sync::Arc<Case>| Ground::of(case, library)),
-        )
-    })
+/// A table for the present case.
+fn kind(state: State, key: &str) -> FileKind {
+    let case = state.case.get_untracked();
+    FileKind::Table(key.to_string(), Box::new((*case).clone()))
 }
 
-fn table(key: &str, bytes: &[u8], ground: &Option<Ground>) -> Result<Table, Vec<String>> {
-    let Some(ground) = ground else {
-        return Err(vec!["The library cannot be read.".to_string()]);
-    };
-    read(key, bytes, ground).map_err(|faults| faults.iter().map(ToString::to_string).collect())
+/// Reads what is typed in another dialect as a file of its kind, and puts its rows in its place if it still stands there.
+fn read_as_file(
+    state: State,
+    table: &'static str,
+    key: &'static str,
+    text: String,
+    put: impl Fn(Option<Value>) + 'static,
+) {
+    spawn_local(async move {
+        let read = state
+            .read(kind(state, key), text.clone().into_bytes())
+            .await;
+        let typed = Value::Text(text);
+        let stands = state
+            .case
+            .with_untracked(|case| case.values.get(table) == Some(&typed));
+        if let (Ok(ReadRows { rows, .. }), true) = (read, stands) {
+            put(Some(Value::Rows(rows)));
+        }
+    });
 }
 
 /// Rows divided by line ends, cells by commas, semicolons, tabs or blanks; lines that open with # are left out. Text in another
-/// dialect is read as a file of its kind.
-fn parsed(text: &str, key: Option<&str>, ground: impl Fn() -> Option<Ground>) -> Option<Value> {
+/// dialect stays text.
+fn parsed(text: &str) -> Option<Value> {
     if text.trim().is_empty() {
         return None;
     }
@@ -200,40 +214,27 @@ fn parsed(text: &str, key: Option<&str>, ground: impl Fn() -> Option<Ground>) ->
                 .collect()
         })
         .collect();
-    let as_typed = || Value::Text(text.to_string());
-    Some(match (rows, key) {
-        (Ok(rows), _) if !lines.clone().any(doubtful) => Value::Rows(rows),
-        (_, Some(key)) => table(key, text.as_bytes(), &ground())
-            .map_or_else(|_| as_typed(), |table| Value::Rows(table.rows)),
-        _ => as_typed(),
+    Some(match rows {
+        Ok(rows) if !lines.clone().any(doubtful) => Value::Rows(rows),
+        _ => Value::Text(text.to_string()),
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use msape::Library;
 
     #[test]
-    fn rows_are_read_as_written() {
+    fn rows_are_read_as_written_and_what_is_doubtful_stays_text() {
         let rows = Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]);
-        let earth = || {
-            Library::builtin()
-                .ok()
-                .map(|library| Ground::earth(&library))
-        };
-        let read = |text: &str| parsed(text, Some("atmosphere.file"), earth);
-        assert_eq!(read(&written(Some(&rows))), Some(rows.clone()));
-        assert_eq!(read("0 x"), Some(Value::Text("0 x".to_string())));
-        // as a spreadsheet in Germany copies it
-        assert_eq!(
-            read("0\t1,2250\n1000\t1,1\n"),
-            Some(Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]))
-        );
-        assert_eq!(
-            read("0 1,225\n1000 1,100\n"),
-            Some(Value::Text("0 1,225\n1000 1,100\n".to_string()))
-        );
-        assert_eq!(read("z (km);rho (kg/m3)\n0;1,225\n1;1,1\n"), Some(rows));
+        assert_eq!(parsed(&written(Some(&rows))), Some(rows));
+        // as a spreadsheet in Germany copies it, with a heading, and what is no table
+        for text in [
+            "0\t1,2250\n1000\t1,1\n",
+            "z (km);rho (kg/m3)\n0;1,225\n",
+            "0 x",
+        ] {
+            assert_eq!(parsed(text), Some(Value::Text(text.to_string())));
+        }
     }
 }

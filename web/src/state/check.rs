@@ -1,8 +1,9 @@
 //! How each input stands: at its default, changed, unusual, at fault.
 
+use crate::catalog::{Catalog, names};
+use msape::Case;
 use msape::case::{Reader, Value};
 use msape::quantity::input::{Kind, Preset, inputs};
-use msape::{Case, Library};
 use std::collections::BTreeMap;
 
 /// How all inputs stand, by key.
@@ -20,7 +21,7 @@ pub struct Check {
 }
 
 /// Checks every input by itself; what depends on several is found by the solver.
-pub fn check_inputs(case: &Case, library: Option<&Library>) -> Checks {
+pub fn check_inputs(case: &Case, catalog: Option<&Catalog>) -> Checks {
     let mut reader = Reader::new(case);
     inputs()
         .map(|input| {
@@ -28,10 +29,8 @@ pub fn check_inputs(case: &Case, library: Option<&Library>) -> Checks {
             match input.kind {
                 Kind::Number { .. } => drop(reader.number(input.key)),
                 Kind::Flag => drop(reader.flag(input.key)),
-                Kind::Choice(choices) => {
-                    let choices = library
-                        .map(|library| library.choices(choices))
-                        .unwrap_or_default();
+                Kind::Choice(_) => {
+                    let choices = names(catalog, input);
                     let names: Vec<&str> = choices.iter().map(|(name, _)| name.as_str()).collect();
                     if !names.is_empty() {
                         reader.choice(input.key, &names);

@@ -2,9 +2,10 @@
 
 use crate::export::model::Model;
 use crate::export::{Info, dxf, gltf, iges, step, stl, svg, table};
+use serde::{Deserialize, Serialize};
 
 /// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// Solids: ISO 10303-21, application protocol 214.
     Step,

@@ -4,9 +4,10 @@ use msape::vehicle::ComponentKind;
 use msape::vehicle::body::RigidBody;
 use msape::vehicle::profile::Profile;
 use msape::vehicle::{DensityBasis, Vehicle};
+use serde::{Deserialize, Serialize};
 
 /// A body of revolution or several, in one frame: x along the axis, aft positive.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Model {
     /// Name, as of the case.
     pub name: String,
@@ -19,7 +20,7 @@ pub struct Model {
 }
 
 /// One part: closed profiles of one material.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Name for files and layers: small letters, digits and hyphens.
     pub key: String,
@@ -34,7 +35,7 @@ pub struct Part {
 }
 
 /// What a part is made of.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Substance {
     /// Name of the material.
     pub material: String,
@@ -45,7 +46,7 @@ pub struct Substance {
 }
 
 /// Dimensions of a drawing; absent where the model has none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     /// Nose radius, m.
     pub nose_radius_m: Option<f64>,

@@ -3,6 +3,7 @@
 mod aero;
 mod answers;
 mod bad_input;
+mod data;
 mod drawing;
 mod export;
 mod files;

@@ -8,7 +8,7 @@
 
 use super::Case;
 use crate::finding::{Finding, Severity};
-use crate::library::data_file;
+use crate::library::case_file;
 use crate::quantity::input::{self, Preset};
 use crate::units::canonical;
 use serde::{Deserialize, Serialize};
@@ -111,8 +111,8 @@ pub fn shipped(version: Version, id: &str) -> Option<Case> {
     let text = EARLIER
         .iter()
         .filter(|(of, ..)| *of >= version)
-        .find_map(|(_, _, folder)| data_file(&format!("{folder}/{id}.toml")))
-        .or_else(|| data_file(&now))?;
+        .find_map(|(_, _, folder)| case_file(&format!("{folder}/{id}.toml")))
+        .or_else(|| case_file(&now))?;
     Case::from_toml(text).ok()
 }
 
@@ -121,7 +121,7 @@ fn since(version: Version) -> Vec<(Version, Changes)> {
     EARLIER
         .iter()
         .filter(|(of, ..)| *of >= version)
-        .filter_map(|(of, file, _)| Some((*of, toml::from_str(data_file(file)?).ok()?)))
+        .filter_map(|(of, file, _)| Some((*of, toml::from_str(case_file(file)?).ok()?)))
         .collect()
 }
 
@@ -331,7 +331,7 @@ now = "a softer one"
     #[test]
     fn every_default_that_is_listed_was_changed() {
         for (version, file, folder) in EARLIER {
-            let changes: Changes = toml::from_str(data_file(file).unwrap()).unwrap();
+            let changes: Changes = toml::from_str(case_file(file).unwrap()).unwrap();
             for old in &changes.default {
                 let input = input::find(&old.key).unwrap_or_else(|| panic!("{}", old.key));
                 let [mut then, mut now] = [Case::default(), Case::default()];

@@ -34,6 +34,8 @@ pub struct BrandisJohnston {
     pub place: String,
     /// What is doubtful about the numbers.
     pub note: String,
+    /// Names of the planets whose gas they are for.
+    pub planets: Vec<String>,
     /// Convective part.
     pub convective: BrandisJohnstonConvective,
     /// Radiative part.

@@ -64,6 +64,12 @@ struct Valid {
 impl SuttonGraves {
     /// Reads the constant of `planet` from the text of `heating/sutton-graves.toml`.
     pub fn parse(text: &str, planet: &str) -> Result<Self, String> {
+        super::of_planet(Self::all(text)?, planet)
+            .ok_or_else(|| format!("no Sutton-Graves constant for planet `{planet}`"))
+    }
+
+    /// Reads all constants of such a file, each with the names of its planets.
+    pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
         let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let valid = FlowRange {
             speed_m_s: file.valid.speed_m_s,
@@ -71,13 +77,18 @@ impl SuttonGraves {
         };
         file.gas
             .into_iter()
-            .find(|gas| gas.planets.iter().any(|name| name == planet))
-            .map(|gas| Self {
-                k: gas.k,
-                valid,
-                place: format!("{} ({})", gas.place, gas.provenance),
+            .map(|gas| match gas.k > 0.0 && gas.k.is_finite() {
+                true => Ok((
+                    gas.planets,
+                    Self {
+                        k: gas.k,
+                        valid,
+                        place: format!("{} ({})", gas.place, gas.provenance),
+                    },
+                )),
+                false => Err(format!("k: got {} kg^0.5/m, must be above 0", gas.k)),
             })
-            .ok_or_else(|| format!("no Sutton-Graves constant for planet `{planet}`"))
+            .collect()
     }
 
     /// Cold-wall heat flux, W/m².
@@ -132,6 +143,8 @@ mod tests {
                 .unwrap_err()
                 .contains("pluto")
         );
+        let minus = TEXT.replacen("k = 1.9027e-4", "k = -1.0", 1);
+        assert!(SuttonGraves::all(&minus).unwrap_err().contains("got -1"));
     }
 
     #[test]

@@ -23,6 +23,8 @@ use serde::Deserialize;
 /// The correlation for one planet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TauberSutton {
+    /// Names of the planets whose gas it is for.
+    pub planets: Vec<String>,
     c: f64,
     density_exponent: f64,
     /// Exponent of the nose radius.
@@ -43,6 +45,7 @@ struct File {
     _place: String,
     #[serde(rename = "note")]
     _note: String,
+    planets: Vec<String>,
     c: f64,
     density_exponent: f64,
     exponent: NoseExponent,
@@ -76,6 +79,7 @@ impl TauberSutton {
         };
         rows.push([last[0], last[1], 0.0]);
         Ok(Self {
+            planets: file.planets,
             c: file.c,
             density_exponent: file.density_exponent,
             exponent: file.exponent,

@@ -72,6 +72,25 @@ struct Gas {
     vibration: Vec<Vibration>,
 }
 
+impl Gas {
+    fn check(&self) -> Result<(), String> {
+        let modes = self.vibration.iter().map(|mode| mode.temperature_k);
+        let positive = [
+            ("gas_constant_j_kg_k", self.gas_constant_j_kg_k),
+            ("rigid_heat_capacity_ratio", self.rigid_heat_capacity_ratio),
+            ("free_stream_temperature_k", self.free_stream_temperature_k),
+        ];
+        let modes = modes.map(|temperature_k| ("vibration.temperature_k", temperature_k));
+        match { positive.into_iter() }
+            .chain(modes)
+            .find(|(_, value)| !(*value > 0.0 && value.is_finite()))
+        {
+            Some((key, value)) => Err(format!("{key}: got {value}, must be above 0")),
+            None => Ok(()),
+        }
+    }
+}
+
 /// The gas at the wall of a planet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallGas {
@@ -110,13 +129,28 @@ pub fn radiating_temperature_k<S: Scalar>(heat_flux_w_m2: S, emissivity: f64) ->
 impl WallGas {
     /// Reads the gas of `planet` from the text of `heating/hot-wall.toml`.
     pub fn parse(text: &str, planet: &str) -> Result<Self, String> {
+        super::of_planet(Self::all(text)?, planet)
+            .ok_or_else(|| format!("no gas at the wall for planet `{planet}`"))
+    }
+
+    /// Reads all gases of such a file, each with the names of its planets.
+    pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
         let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
-        let gas = file.gas.into_iter();
-        let gas = { gas }.find(|gas| gas.planets.iter().any(|name| name == planet));
-        Ok(Self {
-            wall_emissivity: file.wall_emissivity,
-            gas: gas.ok_or_else(|| format!("no gas at the wall for planet `{planet}`"))?,
-        })
+        let wall_emissivity = file.wall_emissivity;
+        file.gas
+            .into_iter()
+            .map(|gas| {
+                gas.check()?;
+                let planets = gas.planets.clone();
+                Ok((
+                    planets,
+                    Self {
+                        wall_emissivity,
+                        gas,
+                    },
+                ))
+            })
+            .collect()
     }
 
     /// The same of another gas constant, J/(kg K), and where it is given another ratio of heat capacities, which is then that of every

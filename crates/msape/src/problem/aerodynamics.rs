@@ -40,16 +40,15 @@ impl Medium {
                 heat_capacity_ratio: mission.heat_capacity_ratio(),
             });
         }
-        let (_, planet) = library.planets.first()?;
-        let (_, atmosphere) = named(&library.atmospheres, &planet.atmosphere)?;
-        Some(Medium::through(planet, atmosphere.clone()))
+        let (_, world) = library.planets.first()?;
+        Some(Medium::through(&world.planet, world.atmosphere.clone()))
     }
 
     /// The air of the planet of a case.
     fn of_case(reader: &mut Reader, library: &Library) -> Option<Medium> {
-        let planet = planet(reader, library).map(|(planet, _)| planet);
-        let atmosphere = atmosphere(reader, library, planet.as_ref())?;
-        Some(Medium::through(&planet?, atmosphere))
+        let planet = planet(reader, library);
+        let atmosphere = atmosphere(reader, library, &planet)?;
+        Some(Medium::through(&planet?.0, atmosphere))
     }
 
     fn through(planet: &Planet, atmosphere: Atmosphere) -> Medium {

@@ -115,10 +115,11 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         payload_mass_kg,
     ] = sizes;
 
-    let concept = named(&library.concepts, concept_name?)?;
-    let forebody_material = named(&library.materials, &concept.tps)?.clone();
+    let stack = named(&library.concepts, concept_name?)?;
+    let concept = &stack.concept;
+    let forebody_material = stack.tps.clone();
     let aftbody_material = named(&library.materials, aft_name?)?.clone();
-    let carrier = library.vehicle.carrier.get(&concept.carrier)?;
+    let carrier = &stack.carrier;
     let wall = |place, density: Option<f64>| with_density(carrier.carrier(place), density);
     let vehicle = VehicleInput {
         concept: if msr? { Concept::Msr } else { Concept::NonMsr },
@@ -145,12 +146,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             .unwrap_or(aftbody_material.density.density_kg_m3),
         aftbody_carrier: wall(WallPlace::Aftbody, densities.aftbody_carrier),
         primary_carrier: wall(WallPlace::Primary, densities.primary),
-        materials: materials(
-            &densities,
-            library,
-            concept,
-            [&forebody_material, &aftbody_material],
-        )?,
+        materials: materials(&densities, &library.vehicle, stack, &aftbody_material)?,
         densities: densities.fillings(library.vehicle.densities().ok()?),
         given_masses,
         loads: FIRST_LOADS,
@@ -179,7 +175,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         mission: mission?,
         vehicle,
         given,
-        soak: named(&library.soak, &concept.soak)?.clone(),
+        soak: stack.soak.clone(),
         forebody_material,
         aftbody_material,
         fit_space: library.fit_space.clone(),

@@ -34,22 +34,21 @@ pub(super) enum Angle {
 /// Everything about a flight but the vehicle.
 pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> Option<Mission> {
     let planet = planet(reader, library);
-    let named = planet.as_ref().map(|(planet, _)| planet);
-    let atmosphere = atmosphere(reader, library, named);
-    let planet = planet.map(|(planet, name)| (reaching(planet, atmosphere.as_ref()), name));
+    let atmosphere = atmosphere(reader, library, &planet);
+    let planet = planet.map(|(planet, world)| (reaching(planet, atmosphere.as_ref()), world));
     let known = planet.as_ref().map(|(planet, _)| planet);
     let wind = wind(reader);
     let start = start(reader, known, angle);
     let stop = stop(reader, known);
-    let heating_planet = planet
-        .as_ref()
-        .map_or("earth-msape", |(_, name)| name.as_str());
+    // Heating of a case whose planet is at fault is checked all the same.
+    let default = library.planets.first().map(|(_, world)| world);
+    let world = planet.as_ref().map(|(_, world)| *world).or(default);
     // where the vehicle is slowed, as for the ratio of heat capacities
     let gas_constant = known.zip(atmosphere.as_ref()).map(|(planet, atmosphere)| {
         let air = atmosphere.air(planet.exponential_fit_m[0]);
         air.pressure_pa / (air.density_kg_m3 * air.temperature_k)
     });
-    let heating = heating(reader, library, heating_planet, gas_constant);
+    let heating = world.and_then(|world| heating(reader, library, world, gas_constant));
     let solver = solver(reader);
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {

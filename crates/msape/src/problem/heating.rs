@@ -4,6 +4,7 @@ use super::aerodynamics::beyond;
 use super::planet::SAME_GAS;
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
+use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::convective::Convective;
 use crate::heating::given::GivenHeating;
 use crate::heating::given::body::{Along, BodyHeating};
@@ -11,7 +12,7 @@ use crate::heating::pressure::{PressureModel, StagnationPressure};
 use crate::heating::radiative::Radiative;
 use crate::heating::stagnation::ConvectiveOptions;
 use crate::heating::wall::{Wall, WallGas};
-use crate::library::{Library, named};
+use crate::library::{Library, World};
 use crate::quantity::input::{self, Choices, Kind};
 use std::sync::Arc;
 
@@ -19,37 +20,35 @@ use std::sync::Arc;
 pub(super) fn heating(
     reader: &mut Reader,
     library: &Library,
-    planet: &str,
+    world: &World,
     gas_constant_j_kg_k: Option<f64>,
 ) -> Option<(StagnationHeating, f64)> {
-    let models = &library.heating;
+    let name = &world.planet.name;
     let (table, body) = given(reader);
     let convective = match choice(reader, "heating.convective")? {
         _ if table.is_some() => table.clone().map(Convective::Given),
-        "brandis-johnston" => earth_only(reader, "heating.convective", planet)
-            .then(|| Convective::BrandisJohnston(models.brandis_johnston.convective.clone())),
-        _ => named(&models.sutton_graves, planet)
-            .cloned()
-            .map(Convective::SuttonGraves),
+        "brandis-johnston" => brandis_johnston(reader, "heating.convective", world)
+            .map(|both| Convective::BrandisJohnston(both.convective.clone())),
+        "sutton-graves" => Some(Convective::SuttonGraves(world.sutton_graves.clone())),
+        other => unknown(reader, "heating.convective", other),
     };
     let radiating = table.filter(|table| table.has_radiation());
     let radiative = match choice(reader, "heating.radiative")? {
         _ if radiating.is_some() => radiating.map(Radiative::Given),
         "none" => Some(Radiative::None),
-        "brandis-johnston" => earth_only(reader, "heating.radiative", planet)
-            .then(|| Radiative::BrandisJohnston(models.brandis_johnston.radiative.clone())),
-        _ => {
-            let relation = named(&models.tauber_sutton, planet)
-                .cloned()
-                .map(Radiative::TauberSutton);
+        "brandis-johnston" => brandis_johnston(reader, "heating.radiative", world)
+            .map(|both| Radiative::BrandisJohnston(both.radiative.clone())),
+        "tauber-sutton" => {
+            let relation = world.tauber_sutton.clone().map(Radiative::TauberSutton);
             if relation.is_none() {
                 let message = format!(
-                    "got \"tauber-sutton\", which has no relation for {planet}; choose \"none\""
+                    "got \"tauber-sutton\", which has no relation for {name}; choose \"none\""
                 );
                 reader.fault("heating.radiative", message);
             }
             relation
         }
+        other => unknown(reader, "heating.radiative", other),
     };
     let emissivity = reader.number("heating.wall_emissivity");
     let wall = choice(reader, "heating.wall");
@@ -72,14 +71,10 @@ pub(super) fn heating(
         radiative: radiative?,
         radiative_margin: radiative_margin?,
         body,
-        gas: wall_gas(
-            reader,
-            named(&models.wall_gas, planet)?,
-            gas_constant_j_kg_k,
-        ),
+        gas: wall_gas(reader, &world.wall_gas, gas_constant_j_kg_k),
         pressure: StagnationPressure {
             model: pressure?,
-            fit: models.pressure_fit.clone(),
+            fit: library.heating.pressure_fit.clone(),
         },
     };
     Some((heating, emissivity))
@@ -143,15 +138,26 @@ fn noted<T>(reader: &mut Reader, key: &str, made: Result<T, Vec<String>>) -> Opt
         .ok()
 }
 
-fn earth_only(reader: &mut Reader, key: &str, planet: &str) -> bool {
-    let on_earth = planet.starts_with("earth");
-    if !on_earth {
+fn brandis_johnston<'l>(
+    reader: &mut Reader,
+    key: &str,
+    world: &'l World,
+) -> Option<&'l BrandisJohnston> {
+    let both = world.brandis_johnston.as_ref();
+    if both.is_none() {
+        let name = &world.planet.name;
         reader.fault(
             key,
-            format!("got \"brandis-johnston\", which is for the Earth, not for {planet}"),
+            format!("got \"brandis-johnston\", which is for the Earth, not for {name}"),
         );
     }
-    on_earth
+    both
+}
+
+/// The fault of a name that is among the choices of an input and of which nothing is known here.
+fn unknown<T>(reader: &mut Reader, key: &str, name: &str) -> Option<T> {
+    reader.fault(key, format!("got \"{name}\", a model that is not there"));
+    None
 }
 
 /// One of the fixed choices of an input.

@@ -1,20 +1,19 @@
 //! Names the materials of a design's components.
 
 use super::design::Densities;
-use crate::library::Library;
-use crate::tps::concept::Concept;
+use crate::library::Stack;
 use crate::tps::material::TpsMaterial;
-use crate::vehicle::{DensityBasis, Material, Materials};
+use crate::vehicle::{DensityBasis, Material, Materials, VehicleData};
 
 /// The materials of a concept; where the case gives a density, it says so.
 pub(super) fn materials(
     given: &Densities,
-    library: &Library,
-    concept: &Concept,
-    [fore, aft]: [&TpsMaterial; 2],
+    vehicle: &VehicleData,
+    stack: &Stack,
+    aft: &TpsMaterial,
 ) -> Option<Materials> {
-    let vehicle = &library.vehicle;
-    let carrier = vehicle.carrier.get(&concept.carrier)?.material();
+    let (concept, fore) = (&stack.concept, &stack.tps);
+    let carrier = stack.carrier.material();
     let shield = |material: &TpsMaterial| {
         let basis = DensityBasis::of_source(&material.density.source);
         Material::new(material.name.clone(), basis)

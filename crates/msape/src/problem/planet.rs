@@ -2,7 +2,7 @@
 
 use crate::case::Reader;
 use crate::finding::{Finding, Severity};
-use crate::library::{Library, named};
+use crate::library::{Library, World, named};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::exponential::Exponential;
 use crate::planet::atmosphere::table::Table;
@@ -18,8 +18,8 @@ use std::sync::Arc;
 /// water by volume, 18.0 for 29.0 kg/kmol) on the Earth; air over carbon dioxide is 0.66.
 pub(super) const SAME_GAS: f64 = 1.05;
 
-/// The planet, and the name of the one of the library whose heating relations are taken.
-pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, String)> {
+/// The planet, and the one of the library whose heating relations are taken.
+pub(super) fn planet<'l>(reader: &mut Reader, library: &'l Library) -> Option<(Planet, &'l World)> {
     let names: Vec<&str> = library
         .planets
         .iter()
@@ -27,8 +27,8 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
         .collect();
     let name = reader.choice("entry.planet", &names);
     if !is_own(reader) {
-        let name = name?;
-        return Some((named(&library.planets, name)?.clone(), name.to_string()));
+        let world = named(&library.planets, name?)?;
+        return Some((world.planet.clone(), world));
     }
     if reader.given("entry.planet") {
         let message = "The case brings its own [planet]; of the one named only the atmosphere, the gas, the limits and the heating relations are used.";
@@ -40,7 +40,8 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
         .or(equatorial_radius_m);
     let rotation_rate_rad_s = reader.number("planet.rotation_rate_rad_s").unwrap_or(0.0);
     let gravity = gravity(reader, equatorial_radius_m);
-    let (base_name, base) = base(reader, library, name)?;
+    let world = base(reader, library, name)?;
+    let base = &world.planet;
     let planet = Planet {
         name: "case".to_string(),
         title: "Planet of the case".to_string(),
@@ -63,7 +64,7 @@ pub(super) fn planet(reader: &mut Reader, library: &Library) -> Option<(Planet, 
     for fault in &faults {
         reader.fault("planet", fault.to_string());
     }
-    faults.is_empty().then(|| (planet, base_name.clone()))
+    faults.is_empty().then_some((planet, world))
 }
 
 /// The planet, whose flights may end as deep as a table of the case reaches.
@@ -96,15 +97,8 @@ fn is_own(reader: &Reader) -> bool {
 
 /// The planet of the library that lends its air to one of the case: the one named, else the one whose atmosphere is named, else the
 /// default.
-fn base<'l>(
-    reader: &Reader,
-    library: &'l Library,
-    name: Option<&str>,
-) -> Option<&'l (String, Planet)> {
-    let named = library
-        .planets
-        .iter()
-        .find(|(known, _)| Some(known.as_str()) == name)?;
+fn base<'l>(reader: &Reader, library: &'l Library, name: Option<&str>) -> Option<&'l World> {
+    let named = named(&library.planets, name?)?;
     if reader.given("entry.planet") {
         return Some(named);
     }
@@ -114,14 +108,11 @@ fn base<'l>(
             .as_ref()
             .is_none_or(|wanted| planet.atmosphere == *wanted)
     };
-    if owns(&named.1) {
+    if owns(&named.planet) {
         return Some(named);
     }
-    library
-        .planets
-        .iter()
-        .find(|(_, planet)| owns(planet))
-        .or(Some(named))
+    let mut worlds = library.planets.iter().map(|(_, world)| world);
+    worlds.find(|world| owns(&world.planet)).or(Some(named))
 }
 
 fn gravity(reader: &mut Reader, equatorial_radius_m: Option<f64>) -> Option<Gravity> {
@@ -164,7 +155,7 @@ fn gravity(reader: &mut Reader, equatorial_radius_m: Option<f64>) -> Option<Grav
 pub(super) fn atmosphere(
     reader: &mut Reader,
     library: &Library,
-    planet: Option<&Planet>,
+    planet: &Option<(Planet, &World)>,
 ) -> Option<Atmosphere> {
     let known = library.atmospheres.iter().map(|(name, _)| name.as_str());
     let names: Vec<&str> = [OWN_ATMOSPHERE].into_iter().chain(known).collect();
@@ -180,7 +171,7 @@ pub(super) fn atmosphere(
                 );
             }
         }
-        return own_atmosphere(reader, library, planet?, name?);
+        return own_atmosphere(reader, library, planet.as_ref()?, name?);
     }
     if reader.given("entry.atmosphere") {
         let message =
@@ -201,11 +192,16 @@ pub(super) fn atmosphere(
         );
         return None;
     }
-    let default = library.planets.iter().map(|(_, planet)| planet);
     // The rows of a case whose planet is at fault are checked all the same.
-    let lender = planet.or_else(|| default.into_iter().next())?;
-    let (title, own) = named(&library.atmospheres, &lender.atmosphere)?;
-    let mut air = own.planet_air();
+    let (lender, world) = match planet {
+        Some((planet, world)) => (planet, *world),
+        None => library
+            .planets
+            .first()
+            .map(|(_, world)| (&world.planet, world))?,
+    };
+    let title = &world.atmosphere_title;
+    let mut air = world.atmosphere.planet_air();
     given_gas(reader, &mut air.gas)?;
     let model = if exponential {
         let density = reader.required_number("atmosphere.exponential.density_kg_m3");
@@ -239,7 +235,7 @@ const GAS: [&str; 2] = [
 fn own_atmosphere(
     reader: &mut Reader,
     library: &Library,
-    planet: &Planet,
+    (planet, world): &(Planet, &World),
     name: &str,
 ) -> Option<Atmosphere> {
     let own = planet.atmosphere.as_str();
@@ -247,7 +243,7 @@ fn own_atmosphere(
         let owners = library
             .planets
             .iter()
-            .filter(|(_, other)| other.atmosphere == name);
+            .filter(|(_, other)| other.planet.atmosphere == name);
         let owners: Vec<&str> = owners.map(|(name, _)| name.as_str()).collect();
         let message = format!(
             "got \"{name}\", the air of {}, not of {}; must be \"{OWN_ATMOSPHERE}\" or \"{own}\", or a table of the case",
@@ -257,7 +253,7 @@ fn own_atmosphere(
         reader.fault("entry.atmosphere", message);
         return None;
     }
-    named(&library.atmospheres, own).map(|(_, atmosphere)| atmosphere.clone())
+    Some(world.atmosphere.clone())
 }
 
 /// The gas with what the case says of it; `None` at a fault.

@@ -158,7 +158,7 @@ pub struct VehicleData {
 impl VehicleData {
     /// Reads a file of `data/vehicles`; a missing constant is an error too.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let data: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         data.rules()?;
         data.densities()?;
         data.structure_loads()?;

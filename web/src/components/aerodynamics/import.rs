@@ -3,7 +3,7 @@
 use super::AeroView;
 use crate::components::file_import::{FileImport, Verdict, Wording, notes, stem};
 use crate::files;
-use crate::protocol::ReadTable;
+use crate::protocol::{FileKind, ReadRows};
 use crate::state::State;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
@@ -26,10 +26,8 @@ pub fn TableImport() -> impl IntoView {
     let import = move |name: String, bytes: Vec<u8>, verdict: Verdict| {
         let text = files::text_of(&bytes);
         spawn_local(async move {
-            // Checked in the worker: a table may have many rows.
-            let read = state.read_table(bytes).await;
-            match read.unwrap_or_else(|message| Err(vec![message])) {
-                Ok(ReadTable { rows, remarks }) => {
+            match state.read(FileKind::Coefficients, bytes).await {
+                Ok(ReadRows { rows, remarks, .. }) => {
                     let (stem, count) = (stem(&name), rows.len());
                     state.edit(&format!("Import {stem}"), None, |document| {
                         document.with_tables(|tables| {

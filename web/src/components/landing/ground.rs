@@ -7,8 +7,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
-use msape::library::named;
-use msape::quantity::input::{self, Choices, Input, Preset};
+use msape::quantity::input::{self, Input, Preset};
 use msape::vehicle::impact::Ground;
 
 /// The input.
@@ -24,9 +23,11 @@ fn key_of(case: &Case) -> String {
 }
 
 fn found(key: &str) -> Option<Ground> {
-    State::expect()
-        .library
-        .with_value(|library| named(&library.as_ref()?.grounds, key).cloned())
+    State::expect().catalog.with(|catalog| {
+        let mut grounds = catalog.as_ref()?.grounds.iter();
+        let (_, ground) = grounds.find(|(name, _)| name == key)?;
+        Some(ground.clone())
+    })
 }
 
 /// Name of the ground of the answer in view.
@@ -48,10 +49,6 @@ pub fn GroundChoice() -> impl IntoView {
 fn Choice(input: &'static Input) -> impl IntoView {
     let state = State::expect();
     let now = Memo::new(move |_| state.case.with(|case| key_of(case)));
-    let grounds = state.library.with_value(|library| {
-        let library = library.as_ref();
-        library.map_or(Vec::new(), |library| library.choices(Choices::Grounds))
-    });
     let id = format!("landing-{}", control_id(KEY));
     let choose = move |name: String| {
         // Letters typed on the list go through several grounds: one step to undo.
@@ -89,7 +86,7 @@ fn Choice(input: &'static Input) -> impl IntoView {
             <label for=id.clone()>{input.label}</label>
             <select id=id title=input.help on:change:target=move |event| choose(event.target().value())
                 on:blur=move |_| state.close_step()>
-                {grounds.into_iter().map(|(name, title)| {
+                {move || state.names(input).into_iter().map(|(name, title)| {
                     let this = name.clone();
                     view! { <option value=name prop:selected=move || now.get() == this>{title}</option> }
                 }).collect_view()}

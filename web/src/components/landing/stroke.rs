@@ -29,10 +29,12 @@ pub fn Stroke(ground: Memo<String>) -> impl IntoView {
             Some(strokes(&design.vehicle, &design.landing, &ground, units))
         })
     };
-    let law = State::expect().library.with_value(|library| {
-        let foam = &library.as_ref()?.impact_foam;
-        Some(format!("{} ({}; {})", foam.note, foam.place, foam.source))
-    });
+    let state = State::expect();
+    let law = move || {
+        state
+            .catalog
+            .with(|catalog| Some(catalog.as_ref()?.foam_law.clone()))
+    };
     view! {
         <div class="mass-tree" tabindex="0" role="region" aria-label="Stroke in the impact foam">{table}</div>
         <details class="quiet"><summary>"How the foam crushes, and where its numbers come from"</summary><p>{law}</p></details>

@@ -194,13 +194,7 @@ pub fn FlightField(
         unit => format!("{} ({unit})", input.label),
     };
     let control = match input.kind {
-        Kind::Choice(choices) => {
-            let names = state.library.with_value(|library| {
-                library
-                    .as_ref()
-                    .map(|library| library.choices(choices))
-                    .unwrap_or_default()
-            });
+        Kind::Choice(_) => {
             // What holds where nothing is chosen; where that is something, there is nothing to leave empty.
             let preset = match input.preset {
                 Preset::Name(name) => name,
@@ -213,7 +207,7 @@ pub fn FlightField(
             view! {
                 <select id=id.clone() aria-describedby=fault_id.clone() on:change:target=move |event| put(event.target().value())>
                     {preset.is_empty().then(|| view! { <option value="" prop:selected=move || now().is_empty()>"none"</option> })}
-                    {names.into_iter().map(|(name, title)| {
+                    {move || state.names(input).into_iter().map(|(name, title)| {
                         let this = name.clone();
                         view! { <option value=name prop:selected=move || now() == this>{title}</option> }
                     }).collect_view()}

@@ -1,14 +1,13 @@
 //! The three walls: what they are, what sized them, and what both levels say.
 
 use super::{StructureView, margin};
+use crate::catalog::WallMaterial;
 use crate::display::{UnitSystem, number, symbol, with_unit};
 use crate::state::State;
 use leptos::prelude::*;
 use msape::design::structural::Structural;
 use msape::shell::analysis::CaseStress;
 use msape::vehicle::WallPlace;
-use msape::vehicle::rules::CarrierMaterial;
-use msape::vehicle::structure::Construction;
 use msape::vehicle::{ComponentKind, Vehicle};
 
 /// The component that a wall is.
@@ -120,12 +119,9 @@ pub fn Basis() -> impl IntoView {
                 .as_ref()?
                 .component(ComponentKind::ForebodyCarrier)?
                 .material;
-            state.library.with_value(|library| {
-                let carriers = &library.as_ref()?.vehicle.carrier;
-                carriers
-                    .values()
-                    .find(|carrier| carrier.name == *name)
-                    .cloned()
+            state.catalog.with(|catalog| {
+                let mut walls = catalog.as_ref()?.walls.iter();
+                walls.find(|wall| wall.name == *name).cloned()
             })
         })
     };
@@ -156,18 +152,11 @@ pub fn Basis() -> impl IntoView {
     }
 }
 
-fn figures(material: &CarrierMaterial, units: UnitSystem) -> String {
+fn figures(material: &WallMaterial, units: UnitSystem) -> String {
     let stress = |pa: f64, symbol: &str| with_unit(pa, 4, units.named(symbol));
-    let core = match material.construction {
-        Construction::Solid { .. } => String::new(),
-        Construction::Sandwich {
-            core_shear_strength_pa,
-            ..
-        } => format!(
-            ", shear strength of the core {}",
-            stress(core_shear_strength_pa, "MPa")
-        ),
-    };
+    let core = material.core_shear_strength_pa.map_or(String::new(), |pa| {
+        format!(", shear strength of the core {}", stress(pa, "MPa"))
+    });
     format!(
         "{}: modulus {}, strength {}{core}",
         material.name,

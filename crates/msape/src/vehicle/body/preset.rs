@@ -55,7 +55,7 @@ const MOST_CONES: usize = 4;
 impl OutlineData {
     /// Reads a file of `data/outlines`; dimensions that make no outline are an error too.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let data: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         data.body()?;
         Ok(data)
     }

@@ -57,7 +57,7 @@ pub struct CrushLaw {
 impl FoamKind {
     /// Reads a file of `data/foams`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let kind: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let kind: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let positive = [
             kind.solid_density_kg_m3,
             kind.solid_modulus_pa,

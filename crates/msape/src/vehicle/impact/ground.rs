@@ -85,7 +85,7 @@ enum Law {
 impl Ground {
     /// Reads a file of `data/grounds`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let ground: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let ground: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let [least, middle, largest] = match (ground.penetration, ground.young) {
             (Some(_), Some(_)) => {
                 return Err("penetration and young: one of them, or neither".to_string());

@@ -139,7 +139,7 @@ pub struct Species {
 impl Definition {
     /// Reads the file and checks what the code relies on.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let definition: Self = toml::from_str(text).map_err(|e| e.to_string())?;
+        let definition: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let Lower {
             base_geopotential_km: bases,
             gradient_k_km,

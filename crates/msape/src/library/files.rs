@@ -1,0 +1,79 @@
+//! The files that are built into the program, in three lists, so that a program that reads only one of them, as the page reads
+//! cases, holds no other.
+
+/// Paths below `data`, and texts.
+type Files = &'static [(&'static str, &'static str)];
+
+/// What a library is made of.
+pub(super) static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
+/// Shipped cases, and what versions of them did otherwise.
+static CASES: Files = include!(concat!(env!("OUT_DIR"), "/case_files.rs"));
+/// References; empty without the feature `validation`.
+static VALIDATION: Files = include!(concat!(env!("OUT_DIR"), "/validation_files.rs"));
+
+/// Text of a data file by its path below `data`, such as `planets/earth.toml`.
+pub fn data_file(path: &str) -> Option<&'static str> {
+    [LIBRARY, CASES, VALIDATION]
+        .into_iter()
+        .find_map(|files| of(files, path))
+}
+
+/// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
+pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
+    let inside = [LIBRARY, CASES, VALIDATION].map(|files| within(files, folder));
+    inside.into_iter().flatten()
+}
+
+/// As [`data_file`], of `cases` and `versions` only.
+pub fn case_file(path: &str) -> Option<&'static str> {
+    of(CASES, path)
+}
+
+/// Paths and texts of the shipped cases.
+pub fn cases() -> impl Iterator<Item = (&'static str, &'static str)> {
+    within(CASES, "cases")
+}
+
+fn of(files: Files, path: &str) -> Option<&'static str> {
+    let file = files.iter().find(|(name, _)| *name == path);
+    file.map(|(_, text)| *text)
+}
+
+/// The files of a folder, those of folders in it left out.
+pub(super) fn within(
+    files: Files,
+    folder: &str,
+) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
+    let prefix = format!("{folder}/");
+    files.iter().copied().filter(move |(name, _)| {
+        let inside = name.strip_prefix(&prefix);
+        inside.is_some_and(|file| !file.contains('/'))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_is_in_one_list_and_is_found_in_it() {
+        let lists = [LIBRARY, CASES, VALIDATION];
+        for (path, text) in lists.into_iter().flatten() {
+            let holding = lists.iter().filter(|files| of(files, path).is_some());
+            assert_eq!(
+                (holding.count(), data_file(path)),
+                (1, Some(*text)),
+                "{path}"
+            );
+        }
+        assert!(
+            case_file("versions/0.1.toml").is_some() && case_file("planets/earth.toml").is_none()
+        );
+        assert!(cases().any(|(path, _)| path == "cases/run-page.toml"));
+        assert!(cases().all(|(path, _)| !path.contains("0.1")));
+        assert_eq!(
+            data_folder("planets").count(),
+            within(LIBRARY, "planets").count()
+        );
+    }
+}

@@ -1,0 +1,161 @@
+//! Reads data files, shipped ones and those of a user, and notes every fault.
+
+use super::{DataError, Named, files};
+
+/// Folders to which a user may add, and what the names of their files end in.
+const FOLDERS: [(&str, &str); 8] = [
+    ("planets", ".toml"),
+    ("atmospheres", ".toml"),
+    ("materials", ".toml"),
+    ("concepts", ".toml"),
+    ("soak", ".toml"),
+    ("grounds", ".toml"),
+    ("aerodynamics", ".csv"),
+    ("outlines", ".toml"),
+];
+/// Relations for some planets each, of which a user may add files.
+pub(super) const RELATIONS: [&str; 3] = [
+    "heating/sutton-graves",
+    "heating/hot-wall",
+    "heating/tauber-sutton",
+];
+
+/// The files of a library, and what is wrong with them.
+pub(super) struct Files<'f> {
+    files: Vec<(&'f str, &'f str)>,
+    pub faults: Vec<DataError>,
+}
+
+/// What belongs to some planets, and the file that says so.
+pub(super) struct Relation<T> {
+    pub file: String,
+    pub planets: Vec<String>,
+    pub thing: T,
+}
+
+impl<'f> Files<'f> {
+    /// The shipped files and those of a user.
+    pub fn new(own: &'f [(String, String)]) -> Self {
+        let mut all = Self {
+            files: files::LIBRARY.to_vec(),
+            faults: Vec::new(),
+        };
+        for (path, text) in own {
+            if !is_addable(path) {
+                let folders = FOLDERS.map(|(folder, ending)| format!("{folder}/NAME{ending}"));
+                let relations = RELATIONS.map(|start| format!("{start}-NAME.toml"));
+                let kinds = [folders.as_slice(), relations.as_slice()]
+                    .concat()
+                    .join(", ");
+                all.fault(
+                    path,
+                    format!("is no file that can be added; must be one of {kinds}"),
+                );
+            } else if all.files.iter().any(|(known, _)| known == path) {
+                let message = "name: there is a file of this name; give it another one";
+                all.fault(path, message.to_string());
+            } else {
+                all.files.push((path, text));
+            }
+        }
+        all
+    }
+
+    /// Notes a fault.
+    pub fn fault(&mut self, file: &str, message: String) {
+        let file = file.to_string();
+        self.faults.push(DataError { file, message });
+    }
+
+    /// Every file of a folder, by its name without the ending.
+    pub fn folder<T>(
+        &mut self,
+        folder: &str,
+        parse: impl Fn(&str) -> Result<T, String>,
+    ) -> Named<T> {
+        let prefix = format!("{folder}/");
+        let inside = |path: &str| path.strip_prefix(&prefix).is_some_and(|f| !f.contains('/'));
+        let mut found = Vec::new();
+        for (path, text) in self.files.clone() {
+            if inside(path)
+                && let Some(thing) = self.parsed(path, text, &parse)
+            {
+                found.push((stem(path).to_string(), thing));
+            }
+        }
+        found
+    }
+
+    /// A file that every library has.
+    pub fn one<T>(&mut self, path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Option<T> {
+        let file = self.files.iter().find(|(known, _)| *known == path).copied();
+        if file.is_none() {
+            self.fault(path, "is not there".to_string());
+        }
+        self.parsed(path, file?.1, &parse)
+    }
+
+    /// What the files whose paths begin with `start` hold for some planets each.
+    pub fn relations<T>(
+        &mut self,
+        start: &str,
+        parse: impl Fn(&str) -> Result<Vec<(Vec<String>, T)>, String>,
+    ) -> Vec<Relation<T>> {
+        let mut found: Vec<Relation<T>> = Vec::new();
+        for (path, text) in self.files.clone() {
+            if !path.starts_with(start) {
+                continue;
+            }
+            for (planets, thing) in self.parsed(path, text, &parse).into_iter().flatten() {
+                let twice = |name: &&String| found.iter().any(|other| other.planets.contains(name));
+                if let Some(name) = planets.iter().find(twice) {
+                    let message =
+                        format!("planets: got \"{name}\", which has such a relation already");
+                    self.fault(path, message);
+                }
+                let file = path.to_string();
+                found.push(Relation {
+                    file,
+                    planets,
+                    thing,
+                });
+            }
+        }
+        found
+    }
+
+    fn parsed<T>(
+        &mut self,
+        path: &str,
+        text: &str,
+        parse: &impl Fn(&str) -> Result<T, String>,
+    ) -> Option<T> {
+        match parse(text) {
+            Ok(thing) => Some(thing),
+            Err(message) => {
+                self.fault(path, message);
+                None
+            }
+        }
+    }
+}
+
+/// The name of a file without folder and ending.
+pub(super) fn stem(path: &str) -> &str {
+    let file = path.rsplit('/').next().unwrap_or(path);
+    file.split('.').next().unwrap_or(file)
+}
+
+/// Whether a user may add a file of this path.
+fn is_addable(path: &str) -> bool {
+    let name_of = |start: &str, ending: &str| Some(path.strip_prefix(start)?.strip_suffix(ending)?);
+    let in_folder = FOLDERS.iter().filter_map(|(folder, ending)| {
+        let file = path.strip_prefix(folder)?.strip_prefix('/')?;
+        file.strip_suffix(ending)
+    });
+    let relations = RELATIONS.iter();
+    let relation = relations.filter_map(|start| name_of(start, ".toml")?.strip_prefix('-'));
+    in_folder
+        .chain(relation)
+        .any(|name| !name.is_empty() && !name.contains(['/', '.']))
+}

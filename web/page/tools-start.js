@@ -1,0 +1,4 @@
+// Starts the toolbox, as worker-start.js starts the worker.
+import init from "./tools.js";
+
+await init({ module_or_path: new URL("./tools_bg.wasm", import.meta.url) });

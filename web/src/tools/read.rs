@@ -1,0 +1,112 @@
+//! Rows from files, by the readers of the command line.
+
+use crate::protocol::{FileKind, ReadRows};
+use cad::outline::{self, Imported, LengthUnit};
+use cad::table::{self, Ground, Table};
+use msape::vehicle::body::from_rows;
+use msape::{Case, Library};
+
+/// Key of a file of coefficients, and of the rows in it.
+const COEFFICIENTS: (&str, &str) = ("vehicle.aerodynamics.file", "vehicle.aerodynamics.table");
+/// Key of the rows of an outline.
+const POINTS: &str = "outline.points";
+
+/// The rows of a file, or every fault of it with its line.
+pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows, Vec<String>> {
+    match kind {
+        FileKind::Table(key, case) => table(key, bytes, case, library),
+        FileKind::Coefficients => {
+            let rows = table(COEFFICIENTS.0, bytes, &Case::default(), library)?;
+            if rows.key == COEFFICIENTS.1 {
+                return Ok(rows);
+            }
+            Err(vec![
+                "the file is drag over the Mach number, as a point mass has it; a table here has angles of attack".to_string(),
+            ])
+        }
+        FileKind::Outline(name, unit) => {
+            let unit = unit.as_deref().and_then(LengthUnit::of);
+            let Imported { rows, remarks } = outline::read(name, bytes, unit).map_err(words)?;
+            from_rows(name, &rows).map_err(words)?;
+            let key = POINTS.to_string();
+            Ok(ReadRows { key, rows, remarks })
+        }
+    }
+}
+
+fn table(key: &str, bytes: &[u8], case: &Case, library: &Library) -> Result<ReadRows, Vec<String>> {
+    let Table { key, rows, remarks } =
+        table::read(key, bytes, &Ground::of(case, library)).map_err(words)?;
+    Ok(ReadRows {
+        key: key.to_string(),
+        rows,
+        remarks,
+    })
+}
+
+fn words<T: ToString>(faults: Vec<T>) -> Vec<String> {
+    faults.iter().map(ToString::to_string).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(kind: FileKind, text: &str) -> Result<ReadRows, Vec<String>> {
+        super::read(&kind, text.as_bytes(), &Library::builtin().unwrap())
+    }
+
+    #[test]
+    fn an_outline_that_crosses_the_axis_is_refused() {
+        let outline = |text: &str| read(FileKind::Outline("x.csv".to_string(), None), text);
+        let faults = outline("x (m), r (m)\n0, 0\n1, 1\n2, -1\n3, 0\n").unwrap_err();
+        assert!(faults[0].contains("axis"), "{faults:?}");
+        assert!(outline("x (m), r (m)\n0, 0\n1, 1\n2, 0\n").is_ok());
+        let unit = FileKind::Outline("x.csv".to_string(), Some("mm".to_string()));
+        let rows = read(unit, "x, r\n0, 0\n1, 1\n2, 0\n").unwrap().rows;
+        assert_eq!(rows[1][0], 0.001);
+    }
+
+    #[test]
+    fn a_table_of_coefficients_has_angles_of_attack() {
+        let faults = read(
+            FileKind::Coefficients,
+            "mach,alpha,ca,cn\n1,0,1,0\n1,5,,0\n",
+        );
+        assert!(faults.unwrap_err()[0].starts_with("line 3"));
+        let drag = read(FileKind::Coefficients, "mach,cd\n1,1.2\n5,1.4\n").unwrap_err();
+        assert!(drag[0].contains("drag over the Mach number"), "{drag:?}");
+    }
+
+    #[test]
+    fn a_table_is_read_for_the_planet_of_its_case() {
+        let mut mars = Case::default();
+        mars.set("entry.planet", "mars");
+        let read = |case: &Case| {
+            let kind = FileKind::Table("atmosphere.file".to_string(), Box::new(case.clone()));
+            read(
+                kind,
+                "geopotential_altitude_m, density_kg_m3\n0, 0.02\n10000, 0.008\n",
+            )
+            .unwrap()
+        };
+        let (there, here) = (read(&mars), read(&Case::default()));
+        assert_eq!(here.key, "atmosphere.table");
+        // r H / (r - H) with 6356.766 km, and with the 3389.5 km of Mars
+        assert!((here.rows[1][0] - 10_015.76).abs() < 0.01, "{here:?}");
+        assert!((there.rows[1][0] - 10_029.6).abs() < 0.1, "{there:?}");
+    }
+
+    #[test]
+    fn a_spreadsheet_in_germany_is_read_and_thousands_are_not_guessed() {
+        let read = |text: &str| {
+            let kind = FileKind::Table("atmosphere.file".to_string(), Box::default());
+            read(kind, text).map(|table| table.rows)
+        };
+        let rows = vec![vec![0.0, 1.225], vec![1e3, 1.1]];
+        assert_eq!(read("0\t1,2250\n1000\t1,1\n"), Ok(rows.clone()));
+        assert_eq!(read("z (km);rho (kg/m3)\n0;1,225\n1;1,1\n"), Ok(rows));
+        assert!(read("0 1,225\n1000 1,100\n").is_err());
+        assert!(read("0 x").is_err());
+    }
+}
