@@ -30,7 +30,7 @@ fn exact(mut case: Case) -> Case {
 
 /// Energy of the inertial motion over mass, J/kg, along a flight over the report's Earth.
 fn energies_j_kg(case: &Case) -> Vec<f64> {
-    let planet = named(&LIBRARY.planets, "earth-msape").unwrap();
+    let planet = &named(&LIBRARY.planets, "earth-msape").unwrap().planet;
     let Gravity::Zonal {
         mu_m3_s2: mu,
         j2,

@@ -58,7 +58,7 @@ pub(crate) fn table<const K: usize>(rows: &[[f64; K]]) -> String {
 #[test]
 fn every_planet_flies_through_its_own_air_and_through_no_other() {
     for name in PLANETS {
-        let planet = named(&LIBRARY.planets, name).unwrap();
+        let planet = &named(&LIBRARY.planets, name).unwrap().planet;
         let (_, own) = named(&LIBRARY.atmospheres, &planet.atmosphere).unwrap();
         let altitude_m = planet.exponential_fit_m[0];
         for named_so in ["", "planet", &planet.atmosphere] {
@@ -106,7 +106,7 @@ fn downrange_is_on_the_planet_s_own_figure() {
         let flight = answer.flight.unwrap();
         let east_rad = flight.final_longitude_rad;
         // Nearly along the parallel of 20 deg over so short a way: N cos φ Δλ, N = a/√(1 − e² sin² φ)
-        let planet = named(&LIBRARY.planets, name).unwrap();
+        let planet = &named(&LIBRARY.planets, name).unwrap().planet;
         let (a, b) = (planet.equatorial_radius_m, planet.polar_radius_m);
         let sine = 20.0_f64.to_radians().sin();
         let normal_m = a / (1.0 - (1.0 - b * b / (a * a)) * sine * sine).sqrt();
@@ -132,7 +132,7 @@ fn downrange_is_on_the_planet_s_own_figure() {
 #[test]
 fn a_flight_may_end_as_deep_as_the_planet_allows_and_no_deeper() {
     for name in PLANETS {
-        let planet = named(&LIBRARY.planets, name).unwrap();
+        let planet = &named(&LIBRARY.planets, name).unwrap().planet;
         let lowest_m = planet.lowest_altitude_m;
         let at = |altitude_m: f64| {
             case(
@@ -199,7 +199,7 @@ fn pressure_of_a_perfect_gas_is_of_the_planet_s_ratio_of_heat_capacities() {
     // Cp,max at Mach ∞: 2/γ [(γ+1)²/4γ]^(γ/(γ−1)) 2γ/(γ+1)
     let limit = |g: f64| 4.0 / (g + 1.0) * ((g + 1.0) * (g + 1.0) / (4.0 * g)).powf(g / (g - 1.0));
     for name in ["venus", "mars", "neptune", "earth"] {
-        let planet = named(&LIBRARY.planets, name).unwrap();
+        let planet = &named(&LIBRARY.planets, name).unwrap().planet;
         let altitude_m = planet.exponential_fit_m[0];
         let mut case = case(name, altitude_m, 9000.0, "stop.time_s = 0.001");
         case.set("heating.stagnation_pressure", "perfect-gas");

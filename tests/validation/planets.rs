@@ -1,7 +1,7 @@
 //! Atmospheres of the planets: against measured profiles, against rows of their sources that they do not hold, and in balance.
 
 use msape::Library;
-use msape::library::named;
+use msape::library::{World, named};
 use msape::planet::Planet;
 use msape::planet::atmosphere::{Air, Atmosphere};
 use msape::planet::geodetic::Geodetic;
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
 fn planet(name: &str) -> &'static Planet {
-    named(&LIBRARY.planets, name).unwrap()
+    &named(&LIBRARY.planets, name).unwrap().planet
 }
 
 /// A planet's own atmosphere.
@@ -162,7 +162,7 @@ fn saturn_is_in_hydrostatic_balance_where_voyager_went_behind_it() {
 
 #[test]
 fn each_planet_has_its_own_atmosphere_whose_density_falls_above_it() {
-    for (name, planet) in &LIBRARY.planets {
+    for (name, World { planet, .. }) in &LIBRARY.planets {
         let (_, top_m) = own(name).valid_m();
         let density = |z: f64| own(name).density_kg_m3(z);
         assert!(density(top_m) > density(top_m + 1e5), "{name}");

@@ -148,7 +148,7 @@ pub(super) fn stem(path: &str) -> &str {
 
 /// Whether a user may add a file of this path.
 fn is_addable(path: &str) -> bool {
-    let name_of = |start: &str, ending: &str| Some(path.strip_prefix(start)?.strip_suffix(ending)?);
+    let name_of = |start: &str, ending: &str| path.strip_prefix(start)?.strip_suffix(ending);
     let in_folder = FOLDERS.iter().filter_map(|(folder, ending)| {
         let file = path.strip_prefix(folder)?.strip_prefix('/')?;
         file.strip_suffix(ending)
