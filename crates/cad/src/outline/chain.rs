@@ -15,6 +15,7 @@
 
 use super::dxf::group::Place;
 use super::{ImportFault, MOST_FAULTS};
+use msape::units::told;
 use msape::vehicle::body::check::At;
 use msape::vehicle::crossing::distance_m;
 use msape::vehicle::segment::Point;
@@ -213,9 +214,9 @@ fn gap(end: &End, loose: &[End], paths: &[Path], tolerance_m: f64) -> ImportFaul
         .min_by(|a, b| distance_m(a.at, end.at).total_cmp(&distance_m(b.at, end.at)));
     let message = match nearest {
         Some(other) => format!(
-            "{place}: the piece ends at {}, off the axis; the nearest other loose end is {:.6} m away at {}, ends closer than {tolerance_m:.1e} m are joined",
+            "{place}: the piece ends at {}, off the axis; the nearest other loose end is {} m away at {}, ends closer than {tolerance_m:.1e} m are joined",
             At(end.at),
-            distance_m(other.at, end.at),
+            told((distance_m(other.at, end.at) * 1e6).round() / 1e6),
             At(other.at)
         ),
         None => format!("{place}: the piece ends at {}, off the axis", At(end.at)),
@@ -313,7 +314,7 @@ mod tests {
         let said = |paths| joined(paths, 2e-5).unwrap_err()[0].to_string();
         let gap = said(vec![line(0.0, 0.0, 1.0, 1.0), line(1.0, 0.9, 1.0, 0.0)]);
         assert!(
-            gap.contains("line 7") && gap.contains("0.100000 m away"),
+            gap.contains("line 7") && gap.contains("0.1 m away"),
             "{gap}"
         );
         let branch = said(vec![

@@ -99,6 +99,17 @@ fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
     }
     // name, unit, name, unit
     let commas = by(',');
+    // a name with its unit behind a comma: Speed of sound, [m/s]
+    let mut joined: Cells = Vec::new();
+    for cell in &commas {
+        match joined.last_mut() {
+            Some(last) if cell.starts_with(['(', '[']) => {
+                *last = Cow::Owned(format!("{last} {cell}"))
+            }
+            _ => joined.push(cell.clone()),
+        }
+    }
+    ways.push(joined);
     if commas.len() % 2 == 0 {
         ways.push(
             commas
@@ -237,6 +248,21 @@ fn bare(
             names: listed(&cut.cells.iter().map(|cell| shown(cell)).collect::<Vec<_>>()),
             expected: expected(layout),
         }]);
+    }
+    // names that do not fit the columns are not passed over
+    let names_some = |cells: &Cells| {
+        let known = |cell: &Cow<str>| heading(cell, layout.quantities) != Heading::Unknown;
+        cells.iter().filter(|cell| known(cell)).count() > 1
+    };
+    let titles = near.iter().rev().filter(|cut| !cut.line.comment);
+    for cut in titles {
+        if let Some(cells) = ways(cut, separator).into_iter().find(names_some) {
+            return Err(vec![TableFault::Fields {
+                line: cut.line.number,
+                found: cells.len(),
+                wanted: width,
+            }]);
+        }
     }
     if !(fewest..=quantities.len()).contains(&width) {
         return Err(vec![TableFault::NoHeading {

@@ -284,3 +284,20 @@ fn the_planet_is_the_one_that_the_case_flies_over() {
     }
     assert_eq!(of("").radius_m, EARTH_RADIUS_M);
 }
+
+/// Unit behind a comma as in public files; a heading of another number of cells is no title.
+#[test]
+fn a_heading_that_does_not_fit_its_columns_is_not_passed_over() {
+    let rows = "0,1.225,340.3\n5000,0.7361,320.5\n10000,0.4135,299.5\n";
+    let table = air(&format!(
+        "Altitude[m], Density [kg/m3], Speed of sound, [m/s]\n{rows}"
+    ));
+    same(&table.rows, &AIR);
+    for heading in [
+        "altitude_m,density_kg_m3",
+        "Altitude (m),Density (kg/m3),a,b",
+    ] {
+        let found = faults("atmosphere.file", &format!("{heading}\n{rows}"));
+        assert!(found[0].starts_with("line 1: got "), "{found:?}");
+    }
+}

@@ -1,6 +1,6 @@
 //! Each fault is named with key, value, range and unit; nothing is written; the code is 2.
 
-use crate::{Finished, M2, folder, msape, msape_with, path};
+use crate::{Finished, M2, folder, msape, msape_with, path, root};
 use std::fs;
 
 #[track_caller]
@@ -179,4 +179,40 @@ fn arguments_are_checked() {
         &msape(&["fly", M2, "-o", "/nowhere/at/all.json"]),
         "cannot write /nowhere/at/all.json",
     );
+}
+
+/// Spelled in a file and typed: beyond what a number can be, none at all, a formula, grouped by a sign that may be the decimal one.
+#[test]
+fn numbers_without_end_are_refused_and_typed_ones_read() {
+    let case = fs::read_to_string(root().join(M2)).unwrap();
+    let speed = case
+        .lines()
+        .find(|line| line.starts_with("speed_m_s"))
+        .unwrap();
+    for number in [
+        "1e400",
+        "99999999999999999999",
+        "nan",
+        "inf",
+        "1\nspeed_m_s = 2",
+    ] {
+        let text = case.replace(speed, &format!("speed_m_s = {number}"));
+        refused(&msape_with(&["fly", "-"], text.as_bytes()), "");
+    }
+    for typed in ["125,000 m", "inf", "nan", "1e400", "=1/0"] {
+        let setting = format!("entry.altitude_m={typed}");
+        refused(&msape(&["fly", M2, "--set", &setting]), "entry.altitude_m");
+    }
+    for (key, typed, plain) in [
+        ("entry.speed_m_s", "12,9 km/s", "12900"),
+        ("entry.flight_path_angle_deg", "-8.2°", "-8.2"),
+        ("entry.flight_path_angle_deg", "−8.2", "-8.2"),
+    ] {
+        let answer = |value: &str| {
+            let done = msape(&["fly", M2, "--json", "--set", &format!("{key}={value}")]);
+            assert_eq!(done.code, Some(0), "{value}: {}", done.err);
+            done.out
+        };
+        assert_eq!(answer(typed), answer(plain), "{typed}");
+    }
 }

@@ -12,6 +12,7 @@
 //! # References
 //! - Own convention.
 
+use crate::units::told;
 use crate::vehicle::body::pairs::{MOST_PAIRS, near_pairs};
 use crate::vehicle::crossing::{distance_m, meetings};
 use crate::vehicle::profile::Profile;
@@ -31,7 +32,7 @@ pub struct At(pub Point);
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // to a micrometre, without the zeros at the end
-        let short = |value: f64| (value * 1e6).round() / 1e6 + 0.0;
+        let short = |value: f64| told((value * 1e6).round() / 1e6 + 0.0);
         write!(
             f,
             "x = {} m, r = {} m",
