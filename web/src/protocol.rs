@@ -5,6 +5,9 @@ use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
+/// What the worker says, as a text, when it has got a question and before it works on it.
+pub const BEGUN: &str = "begun";
+
 /// What the page asks of the worker.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Ask {
@@ -60,7 +63,7 @@ pub struct Batch {
 }
 
 /// A case to be solved.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Job {
     /// Number of the job; a greater one is newer.
     pub id: u64,

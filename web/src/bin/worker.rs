@@ -1,5 +1,6 @@
 //! The worker: solves one case after the other, so that the page stays alive.
 
+use msape_web::protocol::BEGUN;
 use msape_web::solver::Solver;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -11,6 +12,7 @@ fn main() -> Result<(), JsValue> {
     let on_message = Closure::<dyn Fn(MessageEvent) -> Result<(), JsValue>>::new({
         let scope = scope.clone();
         move |event: MessageEvent| {
+            scope.post_message(&BEGUN.into())?;
             let job = js_sys::Uint8Array::new(&event.data()).to_vec();
             let reply = solver
                 .answer(&job)

@@ -1,0 +1,1 @@
+//! Tabs that share records, and what a browser may do to them.
