@@ -145,7 +145,10 @@ impl Saver {
             match (work, own) {
                 (_, Some(own)) if pristine && !linked => *history = History::new(own),
                 (Some(work), _) if pristine && !linked => *history = History::new(work),
-                (Some(work), _) if work.case != history.present().case => {
+                (Some(work), _) if pristine && work.case == history.present().case => {
+                    *history = History::new(work);
+                }
+                (Some(work), _) => {
                     // What was kept stays, and is one undo away.
                     let opened = linked.then(|| history.present().case.clone());
                     let why = if linked { Why::Link } else { Why::Early };
@@ -159,11 +162,14 @@ impl Saver {
                     let label = if linked { "Open link" } else { "Edits before" };
                     history.edit(label, None, shown);
                 }
-                _ => {}
+                (None, _) => {}
             }
             history.change_all(|document| Some(document.with_items_of(&items)));
         });
         self.0.ledger.replace(Some(stock.ledger));
+        // What waits was shown before the records had been read.
+        let shown = state.document.get_untracked();
+        self.0.waiting.replace(Some(shown));
         self.write_next();
     }
 

@@ -236,7 +236,10 @@ impl Ledger {
 
     fn resolve_sheet(&mut self, document: &Document, key: &Key, found: Option<Found>) -> Verdict {
         let Some(found) = found else {
-            // Cleared elsewhere: nothing is overwritten.
+            if *key == Key::current() {
+                // The browser's data were cleared: all that this tab has is written again. What is there after all clashes.
+                *self = Ledger::default();
+            }
             self.forgets(key);
             return Verdict::Again;
         };

@@ -251,7 +251,25 @@ fn what_was_given_up_is_written_by_the_next_trial() {
     assert_eq!(stock.outlines.len(), 1);
 }
 
-/// Every text of `changes` for a work record that some program or fault left behind.
+#[test]
+fn what_was_cleared_elsewhere_is_written_again_as_far_as_the_tab_has_it() {
+    let (mut browser, mut tab) = with_work();
+    tab.import("cone", 1.0);
+    tab.save(&mut browser).unwrap();
+    browser.records.clear();
+    tab.set_speed("13000");
+    tab.save(&mut browser).unwrap();
+    let stock = browser.stock();
+    assert_eq!(speed(&stock.work.unwrap().document), "13000");
+    assert_eq!(stock.outlines.len(), 1);
+    // the stored work alone is gone, as when another tab moved it away
+    browser.records.remove(&Key::current());
+    tab.set_speed("14000");
+    tab.save(&mut browser).unwrap();
+    assert_eq!(browser.stock().outlines.len(), 1);
+}
+
+/// Stored work that some program or fault left behind.
 fn bad_works() -> Vec<(&'static str, Found)> {
     let sheet = |case: &str, units: &str| {
         let case = serde_json::Value::String(case.to_string());
