@@ -1,26 +1,22 @@
 //! The frame around the pages: what is kept, what links say, what keys do.
 
 use crate::components::header::Header;
+use crate::components::kept::Kept;
 use crate::components::open::open_file;
-use crate::link;
+use crate::link::{self, Linked};
 use crate::pages::benchmark::Benchmark;
 use crate::pages::design::Design;
 use crate::pages::library::aerodynamics::{self, Aerodynamics};
 use crate::pages::library::{self, Library};
 use crate::presets::{first, starts};
-use crate::state::document::{Document, Run};
-use crate::state::history::History;
+use crate::saving::Saver;
+use crate::saving::choices::of_link;
+use crate::state::State;
+use crate::state::document::Document;
 use crate::state::preferences::Preferences;
-use crate::state::{SaveState, State};
-use crate::storage::{self, Store};
 use leptos::ev::{DragEvent, KeyboardEvent};
 use leptos::prelude::*;
 use msape::case::version::BroughtUp;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
-use std::rc::Rc;
-use std::sync::Arc;
-use wasm_bindgen_futures::spawn_local;
 
 /// What is between header and footer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,16 +60,17 @@ impl Page {
 /// The app.
 #[component]
 pub fn App() -> impl IntoView {
-    let linked = linked_case();
-    let is_linked = linked.is_some();
-    let (case, remarks) = match linked {
-        Some(linked) => (linked.case, linked.remarks),
-        None => (first(), Vec::new()),
-    };
+    let Linked { case, words } = linked().unwrap_or_default();
+    let is_linked = case.is_some();
+    let BroughtUp { case, remarks } = case.unwrap_or_else(|| BroughtUp {
+        case: first(),
+        remarks: Vec::new(),
+    });
     let state = State::new(Document::new(case), Preferences::load());
     state.version_remarks.set(remarks);
+    state.keeping.link_words.set(words);
     provide_context(state);
-    keep(state, is_linked);
+    state.saver.set_value(Some(Saver::start(state, is_linked)));
     listen(state);
     forget_notices(state);
     let page = follow_address();
@@ -84,6 +81,7 @@ pub fn App() -> impl IntoView {
             focus_main();
         }>"Skip to the content"</a>
         <Header page />
+        <Kept />
         {move || match page.get() {
             Page::Design => view! { <Design /> }.into_any(),
             Page::Library => view! { <Library /> }.into_any(),
@@ -125,108 +123,20 @@ fn focus_main() {
     }
 }
 
-/// The case of the address, which is then cleared so that a reload keeps later edits.
-fn linked_case() -> Option<BroughtUp> {
+/// What the link in the address says, if there is one.
+fn linked() -> Option<Linked> {
     let hash = window().location().hash().ok()?;
-    let case = link::case(&hash, &starts());
-    if case.is_some()
+    link::read(&hash, &starts())
+}
+
+/// Takes the link out of the address, so that a reload keeps later edits.
+pub fn leave_link() {
+    if linked().is_some()
         && let Ok(history) = window().history()
     {
         // A browser that refuses shows the old address; nothing depends on it.
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some("#/design"));
     }
-    case
-}
-
-/// Opens what was kept, and from then on keeps every document.
-fn keep(state: State, linked: bool) {
-    spawn_local(async move {
-        let store = match Store::open().await {
-            Ok(store) => store,
-            Err(error) => {
-                state.save_state.set(SaveState::Refused(error.to_string()));
-                return;
-            }
-        };
-        let runs = match store.load().await {
-            Ok(kept) => {
-                let opened = !linked && state.history.with_untracked(History::is_pristine);
-                restore(state, kept.document, &kept.runs, linked);
-                if opened {
-                    state.version_remarks.set(kept.remarks);
-                }
-                kept.runs
-            }
-            Err(error) => {
-                state.save_state.set(SaveState::Refused(error.to_string()));
-                BTreeMap::new()
-            }
-        };
-        if !runs.is_empty() {
-            state.protected.set(Some(storage::is_protected().await));
-        }
-        save_on_change(state, store, runs);
-    });
-}
-
-fn restore(state: State, kept: Option<Document>, runs: &BTreeMap<String, Run>, linked: bool) {
-    let now = state.document.get_untracked();
-    let with_runs = |document: &Document| Document {
-        runs: Arc::new(runs.clone()),
-        ..document.clone()
-    };
-    let Some(kept) = kept else {
-        if !runs.is_empty() {
-            state.history.set(History::new(with_runs(&now)));
-        }
-        return;
-    };
-    if linked || !state.history.with_untracked(History::is_pristine) {
-        // What was kept is one undo away.
-        let mut history = History::new(kept.clone());
-        let opened = Document {
-            case: now.case.clone(),
-            ..kept
-        };
-        history.edit("Open link", None, opened);
-        state.history.set(history);
-    } else {
-        state.history.set(History::new(kept));
-    }
-}
-
-/// Writes one document after the other; those that come while one is written wait, and only the newest is written.
-fn save_on_change(state: State, store: Store, runs: BTreeMap<String, Run>) {
-    let store = Rc::new(store);
-    let kept = Rc::new(RefCell::new(runs));
-    let busy = Rc::new(RefCell::new(false));
-    let waiting: Rc<RefCell<Option<Arc<Document>>>> = Rc::default();
-    Effect::new(move |_| {
-        *waiting.borrow_mut() = Some(state.document.get());
-        state.save_state.set(SaveState::Saving);
-        if busy.replace(true) {
-            return;
-        }
-        let (store, kept, busy, waiting) =
-            (store.clone(), kept.clone(), busy.clone(), waiting.clone());
-        spawn_local(async move {
-            loop {
-                let Some(document) = waiting.borrow_mut().take() else {
-                    break;
-                };
-                let before = kept.borrow().clone();
-                let saved = store.save(&before, &document).await;
-                state.save_state.set(match saved {
-                    Ok(()) => {
-                        kept.replace((*document.runs).clone());
-                        SaveState::Saved
-                    }
-                    Err(error) => SaveState::Refused(error.to_string()),
-                });
-            }
-            busy.replace(false);
-        });
-    });
 }
 
 /// Takes a notice away when it has been there long enough to be read.
@@ -265,8 +175,12 @@ fn listen(state: State) {
         }
     });
     let links = window_event_listener(leptos::ev::hashchange, move |_| {
-        if let Some(BroughtUp { case, remarks }) = linked_case() {
-            crate::components::open::replace_case(state, "Open link", case);
+        let Some(Linked { case, words }) = linked() else {
+            return;
+        };
+        state.keeping.link_words.set(words);
+        if let Some(BroughtUp { case, remarks }) = case {
+            state.edit("Open link", None, |now| of_link(now, case));
             state.version_remarks.set(remarks);
         }
     });

@@ -19,6 +19,7 @@ pub mod file_input;
 pub mod form;
 pub mod header;
 pub mod headline;
+pub mod kept;
 pub mod landing;
 pub mod library_tabs;
 pub mod mass_tree;

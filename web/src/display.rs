@@ -133,6 +133,13 @@ pub fn with_unit(value: f64, digits: usize, unit: &Unit) -> String {
     .to_string()
 }
 
+/// Date and time of a moment, ms since 1970, in the user's zone.
+pub fn date(ms: f64) -> String {
+    let date = js_sys::Date::new(&ms.into());
+    date.to_locale_string("en-GB", &wasm_bindgen::JsValue::UNDEFINED)
+        .into()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,7 @@
 //!   `catalog`: what the page shows of the library.
 //! - `drawing` and `view3d`: the vehicle as a section and in three dimensions.
 //! - `clock` and `timing`: what the benchmark page measures with.
-//! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files.
+//! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files; `saving`: what is kept, and when.
 //!
 //! Deliberately absent: physics, units and lists of variables. They are in `msape`.
 
@@ -23,6 +23,7 @@ mod link;
 mod pages;
 mod presets;
 pub mod protocol;
+mod saving;
 pub mod serve;
 pub mod solver;
 mod state;

@@ -1,7 +1,8 @@
 //! Links that hold a case: what differs from one that ships with the program.
 //!
-//! `#/design?v=0.2&p=run-page&entry.speed_m_s=13000&n=My%20run`. What is malformed or unknown is left out, never an error.
-//! A link is read against the shipped case and the defaults of its version; without one it is of the first.
+//! `#/design?k=1f0c83a2&v=0.2&p=run-page&entry.speed_m_s=13000&n=My%20run`. What is malformed or unknown is left out and told,
+//! never an error. A link is read against the shipped case and the defaults of its version; without one it is of the first.
+//! `k` is a check sum of what follows it, which a link that was cut no longer has; it may be absent.
 
 use crate::presets::{self, Start};
 use msape::Case;
@@ -17,7 +18,7 @@ pub fn fragment(case: &Case, starts: &[Start]) -> String {
     starts
         .iter()
         .map(|start| {
-            let mut text = format!("/design?v={}&p={}", Version::CURRENT, encode(&start.id));
+            let mut text = format!("v={}&p={}", Version::CURRENT, encode(&start.id));
             if case.name != start.case.name {
                 text.push_str(&format!("&n={}", encode(&case.name)));
             }
@@ -32,11 +33,27 @@ pub fn fragment(case: &Case, starts: &[Start]) -> String {
             text
         })
         .min_by_key(String::len)
+        .map(|text| format!("/design?k={:08x}&{text}", sum(&text)))
         .unwrap_or_default()
 }
 
-/// The case of a link, if it is one, and remarks on what changed since it was made.
-pub fn case(fragment: &str, starts: &[Start]) -> Option<BroughtUp> {
+/// FNV-1a of the decoded text, 32 bits, with offset basis and prime as Fowler, Noll and Vo publish them.
+fn sum(text: &str) -> u32 {
+    let add = |sum: u32, byte: u8| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    decode(text).bytes().fold(0x811c_9dc5, add)
+}
+
+/// What a link says.
+#[derive(Debug, Default, PartialEq)]
+pub struct Linked {
+    /// Its case, and remarks on what changed since it was made; nothing if it names no start that is known.
+    pub case: Option<BroughtUp>,
+    /// What the user must know of it.
+    pub words: Vec<String>,
+}
+
+/// What a fragment says, if it is a link to a case.
+pub fn read(fragment: &str, starts: &[Start]) -> Option<Linked> {
     let fragment = fragment.trim_start_matches('#');
     let query = fragment.strip_prefix("/design?")?;
     let pairs: Vec<(String, String)> = query
@@ -44,19 +61,72 @@ pub fn case(fragment: &str, starts: &[Start]) -> Option<BroughtUp> {
         .filter_map(|pair| pair.split_once('='))
         .map(|(key, value)| (decode(key), decode(value)))
         .collect();
+    if pairs.is_empty() {
+        return None;
+    }
+    let mut words = Vec::new();
+    if !is_whole(query) {
+        words.push("This link was cut or changed after it was made: what it shows may not be what was sent.".to_string());
+    }
+    let unknown: Vec<&str> = pairs
+        .iter()
+        .filter(|(key, _)| !OWN_KEYS.contains(&key.as_str()) && input::find(key).is_none())
+        .map(|(key, _)| key.as_str())
+        .collect();
+    if !unknown.is_empty() {
+        words.push(format!(
+            "The link has what this version does not know, and leaves out: {}.",
+            short(&unknown.join(", "))
+        ));
+    }
     let given = |name: &str| pairs.iter().find(|(key, _)| key == name);
-    let version = given("v")
+    let id = given("p").map(|(_, id)| id.as_str());
+    let case = id.and_then(|id| case_of(id, &pairs, starts));
+    if case.is_none() {
+        words.push(match id {
+            Some(id) => format!(
+                "The link starts from a case that this version does not have: {}. Nothing was opened.",
+                short(id)
+            ),
+            None => "The link does not say which case it starts from. Nothing was opened.".to_string(),
+        });
+    }
+    Some(Linked { case, words })
+}
+
+/// Keys of a link that are no inputs: check sum, version, start, name.
+const OWN_KEYS: [&str; 4] = ["k", "v", "p", "n"];
+
+/// Whether the check sum is right, if there is one.
+fn is_whole(query: &str) -> bool {
+    let Some((given, rest)) = query
+        .strip_prefix("k=")
+        .map(|rest| rest.split_once('&').unwrap_or((rest, "")))
+    else {
+        return true;
+    };
+    u32::from_str_radix(given, 16).is_ok_and(|given| given == sum(rest))
+}
+
+/// The first characters of what a link holds, for a sentence.
+fn short(text: &str) -> String {
+    text.chars().take(100).collect()
+}
+
+fn case_of(id: &str, pairs: &[(String, String)], starts: &[Start]) -> Option<BroughtUp> {
+    let version = pairs
+        .iter()
+        .find(|(key, _)| key == "v")
         .and_then(|(_, text)| Version::parse(text))
         .unwrap_or(Version::FIRST);
-    let id = given("p")?.1.as_str();
     let mut case = if version < Version::CURRENT {
         shipped(version, id).filter(presets::is_design)?
     } else {
         starts.iter().find(|start| start.id == id)?.case.clone()
     };
-    for (key, text) in &pairs {
+    for (key, text) in pairs {
         match key.as_str() {
-            "p" | "v" => {}
+            "k" | "p" | "v" => {}
             "n" => case.name = text.clone(),
             key => set(&mut case, key, text),
         }
@@ -148,6 +218,10 @@ mod tests {
     use super::*;
     use crate::presets::{RUN_PAGE, starts};
 
+    fn case(fragment: &str, starts: &[Start]) -> Option<BroughtUp> {
+        read(fragment, starts)?.case
+    }
+
     #[test]
     fn a_link_restores_the_case() {
         let mut case_sent = Case::run_page();
@@ -164,7 +238,11 @@ mod tests {
             case: case_sent,
             remarks,
         };
-        assert_eq!(case(&text, &starts()), Some(case_got));
+        let linked = Linked {
+            case: Some(case_got),
+            words: Vec::new(),
+        };
+        assert_eq!(read(&text, &starts()), Some(linked));
     }
 
     #[test]
@@ -206,5 +284,36 @@ mod tests {
         let text = format!("#/design?v=99.0&p={RUN_PAGE}");
         let newer = case(&text, &starts()).unwrap();
         assert!(newer.remarks[0].contains("version 99.0"));
+    }
+
+    #[test]
+    fn a_link_that_was_cut_is_told_wherever_it_was_cut() {
+        let mut sent = Case::run_page();
+        sent.set("entry.speed_m_s", "13000");
+        let whole = fragment(&sent, &starts());
+        assert_eq!(read(&whole, &starts()).unwrap().words, [""; 0]);
+        let begins = whole.find("&v=").unwrap();
+        for end in begins..whole.len() {
+            let words = read(&whole[..end], &starts()).unwrap().words;
+            assert!(words[0].contains("was cut"), "{}", &whole[..end]);
+        }
+        let changed = whole.replace("13000", "13001");
+        assert!(read(&changed, &starts()).unwrap().words[0].contains("was cut"));
+    }
+
+    #[test]
+    fn an_unknown_start_and_unknown_keys_are_told() {
+        let linked = read("#/design?v=0.2&p=no-such", &starts()).unwrap();
+        assert!(linked.case.is_none() && linked.words[0].contains("no-such"));
+        let linked = read("#/design?p=run-page&nonsense=1", &starts()).unwrap();
+        assert!(linked.case.is_some() && linked.words[0].contains("nonsense"));
+        assert_eq!(read("#/design", &starts()), None);
+        assert_eq!(read("#/library/vehicles", &starts()), None);
+    }
+
+    #[test]
+    fn the_check_sum_is_that_of_its_source() {
+        // test vectors published with FNV-1a: "" and "a"
+        assert_eq!((sum(""), sum("a")), (0x811c_9dc5, 0xe40c_292c));
     }
 }

@@ -10,6 +10,9 @@ use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
+/// What a worker says, as a text, when it has got a question and before it works on it.
+pub const BEGUN: &str = "begun";
+
 /// What the solver says.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum News {
@@ -87,7 +90,7 @@ pub struct Batch {
 }
 
 /// A case to be solved.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Job {
     /// Number of the job; a greater one is newer.
     pub id: u64,

@@ -1,5 +1,6 @@
 //! The worker's end of the line to the page.
 
+use crate::protocol::BEGUN;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
@@ -8,7 +9,7 @@ pub fn said(error: impl ToString) -> JsValue {
     JsValue::from_str(&error.to_string())
 }
 
-/// Posts that the worker is ready, and the answer to each message.
+/// Posts that the worker is ready, that it has got a message, and the answer to it.
 ///
 /// # Errors
 /// What the browser refuses.
@@ -20,6 +21,7 @@ pub fn until_closed(
     let on_message = Closure::<dyn Fn(MessageEvent) -> Result<(), JsValue>>::new({
         let scope = scope.clone();
         move |event: MessageEvent| {
+            scope.post_message(&BEGUN.into())?;
             let message = js_sys::Uint8Array::new(&event.data()).to_vec();
             let reply = answer(&message)?;
             scope.post_message(&js_sys::Uint8Array::from(reply.as_slice()))

@@ -3,17 +3,20 @@
 pub mod check;
 pub mod document;
 pub mod history;
+pub mod keeping;
 pub mod preferences;
 
 use crate::aerodynamics::{Curves, Question};
 use crate::catalog::{self, Catalog, Names};
 use crate::clock::now_ms;
 use crate::protocol::{self, Batch, Fault, FileKind, ReadRows, Reply};
+use crate::saving::Saver;
 use crate::worker::{News, Role, WorkerLink};
 use cad::export::{Format, Model};
 use check::{Check, Checks, check_inputs};
 use document::Document;
 use history::History;
+use keeping::Keeping;
 use leptos::prelude::*;
 use msape::flight::six_dof::turning::Turn;
 use msape::quantity::input::Input;
@@ -48,21 +51,12 @@ pub enum Phase {
     Fresh,
     /// A newer one is being computed.
     Updating,
+    /// The same, and it takes long, in words.
+    Long(String),
     /// The input has faults; the answer is of the last input that had none.
     AtFault,
     /// The solver failed.
     Failed(String),
-}
-
-/// Whether what was made is safe.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SaveState {
-    /// Not written yet.
-    Saving,
-    /// Kept in the browser.
-    Saved,
-    /// The browser keeps nothing, and why.
-    Refused(String),
 }
 
 /// All signals of the app.
@@ -86,10 +80,8 @@ pub struct State {
     pub phase: RwSignal<Phase>,
     /// Row of the time history under the cursor that all charts share.
     pub cursor: RwSignal<Option<usize>>,
-    /// Whether what was made is safe.
-    pub save_state: RwSignal<SaveState>,
-    /// Whether the browser promised not to clear what is kept; `None` when it was not asked.
-    pub protected: RwSignal<Option<bool>>,
+    /// What the browser keeps.
+    pub keeping: Keeping,
     /// Result of the last action, for the status line.
     pub notice: RwSignal<String>,
     /// Faults of the last file that was opened.
@@ -104,8 +96,11 @@ pub struct State {
     pub flight_fields: StoredValue<Option<Case>>,
     /// Time from navigation to the first answer, ms.
     pub first_answer_ms: RwSignal<Option<f64>>,
+    solver: StoredValue<Option<WorkerLink>, LocalStorage>,
     /// Started when it is first asked.
     toolbox: StoredValue<Option<WorkerLink>, LocalStorage>,
+    /// What keeps documents.
+    pub saver: StoredValue<Option<Saver>, LocalStorage>,
 }
 
 impl State {
@@ -128,8 +123,7 @@ impl State {
             faults: RwSignal::new(Arc::default()),
             phase: RwSignal::new(Phase::Updating),
             cursor: RwSignal::new(None),
-            save_state: RwSignal::new(SaveState::Saving),
-            protected: RwSignal::new(None),
+            keeping: Keeping::default(),
             notice: RwSignal::new(String::new()),
             file_faults: RwSignal::new(Vec::new()),
             version_remarks: RwSignal::new(Vec::new()),
@@ -137,7 +131,9 @@ impl State {
             catalog,
             flight_fields: StoredValue::new(None),
             first_answer_ms: RwSignal::new(None),
+            solver: StoredValue::new_local(None),
             toolbox: StoredValue::new_local(None),
+            saver: StoredValue::new_local(None),
         };
         state.solve_on_change();
         state
@@ -166,8 +162,15 @@ impl State {
                 self.take(reply, newest.get_value(), case);
             }
         };
+        // Several times a second the same.
+        let say = move |phase: Phase| {
+            if self.phase.with_untracked(|said| *said != phase) {
+                self.phase.set(phase);
+            }
+        };
         let link = WorkerLink::start(Role::Solver, move |news| match news {
-            News::Failed(message) => self.phase.set(Phase::Failed(message)),
+            News::Failed(message) => say(Phase::Failed(message)),
+            News::Long(words) => say(Phase::Long(words)),
             News::Told(protocol::News::Ready(catalog)) => self.learn(*catalog),
             // The screen shows one answer a frame; of several, the newest.
             News::Told(protocol::News::Solved(reply)) => {
@@ -234,6 +237,21 @@ impl State {
                 self.phase.set(Phase::AtFault);
             }
             Err(_) => {}
+        }
+    }
+
+    /// Ends the run that is under way.
+    pub fn stop_solving(self) {
+        if let Some(link) = self.solver.get_value() {
+            link.stop();
+        }
+    }
+
+    /// Solves the newest case again, with a new worker.
+    pub fn solve_again(self) {
+        self.phase.set(Phase::Updating);
+        if let Some(link) = self.solver.get_value() {
+            link.try_again();
         }
     }
 

@@ -1,157 +1,253 @@
-//! What is kept in the browser, in IndexedDB: the document as it is now, and the named runs.
+//! What is kept in the browser, in IndexedDB: case and units as they are now, imported outlines and tables, and the named runs,
+//! each a record of its own.
 
-use crate::display::UnitSystem;
-use crate::state::document::{Document, Rows, Run, recorded};
-use idb::{Database, DatabaseEvent, Factory, ObjectStoreParams, Query, TransactionMode};
-use msape::case::Version;
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::sync::Arc;
+pub mod ledger;
+pub mod record;
+pub mod stock;
+#[cfg(test)]
+mod tests;
+
+use idb::{
+    Database, DatabaseEvent, Factory, ObjectStore, ObjectStoreParams, Query, Transaction,
+    TransactionMode, TransactionResult,
+};
+use record::{Change, Clash, Found, Key, Shelf, Written};
+use std::cell::RefCell;
+use std::rc::Rc;
 use wasm_bindgen::JsValue;
 use wasm_bindgen_futures::JsFuture;
 
 const DATABASE: &str = "msape";
 const VERSION: u32 = 1;
-/// Store of single things, by name.
-const THINGS: &str = "things";
-/// Store of named runs, by identifier.
-const RUNS: &str = "runs";
-const CURRENT: &str = "current";
 
-/// The open database.
-pub struct Store(Database);
-
-/// The document as it is kept; the runs are kept apart.
-#[derive(Serialize, Deserialize)]
-struct Current {
-    case: String,
-    units: UnitSystem,
-    unit_of: BTreeMap<String, String>,
-    /// Absent in what was kept before outlines could be imported.
-    #[serde(default)]
-    outlines: BTreeMap<String, Rows>,
-    #[serde(default)]
-    tables: BTreeMap<String, Rows>,
-    /// Version that kept it; absent in what the first version kept.
-    #[serde(default)]
-    version: Option<Version>,
-}
-
-/// What was kept.
-#[derive(Default)]
-pub struct Kept {
-    /// The document with its runs.
-    pub document: Option<Document>,
-    /// The runs, also when there is no document.
-    pub runs: BTreeMap<String, Run>,
-    /// What changed under the document's case since it was kept.
-    pub remarks: Vec<String>,
-}
+/// The database. It is opened when it is first needed, and anew after a failure.
+#[derive(Clone, Default)]
+pub struct Store(Rc<RefCell<Option<Rc<Database>>>>);
 
 impl Store {
-    /// Opens the database, and makes it where there is none.
+    /// All records.
     ///
     /// # Errors
-    /// What the browser refuses.
-    pub async fn open() -> Result<Store, idb::Error> {
-        let mut request = Factory::new()?.open(DATABASE, Some(VERSION))?;
-        request.on_upgrade_needed(|event| {
-            let made = event.database().and_then(|database| {
-                database.create_object_store(THINGS, ObjectStoreParams::new())?;
-                database.create_object_store(RUNS, ObjectStoreParams::new())
-            });
-            if let Err(error) = made {
-                leptos::logging::error!("the browser's database cannot be made: {error}");
-            }
-        });
-        Ok(Store(request.await?))
+    /// Why the browser refuses, in words.
+    pub async fn load(&self) -> Result<Vec<(Key, Found)>, String> {
+        let database = self.database().await?;
+        let loaded = load(&database).await;
+        self.unless_failed(loaded)
     }
 
-    /// The document that was kept, with its runs.
+    /// Makes all changes, or none: where a record is not as expected, where the browser gives the transaction up.
     ///
     /// # Errors
-    /// What the browser refuses.
-    pub async fn load(&self) -> Result<Kept, idb::Error> {
-        let transaction = self
-            .0
-            .transaction(&[THINGS, RUNS], TransactionMode::ReadOnly)?;
-        let things = transaction.object_store(THINGS)?;
-        let current = things.get(Query::Key(CURRENT.into()))?.await?;
-        let store = transaction.object_store(RUNS)?;
-        let keys = store.get_all_keys(None, None)?.await?;
-        let values = store.get_all(None, None)?.await?;
-        let runs: BTreeMap<String, Run> = keys
-            .iter()
-            .zip(&values)
-            .filter_map(|(key, value)| Some((key.as_string()?, read(value)?)))
-            .collect();
-        let mut remarks = Vec::new();
-        let document = current
-            .and_then(|value| read::<Current>(&value))
-            .and_then(|current| {
-                let case = recorded(&current.case, current.version).ok()?;
-                remarks = case.remarks;
-                Some(Document {
-                    case: Arc::new(case.case),
-                    units: current.units,
-                    unit_of: Arc::new(current.unit_of),
-                    runs: Arc::new(runs.clone()),
-                    outlines: Arc::new(current.outlines),
-                    tables: Arc::new(current.tables),
-                })
-            });
-        Ok(Kept {
-            document,
-            runs,
-            remarks,
+    /// Why the browser refuses, in words.
+    pub async fn write(&self, changes: &[Change]) -> Result<Written, String> {
+        if changes.is_empty() {
+            return Ok(Written::All);
+        }
+        let database = self.database().await?;
+        let written = write(&database, changes).await;
+        self.unless_failed(written)
+    }
+
+    /// Moves a record as it is, whatever it holds.
+    ///
+    /// # Errors
+    /// Why the browser refuses, in words.
+    pub async fn set_aside(&self, key: &Key, to: &Key) -> Result<(), String> {
+        let database = self.database().await?;
+        let moved = set_aside(&database, key, to).await;
+        self.unless_failed(moved)
+    }
+
+    /// Removes a record, whatever it holds.
+    ///
+    /// # Errors
+    /// Why the browser refuses, in words.
+    pub async fn remove(&self, key: &Key) -> Result<(), String> {
+        let database = self.database().await?;
+        let removed = remove(&database, key).await;
+        self.unless_failed(removed)
+    }
+
+    /// Hands a change to the browser at once, without looking at the record and without waiting: the page may be gone before
+    /// there is an answer.
+    pub fn hand_over(&self, change: &Change) {
+        let database = self.0.borrow().clone();
+        if let (Some(database), Some(text)) = (database, &change.text) {
+            let handed = || -> Result<(), idb::Error> {
+                let transaction = begin(&database, TransactionMode::ReadWrite)?;
+                shelf(&transaction, &change.key)?
+                    .put(&text.into(), Some(&(&change.key.id).into()))?;
+                transaction.commit().map(drop)
+            };
+            // Nobody is left to be told.
+            let _ = handed();
+        }
+    }
+
+    async fn database(&self) -> Result<Rc<Database>, String> {
+        if let Some(database) = self.0.borrow().clone() {
+            return Ok(database);
+        }
+        let opened = open(self.clone())
+            .await
+            .map_err(|error| error.to_string())?;
+        let database = Rc::new(opened);
+        self.0.replace(Some(database.clone()));
+        Ok(database)
+    }
+
+    fn unless_failed<T>(&self, result: Result<T, Failure>) -> Result<T, String> {
+        result.map_err(|Failure(reason)| {
+            self.close();
+            reason
         })
     }
 
-    /// Keeps a document; of the runs, those that differ from what was kept `before`.
-    ///
-    /// # Errors
-    /// What the browser refuses, such as a full disk.
-    pub async fn save(
-        &self,
-        before: &BTreeMap<String, Run>,
-        document: &Document,
-    ) -> Result<(), idb::Error> {
-        let transaction = self
-            .0
-            .transaction(&[THINGS, RUNS], TransactionMode::ReadWrite)?;
-        let current = Current {
-            case: document.case.to_toml(),
-            units: document.units,
-            unit_of: (*document.unit_of).clone(),
-            outlines: (*document.outlines).clone(),
-            tables: (*document.tables).clone(),
-            version: Some(Version::CURRENT),
-        };
-        transaction
-            .object_store(THINGS)?
-            .put(&written(&current), Some(&CURRENT.into()))?
-            .await?;
-        let runs = transaction.object_store(RUNS)?;
-        for (id, run) in document.runs.iter() {
-            if before.get(id) != Some(run) {
-                runs.put(&written(run), Some(&id.into()))?.await?;
-            }
+    fn close(&self) {
+        if let Some(database) = self.0.borrow_mut().take() {
+            database.close();
         }
-        for id in before.keys().filter(|id| !document.runs.contains_key(*id)) {
-            runs.delete(Query::Key(id.into()))?.await?;
-        }
-        transaction.commit()?.await?;
-        Ok(())
     }
 }
 
-fn read<T: for<'de> Deserialize<'de>>(value: &JsValue) -> Option<T> {
-    serde_json::from_str(&value.as_string()?).ok()
+/// Why the browser refuses, in words.
+struct Failure(String);
+
+impl From<idb::Error> for Failure {
+    fn from(error: idb::Error) -> Failure {
+        Failure(error.to_string())
+    }
 }
 
-fn written<T: Serialize>(value: &T) -> JsValue {
-    // Maps of strings and numbers can always be written.
-    serde_json::to_string(value).unwrap_or_default().into()
+async fn open(store: Store) -> Result<Database, idb::Error> {
+    let mut request = Factory::new()?.open(DATABASE, Some(VERSION))?;
+    request.on_upgrade_needed(|event| {
+        let made = event.database().and_then(|database| {
+            Shelf::ALL.into_iter().try_for_each(|shelf| {
+                database
+                    .create_object_store(shelf.name(), ObjectStoreParams::new())
+                    .map(drop)
+            })
+        });
+        if let Err(error) = made {
+            leptos::logging::error!("the browser's database cannot be made: {error}");
+        }
+    });
+    let mut database = request.await?;
+    // A later version of the program wants to change the database, and must not wait for this tab.
+    database.on_version_change(move |_| store.close());
+    Ok(database)
+}
+
+fn begin(database: &Database, mode: TransactionMode) -> Result<Transaction, idb::Error> {
+    database.transaction(&Shelf::ALL.map(Shelf::name), mode)
+}
+
+fn shelf(transaction: &Transaction, key: &Key) -> Result<ObjectStore, idb::Error> {
+    transaction.object_store(key.shelf.name())
+}
+
+/// Waits until a transaction is on disk, as far as the browser says.
+async fn committed(transaction: Transaction) -> Result<(), Failure> {
+    match transaction.commit()?.await? {
+        TransactionResult::Committed => Ok(()),
+        TransactionResult::Aborted => Err(Failure(
+            "the browser gave up writing; its disk may be full".to_string(),
+        )),
+    }
+}
+
+async fn load(database: &Database) -> Result<Vec<(Key, Found)>, Failure> {
+    let transaction = begin(database, TransactionMode::ReadOnly)?;
+    let mut records = Vec::new();
+    for shelf in Shelf::ALL {
+        let store = transaction.object_store(shelf.name())?;
+        let keys = store.get_all_keys(None, None)?.await?;
+        let values = store.get_all(None, None)?.await?;
+        for (key, value) in keys.iter().zip(&values) {
+            if let (Some(id), Some(found)) = (key.as_string(), found(value)) {
+                records.push((Key { shelf, id }, found));
+            }
+        }
+    }
+    Ok(records)
+}
+
+async fn write(database: &Database, changes: &[Change]) -> Result<Written, Failure> {
+    let transaction = begin(database, TransactionMode::ReadWrite)?;
+    let clashes = try_change(&transaction, changes).await;
+    match clashes {
+        Ok(clashes) if clashes.is_empty() => committed(transaction).await.map(|()| Written::All),
+        Ok(clashes) => {
+            // Nothing was asked for that could be taken back.
+            let _ = transaction.abort();
+            Ok(Written::Nothing(clashes))
+        }
+        Err(error) => {
+            // What was written before the failure must not stay alone; one that is over needs no abort.
+            let _ = transaction.abort();
+            Err(error)
+        }
+    }
+}
+
+/// Asks for all changes if every record is as expected.
+async fn try_change(transaction: &Transaction, changes: &[Change]) -> Result<Vec<Clash>, Failure> {
+    let mut clashes = Vec::new();
+    for Change { key, expected, .. } in changes {
+        let value = shelf(transaction, key)?.get(Query::Key((&key.id).into()))?;
+        let found = value.await?.as_ref().and_then(found);
+        if found != expected.clone().map(Found::Text) {
+            clashes.push((key.clone(), found));
+        }
+    }
+    if !clashes.is_empty() {
+        return Ok(clashes);
+    }
+    for Change { key, text, .. } in changes {
+        let store = shelf(transaction, key)?;
+        match text {
+            Some(text) => drop(store.put(&text.into(), Some(&(&key.id).into()))?.await?),
+            None => store.delete(Query::Key((&key.id).into()))?.await?,
+        }
+    }
+    Ok(clashes)
+}
+
+async fn set_aside(database: &Database, key: &Key, to: &Key) -> Result<(), Failure> {
+    let transaction = begin(database, TransactionMode::ReadWrite)?;
+    let store = shelf(&transaction, key)?;
+    if let Some(value) = store.get(Query::Key((&key.id).into()))?.await? {
+        shelf(&transaction, to)?
+            .put(&value, Some(&(&to.id).into()))?
+            .await?;
+        store.delete(Query::Key((&key.id).into()))?.await?;
+    }
+    committed(transaction).await
+}
+
+async fn remove(database: &Database, key: &Key) -> Result<(), Failure> {
+    let transaction = begin(database, TransactionMode::ReadWrite)?;
+    shelf(&transaction, key)?
+        .delete(Query::Key((&key.id).into()))?
+        .await?;
+    committed(transaction).await
+}
+
+/// What a value is; nothing where there is no record.
+fn found(value: &JsValue) -> Option<Found> {
+    if value.is_undefined() {
+        return None;
+    }
+    Some(match value.as_string() {
+        Some(text) => Found::Text(text),
+        None => Found::Other(
+            js_sys::JSON::stringify(value)
+                .ok()
+                .and_then(|text| text.as_string())
+                .unwrap_or_else(|| format!("{value:?}")),
+        ),
+    })
 }
 
 /// Whether the browser has promised never to clear what is kept.

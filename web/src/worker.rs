@@ -1,28 +1,36 @@
-//! The page's end of the line to a worker: to the solver, or to the toolbox. Of jobs the newest wins: one is under way, at most
-//! one waits. Questions are answered one after the other.
+//! The page's end of the line to a worker: to the solver, or to the toolbox. Of jobs the newest wins: one is under way, at most one
+//! waits, and a worker that keeps it waiting is ended. Questions are answered one after the other. A worker that fails, or of which
+//! nothing is heard ([`watch`]), is started anew, later each time.
 
-use crate::aerodynamics::{Curves, Question};
-use crate::protocol::{self, Ask, Batch, Fault, FileKind, Job, ReadRows, Told, decode, encode};
-use cad::export::{Format, Model};
+mod questions;
+mod watch;
+
+use crate::clock::now_ms;
+use crate::protocol::{self, Ask, BEGUN, Job, Told, decode, encode};
 use js_sys::{Function, Promise};
-use leptos::prelude::document;
-use msape::flight::six_dof::turning::Turn;
-use msape::{Answer, Case};
-use std::{cell::RefCell, collections::VecDeque, rc::Rc};
+use leptos::prelude::{document, set_interval_with_handle};
+use msape::Case;
+use std::{cell::RefCell, collections::VecDeque, rc::Rc, time::Duration};
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use wasm_bindgen_futures::JsFuture;
+use watch::{Phase, Verdict, Watch};
 use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 /// What the page hears of the worker.
 pub enum News {
     /// What the solver says.
     Told(protocol::News),
-    /// The worker failed; it has been started anew.
+    /// It takes long, in words.
+    Long(String),
+    /// The worker failed, in words.
     Failed(String),
 }
 
-/// What is said of an answer to another question.
-const OTHER_ANSWER: &str = "the solver answered something else";
+/// Time between two looks at the worker.
+const LOOK: Duration = Duration::from_millis(250);
+
+/// What is said when the user ended a run.
+const STOPPED: &str = "stopped";
 
 /// A worker and what it has to do.
 #[derive(Clone)]
@@ -40,21 +48,20 @@ pub enum Role {
 struct Line {
     role: Role,
     worker: Option<Worker>,
+    /// Counts the workers: what an ended one still says is not heard.
+    number: u32,
     on_news: Rc<dyn Fn(News)>,
-    phase: Phase,
+    watch: Watch,
     waiting: Option<Job>,
+    /// The job that was sent last, and whether it is under way.
+    job: Option<Job>,
+    at_job: bool,
+    /// Whether what is under way was asked before of a worker that is gone.
+    again: bool,
+    /// Why the last worker failed.
+    reason: String,
     /// Questions that wait, and what resolves the promise of each; the first may be under way.
     questions: VecDeque<(Ask, Function)>,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Phase {
-    Starting,
-    Idle,
-    /// With a job.
-    Solving,
-    /// With the first question.
-    Answering,
 }
 
 impl WorkerLink {
@@ -63,103 +70,57 @@ impl WorkerLink {
         let link = WorkerLink(Rc::new(RefCell::new(Line {
             role,
             worker: None,
+            number: 0,
             on_news: Rc::new(on_news),
-            phase: Phase::Starting,
+            watch: Watch::new(now_ms()),
             waiting: None,
+            job: None,
+            at_job: false,
+            again: false,
+            reason: String::new(),
             questions: VecDeque::new(),
         })));
         link.start_worker();
+        let watched = link.clone();
+        // It lives as long as the page; a browser without timers only has no watchdog.
+        let _ = set_interval_with_handle(move || watched.look(), LOOK);
         link
     }
 
     /// Asks for a case to be solved; a job that still waits is dropped.
     pub fn solve(&self, id: u64, case: Case) {
-        self.0.borrow_mut().waiting = Some(Job { id, case });
+        let mut line = self.0.borrow_mut();
+        line.waiting = Some(Job { id, case });
+        line.watch.edit_waits.get_or_insert(now_ms());
+        let stopped = line.watch.phase == Phase::Down(f64::INFINITY);
+        drop(line);
+        if stopped {
+            self.start_worker();
+        }
         self.send_next();
     }
 
-    /// Time that a batch takes in the worker, ms.
-    ///
-    /// # Errors
-    /// Why it could not be measured.
-    pub async fn measure(&self, batch: Batch) -> Result<f64, String> {
-        match self.ask(Ask::Measure(batch)).await? {
-            Told::Measured(measured) => measured,
-            _ => Err(OTHER_ANSWER.to_string()),
+    fn ask_job_again(&self) {
+        let line = &mut *self.0.borrow_mut();
+        if line.waiting.is_none() {
+            line.waiting.clone_from(&line.job);
         }
     }
 
-    /// A flight, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn fly(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        match self.ask(Ask::Fly(case)).await? {
-            Told::Flown(flown) => Ok(*flown),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    /// Ends what is under way; it is asked again by [`WorkerLink::try_again`].
+    pub fn stop(&self) {
+        self.give_up();
+        while self.settle(&STOPPED.into()) {}
+        self.0.borrow_mut().watch.phase = Phase::Down(f64::INFINITY);
+        self.news(News::Failed(STOPPED.to_string()));
     }
 
-    /// The flight of a design with its attitude, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn attitude(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        match self.ask(Ask::Attitude(Box::new(case))).await? {
-            Told::Flown(flown) => Ok(*flown),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
-    }
-
-    /// One entry of a design from a set of attitudes and rates, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn turn(&self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
-        match self.ask(Ask::Turn(Box::new(case), number)).await? {
-            Told::Turned(turned) => Ok(*turned),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
-    }
-
-    /// Curves of coefficients, or every fault of their case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn aerodynamics(
-        &self,
-        question: Question,
-    ) -> Result<Result<Curves, Vec<Fault>>, String> {
-        match self.ask(Ask::Aerodynamics(Box::new(question))).await? {
-            Told::Aerodynamics(curves) => Ok(*curves),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
-    }
-
-    /// The rows of a file, or every fault of it.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn read(
-        &self,
-        kind: FileKind,
-        bytes: Vec<u8>,
-    ) -> Result<Result<ReadRows, Vec<String>>, String> {
-        match self.ask(Ask::Read(kind, bytes)).await? {
-            Told::Read(rows) => Ok(rows),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
-    }
-
-    /// A model as a file, in bytes.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn write(&self, format: Format, model: Model) -> Result<Vec<u8>, String> {
-        match self.ask(Ask::Write(format, Box::new(model))).await? {
-            Told::Written(bytes) => Ok(bytes),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    /// Starts the worker anew, now, and asks for the newest case again.
+    pub fn try_again(&self) {
+        self.give_up();
+        self.0.borrow_mut().watch.failures = 0;
+        self.ask_job_again();
+        self.start_worker();
     }
 
     async fn ask(&self, ask: Ask) -> Result<Told, String> {
@@ -177,31 +138,38 @@ impl WorkerLink {
         }
     }
 
-    /// Ends the first question with the bytes of its answer or a reason.
-    fn settle(&self, told: &JsValue) {
+    /// Ends the first question with the bytes of its answer or a reason; whether there was one.
+    fn settle(&self, told: &JsValue) -> bool {
         let first = self.0.borrow_mut().questions.pop_front();
-        if let Some((_, resolve)) = first {
-            // Resolving a promise throws nothing.
-            let _ = resolve.call1(&JsValue::UNDEFINED, told);
-        }
+        let Some((_, resolve)) = first else {
+            return false;
+        };
+        // Resolving a promise throws nothing.
+        let _ = resolve.call1(&JsValue::UNDEFINED, told);
+        true
     }
 
     fn send_next(&self) {
         let mut line = self.0.borrow_mut();
-        if line.phase != Phase::Idle {
+        if line.watch.phase != Phase::Idle {
             return;
         }
         let Some(worker) = line.worker.clone() else {
             return;
         };
-        let (phase, bytes) = match line.waiting.take() {
-            Some(job) => (Phase::Solving, encode(&job)),
+        let bytes = match line.waiting.take() {
+            Some(job) => {
+                line.watch.edit_waits = None;
+                line.at_job = true;
+                line.job = Some(job.clone());
+                encode(&job)
+            }
             None => match line.questions.front() {
-                Some((ask, _)) => (Phase::Answering, encode(ask)),
+                Some((ask, _)) => encode(ask),
                 None => return,
             },
         };
-        line.phase = phase;
+        line.watch.phase = Phase::Sent(now_ms());
         drop(line);
         let sent = bytes.map_err(|error| error.to_string()).and_then(|bytes| {
             worker
@@ -209,15 +177,101 @@ impl WorkerLink {
                 .map_err(|error| format!("{error:?}"))
         });
         if let Err(error) = sent {
-            self.news(News::Failed(error));
+            self.fail(&error);
+        }
+    }
+
+    /// Looks whether the worker lives.
+    fn look(&self) {
+        let verdict = self.0.borrow_mut().watch.look(now_ms());
+        let at_job = self.0.borrow().at_job;
+        match verdict {
+            Verdict::Wait => {}
+            Verdict::Long(so_far_ms) => {
+                let line = self.0.borrow();
+                let starts = matches!(line.watch.phase, Phase::Starting(_));
+                drop(line);
+                let so_far_s = so_far_ms / 1e3;
+                if starts {
+                    self.news(News::Long(format!(
+                        "the solver is loading, {so_far_s:.0} s so far"
+                    )));
+                } else if at_job {
+                    self.news(News::Long(format!(
+                        "solving, {so_far_s:.0} s so far; a change of an input ends it"
+                    )));
+                }
+            }
+            Verdict::Down(wait_ms) => {
+                let line = self.0.borrow();
+                let words = line
+                    .waiting
+                    .is_some()
+                    .then(|| starts_in(&line.reason, wait_ms));
+                drop(line);
+                if let Some(words) = words {
+                    self.news(News::Failed(words));
+                }
+            }
+            Verdict::Start => self.start_worker(),
+            Verdict::NotLoaded => self.fail("the solver does not load"),
+            Verdict::Gone => {
+                let again = std::mem::replace(&mut self.0.borrow_mut().again, true);
+                if again {
+                    self.0.borrow_mut().again = false;
+                    return self.fail("the solver does not answer");
+                }
+                if at_job {
+                    self.ask_job_again();
+                }
+                self.give_up();
+                self.start_worker();
+            }
+            Verdict::Silent => self.fail("the solver gave no answer for two minutes and was ended"),
+            Verdict::Outdated => {
+                // A question that was under way stays the first, and is asked again after the edit.
+                self.give_up();
+                self.start_worker();
+            }
+        }
+    }
+
+    /// Ends the worker and starts another one after a while; what was under way is not asked again by itself.
+    fn fail(&self, reason: &str) {
+        let (phase, at_job) = (self.0.borrow().watch.phase, self.0.borrow().at_job);
+        let loads = matches!(phase, Phase::Starting(_));
+        let asked = matches!(phase, Phase::Sent(_) | Phase::Busy(_));
+        self.give_up();
+        if loads {
+            // None can be answered now; a job waits, since a later worker may load.
+            while self.settle(&reason.into()) {}
+        } else if asked && !at_job {
+            self.settle(&reason.into());
+        }
+        let mut line = self.0.borrow_mut();
+        line.reason = reason.to_string();
+        let wait_ms = line.watch.fail(now_ms());
+        drop(line);
+        self.news(News::Failed(starts_in(reason, wait_ms)));
+        if wait_ms == 0.0 {
+            self.start_worker();
+        }
+    }
+
+    fn give_up(&self) {
+        let mut line = self.0.borrow_mut();
+        line.number += 1;
+        line.at_job = false;
+        if let Some(worker) = line.worker.take() {
+            worker.terminate();
         }
     }
 
     fn start_worker(&self) {
-        self.0.borrow_mut().phase = Phase::Starting;
+        self.0.borrow_mut().watch.phase = Phase::Starting(now_ms());
         match self.try_start() {
             Ok(worker) => self.0.borrow_mut().worker = Some(worker),
-            Err(error) => self.news(News::Failed(format!("{error:?}"))),
+            Err(error) => self.fail(&format!("{error:?}")),
         }
     }
 
@@ -225,23 +279,28 @@ impl WorkerLink {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
         let worker = Worker::new_with_options(&script(self.0.borrow().role)?, &options)?;
+        let number = self.0.borrow().number;
         let on_message = Closure::<dyn Fn(MessageEvent)>::new({
             let link = self.clone();
-            move |event: MessageEvent| link.receive(&event)
+            move |event: MessageEvent| {
+                if link.0.borrow().number == number {
+                    link.receive(&event);
+                }
+            }
         });
         worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
         on_message.forget();
         let on_error = Closure::<dyn Fn(Event)>::new({
             let link = self.clone();
             move |_: Event| {
-                link.news(News::Failed("the solver stopped".to_string()));
-                if let Some(worker) = link.0.borrow_mut().worker.take() {
-                    worker.terminate();
+                if link.0.borrow().number == number {
+                    let loads = matches!(link.0.borrow().watch.phase, Phase::Starting(_));
+                    link.fail(if loads {
+                        "the solver cannot be loaded"
+                    } else {
+                        "the solver stopped"
+                    });
                 }
-                while !link.0.borrow().questions.is_empty() {
-                    link.settle(&"the solver stopped".into());
-                }
-                link.start_worker();
             }
         });
         worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
@@ -250,12 +309,21 @@ impl WorkerLink {
     }
 
     fn receive(&self, event: &MessageEvent) {
-        let (phase, role) = {
-            let mut line = self.0.borrow_mut();
-            (std::mem::replace(&mut line.phase, Phase::Idle), line.role)
-        };
         let data = event.data();
-        if phase == Phase::Answering {
+        if data.as_string().as_deref() == Some(BEGUN) {
+            self.0.borrow_mut().watch.phase = Phase::Busy(now_ms());
+            return;
+        }
+        let mut line = self.0.borrow_mut();
+        let role = line.role;
+        let answers = matches!(line.watch.phase, Phase::Sent(_) | Phase::Busy(_));
+        line.watch.phase = Phase::Idle;
+        line.at_job = false;
+        if answers {
+            (line.watch.failures, line.again) = (0, false);
+        }
+        drop(line);
+        if role == Role::Toolbox && answers {
             self.settle(&data);
         }
         self.send_next();
@@ -273,6 +341,16 @@ impl WorkerLink {
         let on_news = self.0.borrow().on_news.clone();
         on_news(news);
     }
+}
+
+fn starts_in(reason: &str, wait_ms: f64) -> String {
+    if wait_ms == 0.0 {
+        return reason.to_string();
+    }
+    format!(
+        "{reason}; it is started again in {:.0} s",
+        (wait_ms / 1e3).ceil()
+    )
 }
 
 /// Address of a worker's script, from the page.

@@ -1,46 +1,58 @@
 //! The numbers of a chart, a page at a time.
 
 use crate::display::number;
+use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 use msape_plot::Figure;
 
 /// Rows on a page.
 const ROWS: usize = 25;
 
+/// Where a button or key of the pager leads: page now and last page, both from 0.
+type Turn = fn(usize, usize) -> usize;
+
+/// Buttons of the pager: words, what they say to a screen reader, and where they lead.
+const TURNS: [(&str, &str, Turn); 4] = [
+    ("First", "First rows", |_, _| 0),
+    ("Previous", "Previous rows", |now, _| now.saturating_sub(1)),
+    ("Next", "Next rows", |now, last| (now + 1).min(last)),
+    ("Last", "Last rows", |_, last| last),
+];
+
 /// The table twin of a chart.
 #[component]
 pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView {
     let page = RwSignal::new(0_usize);
-    let count = Memo::new(move |_| {
-        figure.with(|figure| {
-            figure
-                .series
-                .first()
-                .map_or(0, |series| series.points.len())
-        })
-    });
-    let pages = move || count.get().div_ceil(ROWS).max(1);
-    let now = Memo::new(move |_| page.get().min(pages() - 1));
+    let points =
+        Memo::new(move |_| figure.with(|figure| Some(figure.series.first()?.points.clone())));
+    let count = Memo::new(move |_| points.with(|points| points.as_ref().map_or(0, Vec::len)));
+    let last = Memo::new(move |_| last_page(count.get()));
+    let now = Memo::new(move |_| page.get().min(last.get()));
     let rows = move || {
-        figure.with(|figure| {
-            figure
-                .series
-                .first()
-                .map(|series| {
-                    let start = now.get() * ROWS;
-                    series
-                        .points
-                        .iter()
-                        .skip(start)
-                        .take(ROWS)
-                        .copied()
-                        .collect::<Vec<_>>()
-                })
-                .unwrap_or_default()
+        let (from, to) = rows_of(now.get(), count.get());
+        points.with(|points| {
+            let points = points.iter().flatten();
+            points
+                .skip(from)
+                .take(to - from)
+                .copied()
+                .collect::<Vec<_>>()
         })
     };
+    let turn = move |turn: Turn| page.set(turn(now.get_untracked(), last.get_untracked()));
+    let on_key = move |event: KeyboardEvent| {
+        if let Some(found) = turn_of_key(&event.key()) {
+            turn(found);
+            event.prevent_default();
+        }
+    };
+    let shown = move || {
+        let (from, to) = rows_of(now.get(), count.get());
+        let first = if to > from { from + 1 } else { 0 };
+        format!("rows {first}-{to} of {}", count.get())
+    };
     view! {
-        <div class="chart-table">
+        <div class="chart-table" on:keydown=on_key>
             <table>
                 <caption class="hidden-visually">{title}</caption>
                 <thead>
@@ -55,13 +67,69 @@ pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView 
                     }).collect_view()}
                 </tbody>
             </table>
-            <div class="pager">
-                <button type="button" class="small" disabled=move || now.get() == 0
-                    on:click=move |_| page.set(now.get_untracked().saturating_sub(1))>"Previous rows"</button>
-                <span>{move || format!("{} to {} of {}", now.get() * ROWS + 1, ((now.get() + 1) * ROWS).min(count.get()), count.get())}</span>
-                <button type="button" class="small" disabled=move || now.get() + 1 >= pages()
-                    on:click=move |_| page.set(now.get_untracked() + 1)>"Next rows"</button>
+            <div class="pager" role="group" aria-label="Rows of the table">
+                {TURNS.map(|(words, label, leads)| {
+                    // A button that leads nowhere keeps the focus, so that the keyboard is not thrown out.
+                    let leads_nowhere = move || leads(now.get(), last.get()) == now.get();
+                    view! {
+                        <button type="button" class="small" aria-label=label
+                            aria-disabled=move || leads_nowhere().to_string()
+                            on:click=move |_| turn(leads)>{words}</button>
+                    }
+                })}
+                <span role="status">{shown}</span>
             </div>
         </div>
+    }
+}
+
+/// The last page of so many rows, from 0.
+fn last_page(count: usize) -> usize {
+    count.div_ceil(ROWS).saturating_sub(1)
+}
+
+/// First row of a page and the one after its last, from 0.
+fn rows_of(page: usize, count: usize) -> (usize, usize) {
+    let from = (page * ROWS).min(count);
+    (from, (from + ROWS).min(count))
+}
+
+fn turn_of_key(key: &str) -> Option<Turn> {
+    let at = match key {
+        "Home" => 0,
+        "PageUp" => 1,
+        "PageDown" => 2,
+        "End" => 3,
+        _ => return None,
+    };
+    TURNS.get(at).map(|(_, _, turn)| *turn)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turning_shows_every_row_once_and_ends() {
+        for count in [0, 1, 25, 26, 50, 1003] {
+            let last = last_page(count);
+            let (mut page, mut seen) = (0, Vec::new());
+            loop {
+                let (from, to) = rows_of(page, count);
+                seen.extend(from..to);
+                let next = turn_of_key("PageDown").unwrap()(page, last);
+                if next == page {
+                    break;
+                }
+                page = next;
+            }
+            assert_eq!(seen, (0..count).collect::<Vec<_>>());
+            assert_eq!(turn_of_key("End").unwrap()(0, last), page);
+            assert_eq!(turn_of_key("Home").unwrap()(page, last), 0);
+            assert_eq!(
+                turn_of_key("PageUp").unwrap()(page, last),
+                page.saturating_sub(1)
+            );
+        }
     }
 }

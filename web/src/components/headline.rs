@@ -55,11 +55,24 @@ pub fn Freshness() -> impl IntoView {
             Some(_) => "input at fault; these are the results of the last good input".to_string(),
             None => "input at fault; it is solved as soon as it is mended".to_string(),
         }),
-        Phase::Failed(message) => {
-            format!("the solver failed: {message}. Change an input to try again.")
-        }
+        Phase::Long(words) => words,
+        Phase::Failed(message) => format!("not solved: {message}."),
     };
-    view! { <p class="freshness" role="status">{text}</p> }
+    let button = move || match state.phase.get() {
+        Phase::Long(_) => Some(("Stop", State::stop_solving as fn(State))),
+        Phase::Failed(_) => Some(("Try again", State::solve_again as fn(State))),
+        _ => None,
+    };
+    let button = Memo::new_with_compare(
+        move |_| button(),
+        |a, b| a.flatten().map(|(words, _)| words) != b.flatten().map(|(words, _)| words),
+    );
+    view! {
+        <p class="freshness" role="status">{text}</p>
+        {move || button.get().map(|(words, act)| view! {
+            <button type="button" class="small" on:click=move |_| act(state)>{words}</button>
+        })}
+    }
 }
 
 /// The card.

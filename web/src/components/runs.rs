@@ -1,9 +1,10 @@
 //! Named runs, kept in the browser.
 
 use crate::components::headline::HEADLINE;
-use crate::display::{number, symbol};
-use crate::state::document::{Run, recorded};
-use crate::state::{SaveState, State};
+use crate::display::{date, number, symbol};
+use crate::state::State;
+use crate::state::document::{Place, Run, recorded};
+use crate::state::keeping::SaveState;
 use crate::storage;
 use leptos::prelude::*;
 use msape::answer::output;
@@ -86,11 +87,11 @@ fn keep_run(state: State, name: String) {
         let id = format!("{saved_ms:.0}-{}", named.runs.len());
         named.with_runs(|runs| drop(runs.insert(id, run)))
     });
-    state
-        .notice
-        .set(format!("Run {name} is saved in this browser."));
-    if state.protected.get_untracked().is_none() {
-        spawn_local(async move { state.protected.set(Some(storage::protect().await)) });
+    // Said when it is so, or when the browser refuses.
+    state.keeping.announced.set_value(Some(name));
+    let protected = state.keeping.protected;
+    if protected.get_untracked().is_none() {
+        spawn_local(async move { protected.set(Some(storage::protect().await)) });
     }
 }
 
@@ -162,10 +163,7 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
             .collect::<Vec<_>>()
             .join(" · ")
     };
-    let date = String::from(
-        js_sys::Date::new(&run.saved_ms.into())
-            .to_locale_string("en-GB", &wasm_bindgen::JsValue::UNDEFINED),
-    );
+    let date = date(run.saved_ms);
     let (open_label, rename_label, delete_label) = (
         format!("Open {name}"),
         format!("Rename {name}"),
@@ -201,14 +199,19 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
 #[component]
 pub fn Saved() -> impl IntoView {
     let state = State::expect();
-    let text = move || match state.save_state.get() {
+    let keeping = state.keeping;
+    let text = move || match keeping.save_state.get() {
         SaveState::Saving => "saving".to_string(),
-        SaveState::Saved => "saved in this browser".to_string(),
-        SaveState::Refused(reason) => format!("not saved: {reason}"),
+        SaveState::Saved => state.document.with(|document| match &document.place {
+            Place::Stored => "saved in this browser".to_string(),
+            Place::Apart(_) if document.is_view() => "a link, nothing changed yet".to_string(),
+            Place::Apart(_) => "saved in this browser, apart".to_string(),
+        }),
+        SaveState::Refused(reason) => format!("not saved: {reason}; tried again"),
     };
     view! {
-        <span class="saved" class:bad=move || matches!(state.save_state.get(), SaveState::Refused(_))>{text}</span>
-        {move || (state.protected.get() == Some(false)).then(|| view! {
+        <span class="saved" class:bad=move || matches!(keeping.save_state.get(), SaveState::Refused(_))>{text}</span>
+        {move || (keeping.protected.get() == Some(false)).then(|| view! {
             <span class="chip" title="The browser may clear what is saved when space runs out. Export important cases as files.">"not protected"</span>
         })}
     }

@@ -1,6 +1,7 @@
 //! What undo steps through: the case, how it is shown, and the runs that are kept.
 
 use crate::display::UnitSystem;
+use crate::storage::record::Sort;
 use msape::case::Version;
 use msape::case::version::BroughtUp;
 use msape::{Case, InputError};
@@ -23,6 +24,62 @@ pub struct Document {
     pub outlines: Arc<BTreeMap<String, Rows>>,
     /// Tables of coefficients that were imported, by name.
     pub tables: Arc<BTreeMap<String, Rows>>,
+    /// Record in which case and units are kept.
+    pub place: Place,
+}
+
+/// Where case and units of a document are kept. Undo leads back to the place as well.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Place {
+    /// In the one record that the app opens with: the stored work.
+    #[default]
+    Stored,
+    /// In a record of its own beside it.
+    Apart(Arc<Apart>),
+}
+
+/// A record beside the stored work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Apart {
+    /// Identifier of the record.
+    pub id: String,
+    /// Why it is apart.
+    pub why: Why,
+    /// The case as it was opened; while it is unchanged nothing is written.
+    pub opened: Option<Arc<Case>>,
+}
+
+/// Why a document is kept apart from the stored work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Why {
+    /// A link showed it.
+    Link,
+    /// Another tab has changed the stored work.
+    OtherTab,
+    /// It was changed before the stored work had been read.
+    Early,
+    /// Its page was closed before it was written.
+    Closed,
+    /// It could not be read at another time.
+    Unread,
+}
+
+impl Apart {
+    /// A place that no other tab has.
+    pub fn new(why: Why, opened: Option<Arc<Case>>) -> Place {
+        let id = format!("{:.0}-{:08x}", now_ms(), chance());
+        Place::Apart(Arc::new(Apart { id, why, opened }))
+    }
+}
+
+/// Date and time, ms since 1970.
+fn now_ms() -> f64 {
+    js_sys::Date::now()
+}
+
+/// 32 bits that two tabs will hardly share.
+fn chance() -> u32 {
+    (js_sys::Math::random() * f64::from(u32::MAX)) as u32
 }
 
 /// Rows of `outline.points` or of `vehicle.aerodynamics.table`.
@@ -68,6 +125,15 @@ impl Document {
             runs: Arc::default(),
             outlines: Arc::default(),
             tables: Arc::default(),
+            place: Place::Stored,
+        }
+    }
+
+    /// Whether it shows what was opened apart from the stored work, unchanged.
+    pub fn is_view(&self) -> bool {
+        match &self.place {
+            Place::Apart(apart) => apart.opened.as_ref() == Some(&self.case),
+            Place::Stored => false,
         }
     }
 
@@ -113,6 +179,52 @@ impl Document {
             tables: Arc::new(tables),
             ..self.clone()
         }
+    }
+
+    /// The same with the runs, outlines and tables of another added; those of this one stay.
+    #[must_use]
+    pub fn with_items_of(&self, other: &Document) -> Document {
+        fn both<T: Clone>(
+            ours: &Arc<BTreeMap<String, T>>,
+            theirs: &Arc<BTreeMap<String, T>>,
+        ) -> Arc<BTreeMap<String, T>> {
+            let mut both = (**theirs).clone();
+            both.extend(ours.iter().map(|(name, item)| (name.clone(), item.clone())));
+            Arc::new(both)
+        }
+        Document {
+            runs: both(&self.runs, &other.runs),
+            outlines: both(&self.outlines, &other.outlines),
+            tables: both(&self.tables, &other.tables),
+            ..self.clone()
+        }
+    }
+
+    /// The same with an item renamed, if it has the one of `other`.
+    pub fn renamed(&self, other: &Document, from: &str, to: &str, sort: &Sort) -> Option<Document> {
+        fn moved<T: Clone + PartialEq>(
+            ours: &Arc<BTreeMap<String, T>>,
+            other: &BTreeMap<String, T>,
+            from: &str,
+            to: &str,
+        ) -> Option<Arc<BTreeMap<String, T>>> {
+            let mut items = (**ours).clone();
+            let item = items.remove(from)?;
+            (other.get(from) == Some(&item)).then(|| {
+                items.insert(to.to_string(), item);
+                Arc::new(items)
+            })
+        }
+        let mut document = self.clone();
+        match sort {
+            Sort::Run(_) => document.runs = moved(&self.runs, &other.runs, from, to)?,
+            Sort::Outline(_) => {
+                document.outlines = moved(&self.outlines, &other.outlines, from, to)?;
+            }
+            Sort::Table(_) => document.tables = moved(&self.tables, &other.tables, from, to)?,
+            _ => return None,
+        }
+        Some(document)
     }
 
     /// The same with one input shown in another unit.

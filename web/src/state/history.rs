@@ -84,6 +84,17 @@ impl History {
         self.future.clear();
     }
 
+    /// Changes every document, past and future as well; those of which `change` makes nothing stay.
+    pub fn change_all(&mut self, change: impl Fn(&Document) -> Option<Document>) {
+        let steps = self.past.iter_mut().chain(&mut self.future);
+        let documents = steps.map(|step| &mut step.document);
+        for document in documents.chain([&mut self.present]) {
+            if let Some(changed) = change(document) {
+                *document = Arc::new(changed);
+            }
+        }
+    }
+
     /// Ends a row of edits: the next one is a step of its own.
     pub fn close(&mut self) {
         self.open = None;
@@ -145,6 +156,24 @@ mod tests {
         history.edit("b", None, next);
         assert_eq!(history.redo_label(), None);
         assert_eq!(speed(&history).as_deref(), Some("14000"));
+    }
+
+    #[test]
+    fn past_and_future_are_changed_too() {
+        let mut history = History::new(Document::new(Case::run_page()));
+        for text in ["13000", "14000"] {
+            let next = with_speed(history.present(), text);
+            history.edit(text, None, next);
+        }
+        history.undo();
+        let name = |case: &mut Case| case.name = "all".to_string();
+        history.change_all(|document| Some(document.with_case(name)));
+        history.redo();
+        for text in ["14000", "13000", "12000"] {
+            assert_eq!(speed(&history).as_deref(), Some(text));
+            assert_eq!(history.present().case.name, "all");
+            history.undo();
+        }
     }
 
     #[test]

@@ -1,0 +1,109 @@
+// The worker may be blocked, ended or missing: there is always a word, a way on, and the next edit is answered.
+
+import assert from "node:assert/strict";
+import { pageTest } from "./harness.mjs";
+
+const software = /software WebGL|GPU stall due to ReadPixels|GL Driver Message/;
+const freshness = (page) => page.locator(".freshness");
+const fresh = (page) => freshness(page).filter({ hasText: /^up to date/ }).waitFor();
+const diameter = (page) => page.locator("#in-design-diameter_m");
+const startFrom = (page) => page.getByLabel("Start from");
+
+/** Keeps every worker of the page in `window.workers`, in the order of their starts. */
+const keepWorkers = () => {
+  window.workers = [];
+  window.Worker = class extends window.Worker {
+    constructor(...given) {
+      super(...given);
+      window.workers.push(this);
+    }
+  };
+};
+
+const opened = (page) => page.locator("#skeleton").waitFor({ state: "detached" });
+
+async function reload(page) {
+  await page.reload();
+  await opened(page);
+}
+
+// Allowed values that need as much work as the core ever does.
+const blocking =
+  "#/design?p=run-page&design.max_iterations=10000&design.relaxation=1e-6&design.mass_criterion_kg=1e-15&solver.method=rk4&solver.step_s=0.001";
+
+pageTest("a link whose run takes long is told within seconds, can be stopped, and does not hold up an edit", async (page) => {
+  await freshness(page).filter({ hasText: /^(solving, \d+ s so far|up to date|not solved)/ }).waitFor({ timeout: 10_000 });
+  if (/^solving/.test(await freshness(page).innerText())) {
+    await page.getByRole("button", { name: "Stop", exact: true }).click();
+    await freshness(page).filter({ hasText: "not solved: stopped" }).waitFor();
+    await page.getByRole("button", { name: "Try again" }).click();
+    await freshness(page).filter({ hasText: /^(solving|up to date)/ }).waitFor();
+  }
+  const start = Date.now();
+  await startFrom(page).selectOption("msr-eev-pica");
+  await fresh(page);
+  assert.ok(Date.now() - start < 10_000, `the edit was answered after ${Date.now() - start} ms`);
+}, { hash: blocking, allowed: software });
+
+pageTest("a worker that is ended from outside is replaced, idle or at work", async (page) => {
+  await page.addInitScript(keepWorkers);
+  await reload(page);
+  await fresh(page);
+  await page.evaluate(() => window.workers.at(-1).terminate());
+  await diameter(page).fill("1.1");
+  await page.keyboard.press("Enter");
+  await freshness(page).filter({ hasText: /^up to date/ }).waitFor({ timeout: 15_000 });
+  assert.equal(await page.evaluate(() => window.workers.length), 2);
+
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, blocking);
+  await page.waitForTimeout(500);
+  await page.evaluate(() => window.workers.at(-1).terminate());
+  await startFrom(page).selectOption("galahad");
+  await freshness(page).filter({ hasText: /^up to date/ }).waitFor({ timeout: 15_000 });
+}, { allowed: software });
+
+pageTest("a worker that cannot be loaded is tried again later each time, with a word and a button", async (page) => {
+  let asked = 0;
+  let refuse = true;
+  await page.route("**/worker_bg.wasm", async (route) => {
+    asked += 1;
+    await (refuse ? route.abort() : route.continue());
+  });
+  await reload(page);
+  await freshness(page).filter({ hasText: /^not solved: the solver cannot be loaded; it is started again in \d+ s/ }).waitFor();
+  await page.waitForTimeout(5_000);
+  assert.ok(asked >= 2 && asked <= 6, `${asked} requests in 5 s`);
+  refuse = false;
+  await page.getByRole("button", { name: "Try again" }).click();
+  await fresh(page);
+}, { allowed: /software WebGL|GPU stall|GL Driver|ERR_FAILED|Failed to fetch|uncaught|TypeError|worker/i });
+
+pageTest("the rows of a chart's table can be turned with buttons and keys", async (page) => {
+  await fresh(page);
+  await page.getByRole("button", { name: /^Table of Geodetic Altitude over time/ }).click();
+  const pager = page.getByRole("group", { name: "Rows of the table" });
+  const first = () => page.locator(".chart-table tbody tr").first().innerText();
+  const shown = async (pattern) => {
+    await pager.getByText(pattern).waitFor();
+    return first();
+  };
+  const start = await shown(/^rows 1-25 of \d+$/);
+  await pager.getByRole("button", { name: "Next rows" }).click();
+  const second = await shown(/^rows 26-50 of \d+$/);
+  assert.notEqual(second, start);
+  await pager.getByRole("button", { name: "Last rows" }).click();
+  const total = Number((await pager.innerText()).match(/of (\d+)/)[1]);
+  await shown(new RegExp(`-${total} of ${total}$`));
+  await page.keyboard.press("Home");
+  assert.equal(await shown(/^rows 1-25 of/), start);
+  await page.keyboard.press("PageDown");
+  assert.equal(await shown(/^rows 26-50 of/), second);
+  await page.keyboard.press("PageUp");
+  await shown(/^rows 1-25 of/);
+  await page.keyboard.press("End");
+  await shown(new RegExp(`-${total} of ${total}$`));
+  await pager.getByRole("button", { name: "First rows" }).click();
+  await shown(/^rows 1-25 of/);
+}, { allowed: software });

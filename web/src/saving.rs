@@ -1,0 +1,343 @@
+//! Keeps every document, and opens what was kept.
+//!
+//! One transaction is under way; of the documents that come meanwhile only the newest is written. What the browser refuses is
+//! tried again, later each time. What another tab wrote is never written over: see [`crate::storage::ledger`].
+
+pub mod choices;
+mod closing;
+
+use crate::app::leave_link;
+use crate::state::State;
+use crate::state::document::{Apart, Document, Place, Why};
+use crate::state::history::History;
+use crate::state::keeping::{SaveState, Stored};
+use crate::storage::ledger::{Ledger, Verdict, place_key};
+use crate::storage::record::{Found, Key, Sheet, Sort, Written, read};
+use crate::storage::stock::{Stock, StoredWork};
+use crate::storage::{self, Store};
+use closing::{own_record, remember_own};
+use leptos::prelude::*;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::time::Duration;
+use wasm_bindgen_futures::spawn_local;
+
+/// Wait before the first new trial, ms; it doubles each time.
+const RETRY_MS: u64 = 500;
+/// Longest wait before a new trial, ms.
+const RETRY_MAX_MS: u64 = 30_000;
+
+/// What keeps documents.
+#[derive(Clone)]
+pub struct Saver(Rc<Inner>);
+
+struct Inner {
+    state: State,
+    store: Store,
+    /// There is none before the records have been read; until then nothing is written.
+    ledger: RefCell<Option<Ledger>>,
+    /// The newest document that is not committed.
+    waiting: RefCell<Option<Arc<Document>>>,
+    /// The document of the transaction under way.
+    under_way: RefCell<Option<Arc<Document>>>,
+    failures: Cell<u32>,
+    retry: Cell<Option<TimeoutHandle>>,
+    /// Identifier of the record for what is not written when the page is closed.
+    last: String,
+    /// Whether that record was written.
+    has_last: Cell<bool>,
+}
+
+impl Saver {
+    /// Opens what was kept, and from then on keeps every document. `linked`: the document is of a link.
+    pub fn start(state: State, linked: bool) -> Saver {
+        let last = match Apart::new(Why::Closed, None) {
+            Place::Apart(apart) => apart.id.clone(),
+            Place::Stored => String::new(),
+        };
+        let saver = Saver(Rc::new(Inner {
+            state,
+            store: Store::default(),
+            ledger: RefCell::default(),
+            waiting: RefCell::default(),
+            under_way: RefCell::default(),
+            failures: Cell::new(0),
+            retry: Cell::default(),
+            last,
+            has_last: Cell::new(false),
+        }));
+        saver.open(linked);
+        Effect::new({
+            let saver = saver.clone();
+            move |_| {
+                let document = state.document.get();
+                saver.0.waiting.replace(Some(document));
+                state.keeping.save_state.set(SaveState::Saving);
+                saver.write_next();
+            }
+        });
+        saver.write_before_the_page_goes();
+        saver
+    }
+
+    fn open(&self, linked: bool) {
+        let saver = self.clone();
+        spawn_local(async move {
+            match saver.take_stock().await {
+                Ok(stock) => {
+                    saver.0.failures.set(0);
+                    let has_runs = !stock.runs.is_empty();
+                    saver.restore(stock, linked);
+                    if has_runs {
+                        let protected = saver.0.state.keeping.protected;
+                        protected.set(Some(storage::is_protected().await));
+                    }
+                }
+                Err(reason) => {
+                    let again = saver.clone();
+                    saver.refused(&reason, move || again.open(linked));
+                }
+            }
+        });
+    }
+
+    /// Reads all records. Stored work that cannot be read is moved out of the way.
+    async fn take_stock(&self) -> Result<Stock, String> {
+        let is_unread = |stock: &Stock| {
+            let mut unread = stock.unreadable.iter();
+            unread.any(|record| record.key == Key::current())
+        };
+        let stock = Stock::take(self.0.store.load().await?);
+        if !is_unread(&stock) {
+            return Ok(stock);
+        }
+        let aside = Key::aside(js_sys::Date::now());
+        self.0.store.set_aside(&Key::current(), &aside).await?;
+        Ok(Stock::take(self.0.store.load().await?))
+    }
+
+    fn restore(&self, mut stock: Stock, linked: bool) {
+        let state = self.0.state;
+        let keeping = state.keeping;
+        stock.go_on();
+        let items = Document {
+            runs: Arc::new(stock.runs),
+            outlines: Arc::new(stock.outlines),
+            tables: Arc::new(stock.tables),
+            ..(*state.document.get_untracked()).clone()
+        };
+        let own = (stock.apart.iter()).find(|apart| own_record().as_ref() == Some(&apart.id));
+        let own = own.map(|apart| apart.document.clone());
+        keeping.unreadable.set(stock.unreadable);
+        keeping.apart.set(stock.apart);
+        if let Some(work) = &stock.work {
+            keeping.stored.set(Some(stored(work)));
+        }
+        let pristine = state.history.with_untracked(History::is_pristine);
+        let work = stock.work.map(|work| {
+            if pristine && !linked && own.is_none() {
+                state.version_remarks.set(work.remarks);
+            }
+            work.document
+        });
+        state.history.update(|history| {
+            match (work, own) {
+                (_, Some(own)) if pristine && !linked => *history = History::new(own),
+                (Some(work), _) if pristine && !linked => *history = History::new(work),
+                (Some(work), _) if pristine && work.case == history.present().case => {
+                    *history = History::new(work);
+                }
+                (Some(work), _) => {
+                    // What was kept stays, and is one undo away.
+                    let opened = linked.then(|| history.present().case.clone());
+                    let why = if linked { Why::Link } else { Why::Early };
+                    let shown = Document {
+                        place: Apart::new(why, opened),
+                        units: work.units,
+                        unit_of: work.unit_of.clone(),
+                        ..(**history.present()).clone()
+                    };
+                    *history = History::new(work);
+                    let label = if linked { "Open link" } else { "Edits before" };
+                    history.edit(label, None, shown);
+                }
+                (None, _) => {}
+            }
+            history.change_all(|document| Some(document.with_items_of(&items)));
+        });
+        self.0.ledger.replace(Some(stock.ledger));
+        // What waits was shown before the records had been read.
+        let shown = state.document.get_untracked();
+        self.0.waiting.replace(Some(shown));
+        self.write_next();
+    }
+
+    /// Writes the newest document, if none is being written.
+    fn write_next(&self) {
+        let inner = &self.0;
+        if inner.ledger.borrow().is_none() || inner.under_way.borrow().is_some() {
+            return;
+        }
+        if let Some(handle) = inner.retry.take() {
+            handle.clear();
+        }
+        let Some(document) = inner.waiting.borrow_mut().take() else {
+            return;
+        };
+        inner.under_way.replace(Some(document.clone()));
+        let saver = self.clone();
+        spawn_local(async move {
+            let written = saver.write(&document).await;
+            saver.0.under_way.replace(None);
+            match written {
+                Ok(()) => {
+                    saver.0.failures.set(0);
+                    if saver.0.waiting.borrow().is_none() {
+                        saver.saved(&document);
+                    }
+                    saver.write_next();
+                }
+                Err(reason) => {
+                    saver.0.waiting.borrow_mut().get_or_insert(document);
+                    let again = saver.clone();
+                    saver.refused(&reason, move || again.write_next());
+                }
+            }
+        });
+    }
+
+    async fn write(&self, document: &Arc<Document>) -> Result<(), String> {
+        let inner = &self.0;
+        let with_ledger = |act: &mut dyn FnMut(&mut Ledger)| {
+            if let Some(ledger) = inner.ledger.borrow_mut().as_mut() {
+                act(ledger);
+            }
+        };
+        let mut changes = Vec::new();
+        with_ledger(&mut |ledger| {
+            if inner.has_last.replace(false) {
+                ledger.dooms(Key::apart(&inner.last));
+            }
+            changes = ledger.changes(document, js_sys::Date::now());
+        });
+        match inner.store.write(&changes).await? {
+            Written::All => with_ledger(&mut |ledger| ledger.committed(document, &changes)),
+            Written::Nothing(clashes) => {
+                // After the next trial, unless what follows makes a newer document.
+                inner.waiting.borrow_mut().get_or_insert(document.clone());
+                for (key, found) in clashes {
+                    let mut verdict = Verdict::Again;
+                    with_ledger(&mut |ledger| {
+                        verdict = ledger.resolve(document, &key, found.clone());
+                    });
+                    self.settle(&key, found.as_ref(), verdict);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Changes the document so that it can be kept beside what another tab wrote.
+    fn settle(&self, key: &Key, found: Option<&Found>, verdict: Verdict) {
+        let state = self.0.state;
+        let notice = |text: String| state.notice.set(text);
+        match verdict {
+            Verdict::Again => {}
+            Verdict::Apart => {
+                if let Some(stored) = found.and_then(stored_in)
+                    && *key == Key::current()
+                {
+                    state.keeping.stored.set(Some(stored));
+                }
+                self.part(key, Why::OtherTab);
+            }
+            Verdict::Renamed { key, from, to } => {
+                if !matches!(key.sort(), Sort::Run(_)) {
+                    notice(format!(
+                        "Another tab has imported another {from}; this one is called {to}."
+                    ));
+                }
+                let document = state.document.get_untracked();
+                state.history.update(|history| {
+                    history.change_all(|step| step.renamed(&document, &from, &to, &key.sort()));
+                });
+            }
+            Verdict::Stays(key) => notice(format!(
+                "Another tab has changed {}; it is not removed.",
+                key.words()
+            )),
+        }
+        self.0.waiting.replace(Some(state.document.get_untracked()));
+    }
+
+    /// From now on, documents whose record this was are kept apart.
+    fn part(&self, key: &Key, why: Why) {
+        let place = Apart::new(why, None);
+        self.0.state.history.update(|history| {
+            history.change_all(|document| {
+                let here = place_key(&document.place) == *key;
+                here.then(|| Document {
+                    place: place.clone(),
+                    ..document.clone()
+                })
+            });
+        });
+    }
+
+    fn saved(&self, document: &Document) {
+        let state = self.0.state;
+        match &document.place {
+            Place::Apart(apart) if !document.is_view() => {
+                remember_own(Some(&apart.id));
+                // A reload goes on with what was made of the link.
+                leave_link();
+            }
+            Place::Apart(_) => {}
+            Place::Stored => {
+                remember_own(None);
+                let (name, saved_ms) = (document.case.name.clone(), Some(js_sys::Date::now()));
+                state.keeping.stored.set(Some(Stored { name, saved_ms }));
+                leave_link();
+            }
+        }
+        state.keeping.save_state.set(SaveState::Saved);
+        self.announce(|name| format!("Run {name} is saved in this browser."));
+    }
+
+    fn refused(&self, reason: &str, again: impl Fn() + 'static) {
+        let failures = self.0.failures.get();
+        self.0.failures.set(failures + 1);
+        let wait = RETRY_MAX_MS.min(RETRY_MS << failures.min(10));
+        let handle = set_timeout_with_handle(again, Duration::from_millis(wait));
+        if let Some(before) = self.0.retry.replace(handle.ok()) {
+            before.clear();
+        }
+        let refused = SaveState::Refused(reason.to_string());
+        self.0.state.keeping.save_state.set(refused);
+        self.announce(|name| {
+            format!("Run {name} is not saved yet: {reason}. It is tried again; until then it is lost with this page.")
+        });
+    }
+
+    fn announce(&self, words: impl Fn(&str) -> String) {
+        let announced = self.0.state.keeping.announced;
+        if let Some(name) = announced.try_update_value(Option::take).flatten() {
+            self.0.state.notice.set(words(&name));
+        }
+    }
+}
+
+fn stored(work: &StoredWork) -> Stored {
+    Stored {
+        name: work.document.case.name.clone(),
+        saved_ms: work.saved_ms,
+    }
+}
+
+fn stored_in(found: &Found) -> Option<Stored> {
+    let sheet: Sheet = read(found).ok()?;
+    let name = msape::Case::from_text(&sheet.case).map_or_else(|_| String::new(), |case| case.name);
+    let saved_ms = sheet.saved_ms;
+    Some(Stored { name, saved_ms })
+}

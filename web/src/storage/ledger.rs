@@ -1,0 +1,310 @@
+//! What a tab knows of the records, and what it must change there to keep a document.
+//!
+//! Each change says what the record held when this tab last saw it. Another tab that wrote in between makes it a clash: nothing
+//! is written, and [`Ledger::resolve`] says how both are kept.
+
+use super::record::{Change, Found, Key, Sheet, Sort, read, written};
+use crate::state::document::{Document, Place, Rows, Run, Why};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+type Kept<T> = Arc<BTreeMap<String, T>>;
+
+/// What a tab knows.
+#[derive(Debug, Default)]
+pub struct Ledger {
+    /// Texts of the records as they were last read or written here.
+    known: BTreeMap<Key, String>,
+    /// What the records of case and units say.
+    sheets: BTreeMap<Key, Sheet>,
+    runs: Kept<Run>,
+    outlines: Kept<Rows>,
+    tables: Kept<Rows>,
+    /// Records that go with the next change.
+    doomed: Vec<Key>,
+}
+
+/// How a clash ends, for the document of this tab.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Nothing to do: both say the same, or the record may be written now.
+    Again,
+    /// Case and units are kept apart from now on; the stored work is another tab's.
+    Apart,
+    /// What was called `from` is called `to` from now on.
+    Renamed {
+        /// The record.
+        key: Key,
+        /// Name or identifier before.
+        from: String,
+        /// Name or identifier from now on.
+        to: String,
+    },
+    /// What was removed here stays, since another tab changed it.
+    Stays(Key),
+}
+
+impl Ledger {
+    /// A record was read.
+    pub fn knows(&mut self, key: Key, text: String) {
+        self.known.insert(key, text);
+    }
+
+    /// What a record of case and units says.
+    pub fn says(&mut self, key: Key, sheet: Sheet) {
+        self.sheets.insert(key, sheet);
+    }
+
+    /// What is kept beside case and units.
+    pub fn keeps(
+        &mut self,
+        runs: &BTreeMap<String, Run>,
+        outlines: &BTreeMap<String, Rows>,
+        tables: &BTreeMap<String, Rows>,
+    ) {
+        self.runs = Arc::new(runs.clone());
+        self.outlines = Arc::new(outlines.clone());
+        self.tables = Arc::new(tables.clone());
+    }
+
+    /// A record goes with the next change.
+    pub fn dooms(&mut self, key: Key) {
+        if !self.doomed.contains(&key) {
+            self.doomed.push(key);
+        }
+    }
+
+    /// Text of a record as this tab last saw it.
+    pub fn text(&self, key: &Key) -> Option<String> {
+        self.known.get(key).cloned()
+    }
+
+    /// What a record of case and units says.
+    pub fn sheet(&self, key: &Key) -> Option<&Sheet> {
+        self.sheets.get(key)
+    }
+
+    /// A record is gone, or is looked at anew.
+    pub fn forgets(&mut self, key: &Key) {
+        self.known.remove(key);
+        self.sheets.remove(key);
+        self.doomed.retain(|doomed| doomed != key);
+    }
+
+    /// What another look at the database says of one record.
+    pub fn learns(&mut self, key: &Key, of: &Ledger) {
+        self.forgets(key);
+        if let Some(text) = of.known.get(key) {
+            self.known.insert(key.clone(), text.clone());
+        }
+        if let Some(sheet) = of.sheets.get(key) {
+            self.sheets.insert(key.clone(), sheet.clone());
+        }
+    }
+
+    /// What must be changed so that the records hold a document.
+    pub fn changes(&self, document: &Document, now_ms: f64) -> Vec<Change> {
+        let mut changes = Vec::new();
+        let key = place_key(&document.place);
+        let is_view = document.is_view() && !self.known.contains_key(&key);
+        let sheet = self.sheet_of(document, now_ms);
+        if !is_view && !(self.sheets.get(&key)).is_some_and(|kept| kept.says_as(&sheet)) {
+            changes.push(self.change(key.clone(), Some(written(&sheet))));
+        }
+        self.compare(&self.runs, &document.runs, Key::run, &mut changes);
+        self.compare(
+            &self.outlines,
+            &document.outlines,
+            Key::outline,
+            &mut changes,
+        );
+        self.compare(&self.tables, &document.tables, Key::table, &mut changes);
+        for doomed in self.doomed.iter().filter(|doomed| **doomed != key) {
+            changes.push(self.change(doomed.clone(), None));
+        }
+        changes
+    }
+
+    /// The change that keeps case and units of a document whose page is being closed, without looking at the record: a record
+    /// of its own, which is the stored work from then on if that is still as this tab knows it.
+    pub fn last_change(&self, document: &Document, id: &str, now_ms: f64) -> Change {
+        let mut sheet = self.sheet_of(document, now_ms);
+        let key = match &document.place {
+            Place::Stored => {
+                sheet.why = Some(Why::Closed);
+                sheet.continues = Some(self.text(&Key::current()).unwrap_or_default());
+                Key::apart(id)
+            }
+            Place::Apart(apart) => Key::apart(&apart.id),
+        };
+        self.change(key, Some(written(&sheet)))
+    }
+
+    fn sheet_of(&self, document: &Document, now_ms: f64) -> Sheet {
+        let why = match &document.place {
+            Place::Stored => None,
+            Place::Apart(apart) => Some(apart.why),
+        };
+        Sheet {
+            why,
+            ..Sheet::of(document, now_ms)
+        }
+    }
+
+    fn change(&self, key: Key, text: Option<String>) -> Change {
+        let expected = self.known.get(&key).cloned();
+        Change {
+            key,
+            expected,
+            text,
+        }
+    }
+
+    fn compare<T: PartialEq + Serialize>(
+        &self,
+        kept: &Kept<T>,
+        now: &Kept<T>,
+        key: fn(&str) -> Key,
+        changes: &mut Vec<Change>,
+    ) {
+        if Arc::ptr_eq(kept, now) {
+            return;
+        }
+        for (name, value) in now.iter() {
+            if kept.get(name) != Some(value) {
+                changes.push(self.change(key(name), Some(written(value))));
+            }
+        }
+        for name in kept.keys().filter(|name| !now.contains_key(*name)) {
+            changes.push(self.change(key(name), None));
+        }
+    }
+
+    /// The changes are committed.
+    pub fn committed(&mut self, document: &Document, changes: &[Change]) {
+        for Change { key, text, .. } in changes {
+            match text {
+                Some(text) => drop(self.known.insert(key.clone(), text.clone())),
+                None => self.forgets(key),
+            }
+        }
+        let key = place_key(&document.place);
+        if let Some(text) = changes.iter().find(|change| change.key == key)
+            && let Some(text) = &text.text
+            && let Ok(sheet) = read(&Found::Text(text.clone()))
+        {
+            self.sheets.insert(key, sheet);
+        }
+        self.runs = document.runs.clone();
+        self.outlines = document.outlines.clone();
+        self.tables = document.tables.clone();
+    }
+
+    /// How a clash ends: `found` is what the record holds now.
+    pub fn resolve(&mut self, document: &Document, key: &Key, found: Option<Found>) -> Verdict {
+        match key.sort() {
+            Sort::Current | Sort::Apart(_) => self.resolve_sheet(document, key, found),
+            Sort::Run(id) => resolve_item(
+                &mut self.known,
+                &mut self.runs,
+                &document.runs,
+                key,
+                &id,
+                found,
+            ),
+            Sort::Outline(name) => resolve_item(
+                &mut self.known,
+                &mut self.outlines,
+                &document.outlines,
+                key,
+                &name,
+                found,
+            ),
+            Sort::Table(name) => resolve_item(
+                &mut self.known,
+                &mut self.tables,
+                &document.tables,
+                key,
+                &name,
+                found,
+            ),
+            Sort::Unknown => Verdict::Again,
+        }
+    }
+
+    fn resolve_sheet(&mut self, document: &Document, key: &Key, found: Option<Found>) -> Verdict {
+        let Some(found) = found else {
+            if *key == Key::current() {
+                // The browser's data were cleared: all that this tab has is written again. What is there after all clashes.
+                *self = Ledger::default();
+            }
+            self.forgets(key);
+            return Verdict::Again;
+        };
+        if self.doomed.contains(key) {
+            // Another tab works on it.
+            self.doomed.retain(|doomed| doomed != key);
+            return Verdict::Again;
+        }
+        let sheet: Option<Sheet> = read(&found).ok();
+        let wanted = Sheet::of(document, 0.0);
+        if let (Some(sheet), Found::Text(text)) = (sheet, found) {
+            let known = self.sheets.get(key);
+            if sheet.says_as(&wanted) || known.is_some_and(|known| sheet.says_as(known)) {
+                self.known.insert(key.clone(), text);
+                self.sheets.insert(key.clone(), sheet);
+                return Verdict::Again;
+            }
+        }
+        Verdict::Apart
+    }
+}
+
+/// The record of a place.
+pub fn place_key(place: &Place) -> Key {
+    match place {
+        Place::Stored => Key::current(),
+        Place::Apart(apart) => Key::apart(&apart.id),
+    }
+}
+
+fn resolve_item<T: Clone + PartialEq + DeserializeOwned>(
+    known: &mut BTreeMap<Key, String>,
+    kept: &mut Kept<T>,
+    now: &Kept<T>,
+    key: &Key,
+    name: &str,
+    found: Option<Found>,
+) -> Verdict {
+    let mut items = (**kept).clone();
+    known.remove(key);
+    items.remove(name);
+    let mut verdict = Verdict::Again;
+    if let Some(found) = found {
+        let theirs: Option<T> = read(&found).ok();
+        match now.get(name) {
+            // Both did the same.
+            Some(ours) if theirs.as_ref() == Some(ours) => {
+                items.insert(name.to_string(), ours.clone());
+                if let Found::Text(text) = found {
+                    known.insert(key.clone(), text);
+                }
+            }
+            Some(_) => {
+                let taken = |name: &String| now.contains_key(name) || items.contains_key(name);
+                let mut names = (2..).map(|number: u32| format!("{name} ({number})"));
+                let to = names.find(|name| !taken(name)).unwrap_or_default();
+                verdict = Verdict::Renamed {
+                    key: key.clone(),
+                    from: name.to_string(),
+                    to,
+                };
+            }
+            None => verdict = Verdict::Stays(key.clone()),
+        }
+    }
+    *kept = Arc::new(items);
+    verdict
+}
