@@ -3,7 +3,7 @@
 use crate::outlines::{sphere, sphere_cone, sphere_cone_or_cap};
 use msape::Library;
 use msape::aero::bridging::CONTINUUM;
-use msape::aero::database::Database;
+use msape::aero::database::{Database, GAMMA};
 use msape::aero::free_molecular::{Gas, sphere_drag};
 use msape::aero::integral::{Effort, Law, Loads, loads};
 use msape::aero::newtonian::pressure_coefficient_max;
@@ -197,7 +197,7 @@ fn stardust_has_the_published_centres_of_pressure() {
     // \[mitcheltree-1997\]: 0.26 diameters in free-molecular flow, 0.72 in a continuum, printed to 0.01
     let body = stardust(&Library::builtin().unwrap());
     let free = pressure_center(&body, Theory::FreeMolecular(Gas::diffuse(25.0)));
-    let continuum = pressure_center(&body, Theory::newtonian(Some(25.0)));
+    let continuum = pressure_center(&body, Theory::newtonian(Some(25.0), GAMMA));
     println!("Stardust: centre of pressure {free:.4} and {continuum:.4} diameters from the nose");
     assert!((free - 0.26).abs() < 0.01 && (continuum - 0.72).abs() < 0.01);
     // \[wilmoth-1999\]: with its centre of gravity at 0.35 diameters it is unstable in free-molecular flow
@@ -312,7 +312,7 @@ fn in_a_hypersonic_continuum_it_is_stable_backwards() {
     let library = Library::builtin().unwrap();
     let database = body.database(&library.aero_standard(), None);
     for theory in [
-        Theory::newtonian(None),
+        Theory::newtonian(None, GAMMA),
         Theory::Blended {
             mach: 25.0,
             knudsen: 0.0,

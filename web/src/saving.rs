@@ -52,7 +52,7 @@ struct Inner {
 impl Saver {
     /// Opens what was kept, and from then on keeps every document. `linked`: the document is of a link.
     pub fn start(state: State, linked: bool) -> Saver {
-        let last = match Apart::new(Why::Closed, None) {
+        let last = match Apart::place(Why::Closed, None) {
             Place::Apart(apart) => apart.id.clone(),
             Place::Stored => String::new(),
         };
@@ -153,7 +153,7 @@ impl Saver {
                     let opened = linked.then(|| history.present().case.clone());
                     let why = if linked { Why::Link } else { Why::Early };
                     let shown = Document {
-                        place: Apart::new(why, opened),
+                        place: Apart::place(why, opened),
                         units: work.units,
                         unit_of: work.unit_of.clone(),
                         ..(**history.present()).clone()
@@ -273,7 +273,7 @@ impl Saver {
 
     /// From now on, documents whose record this was are kept apart.
     fn part(&self, key: &Key, why: Why) {
-        let place = Apart::new(why, None);
+        let place = Apart::place(why, None);
         self.0.state.history.update(|history| {
             history.change_all(|document| {
                 let here = place_key(&document.place) == *key;

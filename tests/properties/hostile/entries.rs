@@ -13,7 +13,7 @@ use proptest::sample::select;
 
 /// Speed of a circular orbit at the surface, m/s.
 fn circular_m_s(planet: &str) -> f64 {
-    let planet = named(&LIBRARY.planets, planet).unwrap();
+    let planet = &named(&LIBRARY.planets, planet).unwrap().planet;
     match planet.gravity {
         Gravity::Zonal { mu_m3_s2, .. } => (mu_m3_s2 / planet.equatorial_radius_m).sqrt(),
         Gravity::Uniform { acceleration_m_s2 } => {
@@ -58,7 +58,10 @@ fn state() -> impl Strategy<Value = Typed> {
     );
     (select(planets), numbers).prop_map(
         |(planet, (speed, angle, height, latitude, longitude, azimuth))| {
-            let interface_m = named(&LIBRARY.planets, &planet).unwrap().entry_interface_m;
+            let interface_m = named(&LIBRARY.planets, &planet)
+                .unwrap()
+                .planet
+                .entry_interface_m;
             let typed = |x: f64| format!("{x:?}");
             vec![
                 ("entry.speed_m_s", typed(speed * circular_m_s(&planet))),
@@ -223,7 +226,7 @@ fn check(case: &Case, again: bool, tally: &Tally) -> Result<(), TestCaseError> {
     let given = |key: &str| case.text(key).and_then(|text| text.parse::<f64>().ok());
     let planet = case.text("entry.planet").unwrap_or_default();
     // without a final altitude it is the ground, and with a final time alone the planet's lowest
-    let lowest_m = named(&LIBRARY.planets, &planet).map(|planet| planet.lowest_altitude_m);
+    let lowest_m = named(&LIBRARY.planets, &planet).map(|world| world.planet.lowest_altitude_m);
     let ground_m = match given("stop.time_s") {
         Some(_) => lowest_m.unwrap_or_default(),
         None => 0.0,

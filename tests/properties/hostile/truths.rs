@@ -115,7 +115,10 @@ fn potential_j_kg(planet: &Planet, r: [f64; 3]) -> Option<f64> {
 /// Air that turns with the planet takes energy from the motion relative to it, and gives none.
 pub(crate) fn no_energy_from_air(answer: &Answer, planet: &str) -> Result<bool, TestCaseError> {
     let history = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
-    let (Some(history), Some(planet)) = (history, named(&LIBRARY.planets, planet)) else {
+    let (Some(history), Some(planet)) = (
+        history,
+        named(&LIBRARY.planets, planet).map(|world| &world.planet),
+    ) else {
         return Ok(false);
     };
     let keys = ["altitude_m", "latitude_deg", "longitude_deg", "speed_m_s"];

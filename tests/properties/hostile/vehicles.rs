@@ -89,7 +89,7 @@ fn coefficients(case: &Case, mach: f64, knudsen: f64, tally: &Tally) -> Result<(
     };
     let angles: Vec<f64> = (0..=12).map(|n| 15.0 * f64::from(n)).collect();
     for theory in [
-        Theory::newtonian(Some(mach)),
+        Theory::newtonian(Some(mach), 1.4),
         Theory::Blended { mach, knudsen },
     ] {
         let polar = polar_of(&Aero::new(&body, theory, Some(&database)), &angles);

@@ -152,7 +152,7 @@ pub fn of_link(now: &Document, case: msape::Case) -> Document {
     let place = if *case == *now.case {
         now.place.clone()
     } else {
-        Apart::new(Why::Link, Some(case.clone()))
+        Apart::place(Why::Link, Some(case.clone()))
     };
     Document {
         case,

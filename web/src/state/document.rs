@@ -66,7 +66,7 @@ pub enum Why {
 
 impl Apart {
     /// A place that no other tab has.
-    pub fn new(why: Why, opened: Option<Arc<Case>>) -> Place {
+    pub fn place(why: Why, opened: Option<Arc<Case>>) -> Place {
         let id = format!("{:.0}-{:08x}", now_ms(), chance());
         Place::Apart(Arc::new(Apart { id, why, opened }))
     }

@@ -6,6 +6,9 @@ use crate::state::document::{Apart, Document, Place, Rows, Run, Why, recorded};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+/// Outlines and tables that an earlier version kept in the record of the document.
+type Legacy = (BTreeMap<String, Rows>, BTreeMap<String, Rows>);
+
 /// A record that cannot be read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unreadable {
@@ -115,7 +118,7 @@ impl Stock {
         &mut self,
         key: &Key,
         found: &Found,
-        legacy: &mut Option<(BTreeMap<String, Rows>, BTreeMap<String, Rows>)>,
+        legacy: &mut Option<Legacy>,
     ) -> Result<(), String> {
         let mut sheet: Sheet = read(found)?;
         if !(sheet.outlines.is_empty() && sheet.tables.is_empty()) {
