@@ -122,8 +122,12 @@ fn files_that_are_no_cases_say_so() {
         "this is not TOML that can be read",
     );
     refused(
-        &file("deep.json", &b"{\"a\":".repeat(100_000)),
+        &file("deep.json", &b"{\"a\":".repeat(10_000)),
         "this is not JSON that can be read",
+    );
+    refused(
+        &file("deeper.json", &b"{\"a\":".repeat(100_000)),
+        "the file holds more than 10000 keys and sections",
     );
     refused(&msape(&["fly", path(&here)]), "is a folder");
     refused(
