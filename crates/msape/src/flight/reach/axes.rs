@@ -1,5 +1,11 @@
 //! The tables that a flight of a vehicle looks up, axis by axis.
 //!
+//! ```text
+//! low ≤ argument ≤ high        beyond: the rule of the table, hold, extend or refuse
+//! ```
+//!
+//! with the argument in the unit of its column: m, Mach, rad, s, m/s or kg/m³.
+//!
 //! # Valid
 //! Tables that a case brings, and the altitudes of any atmosphere.
 //!

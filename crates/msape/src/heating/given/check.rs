@@ -1,5 +1,11 @@
 //! From rows of a case to a checked table of heat fluxes.
 //!
+//! ```text
+//! rows (V, ρ, q) → q[i, j] at V[i], ρ[j]
+//! ```
+//!
+//! with the speed V in m/s, the density ρ in kg/m³ and the heat flux q in W/m².
+//!
 //! # Valid
 //! A whole grid: each speed with each density, once.
 //!
