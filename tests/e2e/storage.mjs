@@ -174,6 +174,24 @@ pageTest("while the browser gives everything up nothing is called saved, and lea
   await dialog.accept();
 }, { allowed: software });
 
+pageTest("an edit is there after a reload that follows at once", async (page) => {
+  await saved(page);
+  for (let i = 0; i < 6; i += 1) {
+    await page.evaluate((text) => {
+      const field = document.querySelector("#case-name");
+      field.value = text;
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+      // After the edit has been taken, and before any disk can have answered.
+      Promise.resolve().then(() => Promise.resolve().then(() => location.reload()));
+    }, `edit ${i}`).catch(() => {});
+    await page.waitForLoadState("load");
+    await opened(page);
+    await saved(page);
+    await named(page, `edit ${i}`);
+    assert.equal(await region(page, "Work kept apart").count(), 0);
+  }
+}, { allowed: software });
+
 const refusals = {
   "throws at put": () => {
     const full = () => {

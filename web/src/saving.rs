@@ -45,8 +45,8 @@ struct Inner {
     retry: Cell<Option<TimeoutHandle>>,
     /// Identifier of the record for what is not written when the page is closed.
     last: String,
-    /// Whether that record was written.
-    has_last: Cell<bool>,
+    /// Identifier under which it was handed over.
+    last_written: RefCell<Option<String>>,
 }
 
 impl Saver {
@@ -65,7 +65,7 @@ impl Saver {
             failures: Cell::new(0),
             retry: Cell::default(),
             last,
-            has_last: Cell::new(false),
+            last_written: RefCell::default(),
         }));
         saver.open(linked);
         Effect::new({
@@ -108,6 +108,7 @@ impl Saver {
             let mut unread = stock.unreadable.iter();
             unread.any(|record| record.key == Key::current())
         };
+        self.take_last().await?;
         let stock = Stock::take(self.0.store.load().await?);
         if !is_unread(&stock) {
             return Ok(stock);
@@ -216,9 +217,6 @@ impl Saver {
         };
         let mut changes = Vec::new();
         with_ledger(&mut |ledger| {
-            if inner.has_last.replace(false) {
-                ledger.dooms(Key::apart(&inner.last));
-            }
             changes = ledger.changes(document, js_sys::Date::now());
         });
         match inner.store.write(&changes).await? {
@@ -286,6 +284,7 @@ impl Saver {
     }
 
     fn saved(&self, document: &Document) {
+        self.forget_last();
         let state = self.0.state;
         match &document.place {
             Place::Apart(apart) if !document.is_view() => {

@@ -68,22 +68,6 @@ impl Store {
         self.unless_failed(removed)
     }
 
-    /// Hands a change to the browser at once, without looking at the record and without waiting: the page may be gone before
-    /// there is an answer.
-    pub fn hand_over(&self, change: &Change) {
-        let database = self.0.borrow().clone();
-        if let (Some(database), Some(text)) = (database, &change.text) {
-            let handed = || -> Result<(), idb::Error> {
-                let transaction = begin(&database, TransactionMode::ReadWrite)?;
-                shelf(&transaction, &change.key)?
-                    .put(&text.into(), Some(&(&change.key.id).into()))?;
-                transaction.commit().map(drop)
-            };
-            // Nobody is left to be told.
-            let _ = handed();
-        }
-    }
-
     async fn database(&self) -> Result<Rc<Database>, String> {
         if let Some(database) = self.0.borrow().clone() {
             return Ok(database);

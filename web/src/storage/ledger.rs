@@ -127,19 +127,19 @@ impl Ledger {
         changes
     }
 
-    /// The change that keeps case and units of a document whose page is being closed, without looking at the record: a record
-    /// of its own, which is the stored work from then on if that is still as this tab knows it.
-    pub fn last_change(&self, document: &Document, id: &str, now_ms: f64) -> Change {
+    /// The record that keeps case and units of a document whose page is being closed: one of its own, which is the stored work
+    /// from then on if that is still as this tab knows it.
+    pub fn last(&self, document: &Document, id: &str, now_ms: f64) -> (String, String) {
         let mut sheet = self.sheet_of(document, now_ms);
-        let key = match &document.place {
+        let id = match &document.place {
             Place::Stored => {
                 sheet.why = Some(Why::Closed);
                 sheet.continues = Some(self.text(&Key::current()).unwrap_or_default());
-                Key::apart(id)
+                id
             }
-            Place::Apart(apart) => Key::apart(&apart.id),
+            Place::Apart(apart) => &apart.id,
         };
-        self.change(key, Some(written(&sheet)))
+        (id.to_string(), written(&sheet))
     }
 
     fn sheet_of(&self, document: &Document, now_ms: f64) -> Sheet {

@@ -303,9 +303,9 @@ fn a_page_that_closes_hands_over_what_waits_and_the_next_goes_on() {
     let closed = |between: &dyn Fn(&mut Browser)| {
         let (mut browser, mut tab) = with_work();
         tab.set_speed("13000");
-        let last = tab.ledger.last_change(&tab.document, "last", 3.0);
+        let (id, text) = tab.ledger.last(&tab.document, "last", 3.0);
         between(&mut browser);
-        browser.put(last.key, &last.text.unwrap());
+        browser.put(Key::apart(&id), &text);
         browser
     };
     // nobody wrote since: it is the stored work
