@@ -181,6 +181,7 @@ impl State {
                 }
             }
         });
+        self.solver.set_value(Some(link.clone()));
         Effect::new(move |_| {
             let case = self.case.get();
             newest.update_value(|id| *id += 1);
