@@ -1,9 +1,12 @@
 //! `aero`: coefficients over the angle of attack.
 
+use crate::args::Source;
 use crate::failure::{Failure, cut, printable};
+use crate::read::Data;
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
 use clap::{Args, ValueEnum};
+use msape::Case;
 use msape::aero::database::{Database, GAMMA};
 use msape::aero::free_molecular::Gas;
 use msape::aero::polar::write::COLUMNS;
@@ -12,7 +15,6 @@ use msape::aero::standard::AeroBody;
 use msape::aero::table::Extrapolation;
 use msape::finding::Finding;
 use msape::units::told;
-use msape::{Case, Library};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -28,9 +30,9 @@ const ANGLES_MAX: usize = 100_000;
 /// Arguments of `aero`.
 #[derive(Args)]
 pub struct Aero {
-    /// The case, with [outline] or of a design, TOML or JSON; `-` is standard input
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
     /// Which theory answers
     #[arg(long, value_enum, default_value_t = Regime::Blended)]
     pub regime: Regime,
@@ -60,12 +62,6 @@ pub struct Aero {
     /// Accommodation of momentum in free-molecular flow; 1, or that of the case, when absent
     #[arg(long, value_name = "SIGMA", allow_hyphen_values = true)]
     pub accommodation: Option<f64>,
-    /// Set a key of the case
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Folder below which files that the case names may lie; without it, that of the case
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
     /// One JSON object: name, results, trim, findings
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -92,17 +88,10 @@ pub enum Regime {
 }
 
 /// Answers and writes.
-pub fn run(arguments: &Aero, library: &Library) -> Done {
-    let mut loaded = read::case(
-        &arguments.case,
-        &arguments.set,
-        arguments.root.as_deref(),
-        library,
-    )?;
-    output::check(arguments.output.as_deref(), &loaded.files)?;
-    let mut faults = std::mem::take(&mut loaded.faults);
-    let case = &mut loaded.case;
-    let angles = angles(&arguments.alpha, &mut faults);
+pub fn run(arguments: &Aero, data: &Data) -> Done {
+    let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
+    let (case, faults) = (&mut loaded.case, &mut loaded.faults);
+    let angles = angles(&arguments.alpha, faults);
     for (key, value) in [
         (WALL, arguments.wall_temperature_ratio),
         (ACCOMMODATION, arguments.accommodation),
@@ -111,19 +100,12 @@ pub fn run(arguments: &Aero, library: &Library) -> Done {
             case.set(key, &value.to_string());
         }
     }
-    let found = msape::problem::aero(case, library);
+    let found = msape::problem::aero(case, &data.library);
     let of_air = found
         .as_ref()
         .map(|(_, database)| database.heat_capacity_ratio());
-    let theory = theory(arguments, case, of_air.unwrap_or(GAMMA), &mut faults);
-    let (body, database) = match found {
-        Ok(found) if faults.is_empty() => found,
-        Ok(_) => return Err(Failure::Input(faults)),
-        Err(found) => {
-            faults.extend(found.iter().map(ToString::to_string));
-            return Err(Failure::Input(faults));
-        }
-    };
+    let theory = theory(arguments, case, of_air.unwrap_or(GAMMA), faults);
+    let (body, database) = loaded.unless_at_fault(found)?;
     if arguments.database {
         output::write(
             msape::aero::stored::csv(&database),

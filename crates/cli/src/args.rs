@@ -46,18 +46,19 @@ pub enum Command {
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
     #[command(after_help = EXAMPLES)]
     Design(Design),
-    /// Whether it turns nose first: nine entries from 175, 145 and 120 deg with -2, 0 and 2 deg/s of pitch
+    /// Whether a design, or a vehicle with vehicle.dof = 6, turns nose first: nine entries from 175, 145 and 120 deg with -2, 0 and
+    /// 2 deg/s of pitch
     #[command(after_help = EXAMPLES)]
     Reorientation(Reorientation),
-    /// Write the vehicle as a CAD, mesh or drawing file
+    /// Write the vehicle of a design, or an [outline] without [design] as it is, as a CAD, mesh or drawing file
     #[command(after_help = export_help())]
     Export(Export),
-    /// Coefficients of an outline, or of a designed vehicle, over the angle of attack
+    /// Coefficients of an [outline], or of the vehicle of a design, over the angle of attack
     #[command(after_help = EXAMPLES)]
     Aero(crate::aero::Aero),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
-    /// Facts of the outline of a case: tangent points, areas, volume, centroid
+    /// Facts of the [outline] of a case: tangent points, areas, volume, centroid
     Outline(Outline),
     /// Print the JSON Schema of case files, for editors
     Schema(Plain),
@@ -65,9 +66,9 @@ pub enum Command {
     Quantities(Quantities),
 }
 
-/// Arguments of a run.
+/// The case of a command, and what is set in it.
 #[derive(Args)]
-pub struct Run {
+pub struct Source {
     /// The case, TOML or JSON; `-` is standard input
     #[arg(value_name = "CASE")]
     pub case: PathBuf,
@@ -78,6 +79,14 @@ pub struct Run {
     /// Folder below which files that the case names may lie; without it, that of the case
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+}
+
+/// Arguments of a run.
+#[derive(Args)]
+pub struct Run {
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
     /// Form of the output.
     #[command(flatten)]
     pub form: Form,
@@ -111,15 +120,9 @@ pub struct Design {
 /// Arguments of `reorientation`.
 #[derive(Args)]
 pub struct Reorientation {
-    /// The case, TOML or JSON, of a design or of a vehicle with vehicle.dof = 6; `-` is standard input
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
-    /// Set a key of the case, as for design
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Folder below which files that the case names may lie; without it, that of the case
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
     /// One JSON object: name, outcome, reason, reorientation
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -156,16 +159,9 @@ pub struct Form {
 /// Arguments of `export`.
 #[derive(Args)]
 pub struct Export {
-    /// The case, TOML or JSON, which is designed; one with an [outline] and no [design] is taken as it is; `-` is standard
-    /// input
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
-    /// Set a key of the case, as for design
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Folder below which files that the case names may lie; without it, that of the case
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
     /// Format of the file; without it the ending of its name says it
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     pub format: Option<Format>,
@@ -191,15 +187,9 @@ pub struct Validate {
 /// Arguments of `outline`.
 #[derive(Args)]
 pub struct Outline {
-    /// The case, TOML or JSON, with a section [outline]; `-` is standard input
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
-    /// Set a key of the case
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Folder below which files that the case names may lie; without it, that of the case
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,

@@ -2,6 +2,7 @@
 
 use crate::args::{Export, formats};
 use crate::failure::Failure;
+use crate::read::Data;
 use crate::{Done, output, read};
 use cad::export::{Format, Info, Model};
 use msape::{Case, InputError, Library, Request, problem};
@@ -9,7 +10,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// Designs a case, or takes its outline, and writes it in a format of CAD, mesh or drawing.
-pub fn export(arguments: &Export, library: &Library) -> Done {
+pub fn export(arguments: &Export, data: &Data) -> Done {
     let path = arguments.output.as_deref().filter(|p| *p != Path::new("-"));
     let format = format(arguments, path)?;
     if path.is_none() && !format.is_text() {
@@ -18,22 +19,9 @@ pub fn export(arguments: &Export, library: &Library) -> Done {
             format.name()
         )));
     }
-    let mut loaded = read::case(
-        &arguments.case,
-        &arguments.set,
-        arguments.root.as_deref(),
-        library,
-    )?;
-    output::check(path, &loaded.files)?;
-    let mut faults = std::mem::take(&mut loaded.faults);
-    let model = match model(&loaded.case, library) {
-        Ok(model) if faults.is_empty() => model?,
-        Ok(_) => return Err(Failure::Input(faults)),
-        Err(found) => {
-            faults.extend(found.iter().map(ToString::to_string));
-            return Err(Failure::Input(faults));
-        }
-    };
+    let mut loaded = read::asked(&arguments.source, path, data)?;
+    let model = model(&loaded.case, &data.library);
+    let model = loaded.unless_at_fault(model)??;
     loaded.tell();
     output::write(format.write(&model, &Info::default()), path)?;
     Ok(ExitCode::SUCCESS)

@@ -18,6 +18,7 @@ use args::{Arguments, Command, Design};
 use clap::Parser;
 use failure::Failure;
 use msape::quantity::Job;
+use read::Data;
 use run::Entries;
 use std::process::ExitCode;
 
@@ -42,22 +43,23 @@ fn main() -> ExitCode {
 }
 
 fn done(Arguments { command, data }: Arguments) -> Done {
-    let library = &read::library(data.as_deref())?;
+    let data = &Data::of(data.as_deref())?;
+    let library = &data.library;
     match command {
-        Command::Fly(arguments) => run::run(&arguments, library, Job::Fly, Entries::Nominal),
+        Command::Fly(arguments) => run::run(&arguments, data, Job::Fly, Entries::Nominal),
         Command::Design(Design { run, reorientation }) => {
             let entries = if reorientation {
                 Entries::AnyAttitude
             } else {
                 Entries::Nominal
             };
-            run::run(&run, library, Job::Design, entries)
+            run::run(&run, data, Job::Design, entries)
         }
-        Command::Reorientation(arguments) => reorientation::reorientation(&arguments, library),
-        Command::Export(arguments) => export::export(&arguments, library),
-        Command::Aero(arguments) => aero::run(&arguments, library),
+        Command::Reorientation(arguments) => reorientation::reorientation(&arguments, data),
+        Command::Export(arguments) => export::export(&arguments, data),
+        Command::Aero(arguments) => aero::run(&arguments, data),
         Command::Validate(arguments) => validate::validate(&arguments, library),
-        Command::Outline(arguments) => outline::outline(&arguments, library),
+        Command::Outline(arguments) => outline::outline(&arguments, data),
         Command::Schema(arguments) => quantities::schema(&arguments, library),
         Command::Quantities(arguments) => quantities::quantities(&arguments, library),
     }

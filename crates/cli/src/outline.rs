@@ -2,40 +2,24 @@
 
 use crate::args::Outline;
 use crate::failure::{Failure, printable};
+use crate::read::Data;
 use crate::show::columns::{Align, Columns};
 use crate::{Done, output, read};
+use msape::problem;
 use msape::units::number::rounded;
-use msape::{Library, problem};
 use std::process::ExitCode;
 
 /// Digits that are shown; JSON has all of them.
 const DIGITS: usize = 8;
 
 /// Prints the facts of the outline of a case.
-pub fn outline(arguments: &Outline, library: &Library) -> Done {
-    let mut loaded = read::case(
-        &arguments.case,
-        &arguments.set,
-        arguments.root.as_deref(),
-        library,
-    )?;
-    output::check(arguments.output.as_deref(), &loaded.files)?;
-    let mut faults = std::mem::take(&mut loaded.faults);
-    let found = match problem::rigid_body(&loaded.case, library) {
-        Ok(found) => found,
-        Err(errors) => {
-            faults.extend(errors.iter().map(ToString::to_string));
-            None
-        }
-    };
-    let Some(body) = found.filter(|_| faults.is_empty()) else {
-        if faults.is_empty() {
-            faults.push(
-                "outline: missing; give [outline] a preset, dimensions, points or a file"
-                    .to_string(),
-            );
-        }
-        return Err(Failure::Input(faults));
+pub fn outline(arguments: &Outline, data: &Data) -> Done {
+    let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
+    let found = problem::rigid_body(&loaded.case, &data.library);
+    let Some(body) = loaded.unless_at_fault(found)? else {
+        return Err(Failure::input(
+            "outline: missing; give [outline] a preset, dimensions, points or a file".to_string(),
+        ));
     };
     let of_file = loaded.findings().map(|finding| finding.message);
     let notes: Vec<String> = body.notes.iter().cloned().chain(of_file).collect();

@@ -38,7 +38,7 @@ pub fn check(path: Option<&Path>, files: &[PathBuf]) -> Result<(), Failure> {
     match files.iter().find(|file| is_same(path, file)) {
         None => Ok(()),
         Some(_) => Err(Failure::input(format!(
-            "cannot write {}: it is the case itself, or a file that it names",
+            "cannot write {}: it is the case itself, a file that it names, or one of --data",
             path.display()
         ))),
     }

@@ -6,10 +6,12 @@
 mod data;
 mod place;
 
+use crate::args::Source;
 use crate::failure::{Failure, cut, say};
+use crate::output;
 use cad::outline::{self, LengthUnit};
 use cad::table::{self, Ground, Table};
-pub use data::library;
+pub use data::Data;
 use msape::case::Value;
 use msape::finding::{Finding, Severity};
 use msape::{Case, InputError, Library};
@@ -58,6 +60,17 @@ impl Loaded {
         })
     }
 
+    /// What was found, unless reading or checking the case found faults: all of them.
+    pub fn unless_at_fault<T>(&mut self, found: Result<T, Vec<InputError>>) -> Result<T, Failure> {
+        let mut faults = std::mem::take(&mut self.faults);
+        match found {
+            Ok(found) if faults.is_empty() => return Ok(found),
+            Ok(_) => {}
+            Err(more) => faults.extend(more.iter().map(ToString::to_string)),
+        }
+        Err(Failure::Input(faults))
+    }
+
     /// Says the remarks on standard error, where the output has no place for them.
     pub fn tell(&self) {
         for Remark { key, message } in &self.remarks {
@@ -66,13 +79,17 @@ impl Loaded {
     }
 }
 
-/// The case of `path` with `settings` applied; files that it names may lie below `root` as well.
-pub fn case(
-    path: &Path,
-    settings: &[String],
-    root: Option<&Path>,
-    library: &Library,
-) -> Result<Loaded, Failure> {
+/// The case that a command is asked for, whose files, and the data of one's own, its output must not replace.
+pub fn asked(source: &Source, output: Option<&Path>, data: &Data) -> Result<Loaded, Failure> {
+    let loaded = case(source, &data.library)?;
+    output::check(output, &loaded.files)?;
+    output::check(output, &data.files)?;
+    Ok(loaded)
+}
+
+/// The case with what is set in it applied; files that it names may lie below the root as well.
+fn case(source: &Source, library: &Library) -> Result<Loaded, Failure> {
+    let (path, root) = (source.case.as_path(), source.root.as_deref());
     let unreadable = |faults: Vec<InputError>| {
         let named = faults
             .iter()
@@ -82,7 +99,7 @@ pub fn case(
     let mut case = Case::from_text(&text(path)?).map_err(unreadable)?;
     let mut faults = Vec::new();
     let mut set_here = BTreeSet::new();
-    for setting in settings {
+    for setting in &source.set {
         match setting.split_once('=') {
             Some(("name", name)) => case.name = name.to_string(),
             Some((key, value)) if !key.trim().is_empty() => {
@@ -178,11 +195,13 @@ fn text(path: &Path) -> Result<String, Failure> {
             Err(error) => Err(fault(error.to_string())),
         };
     }
+    utf8(bytes).map_err(fault)
+}
+
+fn utf8(bytes: Vec<u8>) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|error| {
-        fault(format!(
-            "is not text: byte {} is not UTF-8",
-            error.utf8_error().valid_up_to() + 1
-        ))
+        let byte = error.utf8_error().valid_up_to() + 1;
+        format!("is not text: byte {byte} is not UTF-8")
     })
 }
 

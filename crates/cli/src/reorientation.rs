@@ -1,7 +1,8 @@
 //! `reorientation`: entries of one vehicle from a set of attitudes and rates.
 
 use crate::args::Reorientation;
-use crate::failure::{Failure, printable};
+use crate::failure::printable;
+use crate::read::Data;
 use crate::terminal::{self, Paint};
 use crate::{Done, output, read, show};
 use msape::answer::turning;
@@ -21,28 +22,13 @@ struct Flown {
 }
 
 /// Flies the entries and writes them.
-pub fn reorientation(arguments: &Reorientation, library: &Library) -> Done {
-    let mut loaded = read::case(
-        &arguments.case,
-        &arguments.set,
-        arguments.root.as_deref(),
-        library,
-    )?;
-    output::check(arguments.output.as_deref(), &loaded.files)?;
-    let mut faults = std::mem::take(&mut loaded.faults);
-    let case = &loaded.case;
-    let flown = flown(case, library);
+pub fn reorientation(arguments: &Reorientation, data: &Data) -> Done {
+    let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
+    let flown = flown(&loaded.case, &data.library);
     watched();
-    let flown = match flown {
-        Ok(flown) if faults.is_empty() => flown,
-        Ok(_) => return Err(Failure::Input(faults)),
-        Err(found) => {
-            faults.extend(found.iter().map(ToString::to_string));
-            return Err(Failure::Input(faults));
-        }
-    };
+    let flown = loaded.unless_at_fault(flown)?;
     loaded.tell();
-    let text = text(arguments, case, &flown);
+    let text = text(arguments, &loaded.case, &flown);
     output::write(text, arguments.output.as_deref())?;
     Ok(ExitCode::SUCCESS)
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{Form, Run};
 use crate::failure::Failure;
+use crate::read::Data;
 use crate::{Done, output, read, reorientation, show};
 use msape::flight::Trajectory;
 use msape::problem::add_turning;
@@ -20,24 +21,11 @@ pub enum Entries {
 }
 
 /// Solves a case and writes the answer.
-pub fn run(arguments: &Run, library: &Library, job: Job, entries: Entries) -> Done {
-    let mut loaded = read::case(
-        &arguments.case,
-        &arguments.set,
-        arguments.root.as_deref(),
-        library,
-    )?;
-    output::check(arguments.output.as_deref(), &loaded.files)?;
-    let mut faults = std::mem::take(&mut loaded.faults);
+pub fn run(arguments: &Run, data: &Data, job: Job, entries: Entries) -> Done {
+    let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
     let request = request(arguments);
-    let mut answer = match solve(&loaded.case, library, request, (job, entries)) {
-        Ok(answer) if faults.is_empty() => answer,
-        Ok(_) => return Err(Failure::Input(faults)),
-        Err(found) => {
-            faults.extend(found.iter().map(ToString::to_string));
-            return Err(Failure::Input(faults));
-        }
-    };
+    let solved = solve(&loaded.case, &data.library, request, (job, entries));
+    let mut answer = loaded.unless_at_fault(solved)?;
     answer.findings.extend(loaded.findings());
     write(arguments, job, &loaded.case, &answer)?;
     Ok(ExitCode::SUCCESS)

@@ -98,3 +98,31 @@ fn a_folder_that_is_none_and_a_file_of_no_kind_are_told() {
         done.err
     );
 }
+
+#[test]
+fn output_does_not_replace_data_and_faults_of_folders_are_named() {
+    let data = data("own-output");
+    let planet = data.join("planets/heavy.toml");
+    let before = fs::read_to_string(&planet).unwrap();
+    let case = data.join("../case.toml");
+    fs::write(&case, with(DROP, "")).unwrap();
+    let fly = |folder: &Path, more: &[&str]| {
+        let mut words = vec!["fly", path(&case), "--data", path(folder)];
+        words.extend(more);
+        msape(&words)
+    };
+    let done = fly(&data, &["-o", path(&planet)]);
+    assert_eq!(done.code, Some(2));
+    assert!(done.err.contains("or one of --data"), "{}", done.err);
+    assert_eq!(fs::read_to_string(&planet).unwrap(), before);
+    let nowhere = fly(&data.join("nowhere"), &[]);
+    assert!(
+        nowhere.err.contains("nowhere: cannot be read"),
+        "{}",
+        nowhere.err
+    );
+    fs::create_dir_all(data.join("planets/old")).unwrap();
+    let nested = fly(&data, &[]);
+    let said = "planets/old: is a folder in a folder";
+    assert!(nested.err.contains(said), "{}", nested.err);
+}
