@@ -166,7 +166,7 @@ fn findings_and_adjustments_speak_of_known_quantities() {
 
 /// Names of functions in backquotes, in the last cell of each row of a table.
 #[test]
-fn every_fault_of_the_table_is_held_by_a_test() {
+fn every_test_that_the_table_of_faults_names_is_there() {
     let sources: Vec<_> = ["crates", "tests", "web"]
         .into_iter()
         .flat_map(files)

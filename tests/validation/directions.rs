@@ -145,7 +145,7 @@ fn straight_up_and_down_yaw_is_told_and_roll_is_nought() {
 
 /// The angle of attack of a vertical start is counted against the azimuth that the case gives.
 #[test]
-fn attack_and_bank_of_a_vertical_start_come_back() {
+fn the_angle_of_attack_of_a_vertical_start_is_against_its_azimuth() {
     let answer = flown(&[
         ("vehicle.dof", "6"),
         (
@@ -163,4 +163,51 @@ fn attack_and_bank_of_a_vertical_start_come_back() {
         (y - 70.0).abs() < 1e-6 && (p + 60.0).abs() < 1e-6 && r.abs() < 1e-6,
         "{y} {p} {r}"
     );
+}
+
+const INERTIA: (&str, &str) = (
+    "vehicle.inertia_kg_m2",
+    "[[2.4, 0, 0], [0, 1.9, 0], [0, 0, 1.9]]",
+);
+
+#[test]
+fn an_attitude_comes_back_as_it_was_given() {
+    for (latitude, longitude) in [("-89", "0"), ("0", "-120"), ("45", "100"), ("90", "359")] {
+        let answer = flown(&[
+            ("vehicle.dof", "6"),
+            INERTIA,
+            ("attitude.yaw_deg", "200"),
+            ("attitude.pitch_deg", "-60"),
+            ("attitude.roll_deg", "170"),
+            ("stop.time_s", "0.1"),
+            ("entry.latitude_deg", latitude),
+            ("entry.longitude_deg", longitude),
+        ]);
+        let [y, p, r] = ["yaw_deg", "pitch_deg", "roll_deg"].map(|key| column(&answer, key)[0]);
+        assert!(
+            (y + 160.0).abs() < 1e-6 && (p + 60.0).abs() < 1e-6 && (r - 170.0).abs() < 1e-6,
+            "{latitude} {longitude}: {y} {p} {r}"
+        );
+    }
+}
+
+/// cos of the total angle = cos of attack times cos of sideslip.
+#[test]
+fn attack_and_sideslip_make_the_total_angle() {
+    let of = |alpha: &str, beta: &str| {
+        let answer = flown(&[
+            ("vehicle.dof", "6"),
+            INERTIA,
+            ("attitude.alpha_deg", alpha),
+            ("attitude.beta_deg", beta),
+            ("stop.time_s", "0.1"),
+        ]);
+        column(&answer, "total_alpha_deg").to_vec()
+    };
+    let total = of("30", "40")[0];
+    assert!((total - 48.43924).abs() < 1e-4, "{total}");
+    let (one, other) = (of("180", "0"), of("-180", "0"));
+    for (one, other) in one.iter().zip(&other) {
+        assert!((one - other).abs() < 1e-9, "{one} {other}");
+    }
 }

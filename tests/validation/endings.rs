@@ -101,6 +101,9 @@ fn a_fixed_step_says_its_error() {
     let told = said(&coarse, "rk4").concat();
     assert!(told.contains("The step is too long"), "{told}");
     assert!(output(&coarse, "final_altitude_m").abs() < 1e-3);
+    // 28 % of the peak is lost between the steps
+    let peak = output(&coarse, "peak_deceleration_earth_g");
+    assert!((peak - 75.1).abs() < 0.1, "{peak}");
     let fine = steep("0.05");
     assert!((output(&fine, "peak_deceleration_earth_g") - 103.369).abs() < 1e-3);
     let told = said(&fine, "rk4").concat();

@@ -193,15 +193,18 @@ fn numbers_without_end_are_refused_and_typed_ones_read() {
         .lines()
         .find(|line| line.starts_with("speed_m_s"))
         .unwrap();
-    for number in [
-        "1e400",
-        "99999999999999999999",
-        "nan",
-        "inf",
-        "1\nspeed_m_s = 2",
+    for (number, said) in [
+        ("1e400", "number overflowed (line"),
+        (
+            "99999999999999999999",
+            "invalid type: integer `99999999999999999999`",
+        ),
+        ("nan", "entry.speed_m_s: got NaN m/s, must be 0 to"),
+        ("inf", "entry.speed_m_s: got inf m/s, must be 0 to"),
+        ("1\nspeed_m_s = 2", "duplicate key (line"),
     ] {
         let text = case.replace(speed, &format!("speed_m_s = {number}"));
-        refused(&msape_with(&["fly", "-"], text.as_bytes()), "");
+        refused(&msape_with(&["fly", "-"], text.as_bytes()), said);
     }
     for typed in ["125,000 m", "inf", "nan", "1e400", "=1/0"] {
         let setting = format!("entry.altitude_m={typed}");

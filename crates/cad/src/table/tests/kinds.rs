@@ -235,6 +235,19 @@ fn curves_of_drag_and_bank() {
     );
 }
 
+/// 1e308 km is more than a number of metres can be.
+#[test]
+fn numbers_that_no_unit_keeps_finite_are_refused() {
+    let text = "altitude (km),density (kg/m3),temperature (K)\n0,1.2,288\n1e308,1e-9,200\n";
+    let faults = read("atmosphere.file", text.as_bytes(), &earth()).unwrap_err();
+    let said = faults
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .concat();
+    assert!(said.contains("line 3") && said.contains("1e308"), "{said}");
+}
+
 #[test]
 fn aerodynamic_tables() {
     let of = |text: &str| {
