@@ -1,9 +1,9 @@
 //! `aero`: coefficients over the angle of attack.
 
-use crate::args::Source;
 use crate::failure::{Failure, cut, printable};
 use crate::read::Data;
 use crate::show::columns::{Align, Columns};
+use crate::source::Source;
 use crate::{Done, output, read};
 use clap::{Args, ValueEnum};
 use msape::Case;

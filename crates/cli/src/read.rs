@@ -6,9 +6,9 @@
 mod data;
 mod place;
 
-use crate::args::Source;
 use crate::failure::{Failure, cut, say};
 use crate::output;
+use crate::source::Source;
 use cad::outline::{self, LengthUnit};
 use cad::table::{self, Ground, Table};
 pub use data::Data;
