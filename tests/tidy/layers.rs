@@ -3,7 +3,8 @@
 use crate::{assert_none, files};
 
 /// Modules of `crates/msape/src` from the ground up; each may use those before it and no other.
-const LAYERS: [&str; 20] = [
+const LAYERS: [&str; 21] = [
+    "data",
     "progress",
     "units",
     "finding",

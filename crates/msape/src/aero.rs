@@ -36,6 +36,7 @@ pub mod surface;
 pub mod table;
 pub mod trim;
 
+use crate::data::Data;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use numerics::math::RADIANS_PER_DEGREE;
@@ -218,6 +219,14 @@ pub struct AxialForce {
     pub table: DragTable,
 }
 
+/// A file, of whose headings two count.
+#[derive(Deserialize)]
+struct File {
+    title: String,
+    cone_half_angle_deg: f64,
+    rows: Vec<Row>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Row {
@@ -263,7 +272,26 @@ impl AxialForce {
     ///
     /// # Errors
     /// What is wrong with the file.
-    pub fn parse(text: &str) -> Result<AxialForce, String> {
+    pub fn parse(data: Data) -> Result<AxialForce, String> {
+        let file: File = match data {
+            #[cfg(feature = "own-data")]
+            Data::Own(text) => File::of_csv(text)?,
+            shipped => shipped.read()?,
+        };
+        let rows: Vec<_> = { file.rows.iter() }
+            .map(|row| (row.mach, row.axial_force_coefficient))
+            .collect();
+        Ok(AxialForce {
+            title: file.title,
+            cone_half_angle_deg: file.cone_half_angle_deg,
+            table: DragTable::try_new(&rows).map_err(|faults| faults.join("; "))?,
+        })
+    }
+}
+
+#[cfg(feature = "own-data")]
+impl File {
+    fn of_csv(text: &str) -> Result<File, String> {
         let header = |name: &str| {
             text.lines()
                 .filter_map(|line| line.strip_prefix('#'))
@@ -274,17 +302,12 @@ impl AxialForce {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
-        let mut rows = Vec::new();
-        for row in reader.deserialize() {
-            let row: Row = row.map_err(|e| e.to_string())?;
-            rows.push((row.mach, row.axial_force_coefficient));
-        }
-        Ok(AxialForce {
+        let rows: Result<_, _> = reader.deserialize().collect();
+        Ok(File {
             title: header("title")?,
-            cone_half_angle_deg: header("cone_half_angle_deg")?
-                .parse()
-                .map_err(|e| format!("{e}"))?,
-            table: DragTable::try_new(&rows).map_err(|faults| faults.join("; "))?,
+            cone_half_angle_deg: { header("cone_half_angle_deg")?.parse() }
+                .map_err(|e| format!("cone_half_angle_deg: {e}"))?,
+            rows: rows.map_err(|e| e.to_string())?,
         })
     }
 }
@@ -328,7 +351,7 @@ mod tests {
     #[test]
     fn the_built_in_database_reads() {
         let database =
-            AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
+            AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv").into()).unwrap();
         assert_eq!(database.cone_half_angle_deg, 60.0);
         assert_eq!(database.table.at(24.7), 1.4816);
         let table = database.table.with_subsonic(0.73);
@@ -337,7 +360,8 @@ mod tests {
 
     #[test]
     fn a_60_deg_table_on_another_cone_or_none_is_said() {
-        let table = AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv")).unwrap();
+        let table =
+            AxialForce::parse(include_str!("../data/aerodynamics/mmeev-60.csv").into()).unwrap();
         let at = |deg: f64| table.other_cone("mmeev-60", Some(deg * RADIANS_PER_DEGREE), "x");
         assert_eq!((at(60.0), at(59.6)), (None, None));
         let said = at(50.0).unwrap();

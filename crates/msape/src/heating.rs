@@ -151,11 +151,13 @@ mod tests {
     fn all_46_independent_vectors_are_met_to_their_printed_digits() {
         let graves = include_str!("../data/heating/sutton-graves.toml");
         let earth =
-            TauberSutton::parse(include_str!("../data/heating/tauber-sutton.toml")).unwrap();
+            TauberSutton::parse(include_str!("../data/heating/tauber-sutton.toml").into()).unwrap();
         let mars =
-            TauberSutton::parse(include_str!("../data/heating/tauber-sutton-mars.toml")).unwrap();
+            TauberSutton::parse(include_str!("../data/heating/tauber-sutton-mars.toml").into())
+                .unwrap();
         let brandis =
-            BrandisJohnston::parse(include_str!("../data/heating/brandis-johnston.toml")).unwrap();
+            BrandisJohnston::parse(include_str!("../data/heating/brandis-johnston.toml").into())
+                .unwrap();
         let text = include_str!("../../../tests/data/heating_test_vectors.csv");
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -168,7 +170,7 @@ mod tests {
                 speed_m_s: row.V_ms,
                 nose_radius_m: row.Rn_m,
             };
-            let convective = SuttonGraves::parse(graves, &row.planet).unwrap();
+            let convective = SuttonGraves::parse(graves.into(), &row.planet).unwrap();
             let radiative = if row.planet == "mars" { &mars } else { &earth };
             let a: f64 =
                 radiative

@@ -57,6 +57,7 @@
 pub mod aero;
 pub mod answer;
 pub mod case;
+pub mod data;
 pub mod design;
 pub mod finding;
 pub mod flight;

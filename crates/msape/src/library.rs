@@ -31,6 +31,8 @@ use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::{CarrierMaterial, VehicleData};
 use thiserror::Error;
 
+use read::Files;
+
 pub use files::{case_file, cases, data_file, data_folder};
 
 /// A data file that cannot be used.
@@ -131,7 +133,7 @@ impl Library {
     /// assert!(library.planets.iter().any(|(name, _)| name == "earth-msape"));
     /// ```
     pub fn builtin() -> Result<Library, DataError> {
-        build::library(&[]).map_err(|faults| {
+        build::library(Files::shipped()).map_err(|faults| {
             let nameless = DataError {
                 file: String::new(),
                 message: "the library cannot be built".to_string(),
@@ -159,8 +161,9 @@ impl Library {
     ///
     /// # Errors
     /// Every file that cannot be used, and every name in one that nothing has.
+    #[cfg(feature = "own-data")]
     pub fn with_files(own: &[(String, String)]) -> Result<Library, Vec<DataError>> {
-        build::library(own)
+        build::library(Files::shipped().with(own))
     }
 
     /// Data from which the axial force of an outline is computed.

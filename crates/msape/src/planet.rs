@@ -21,6 +21,7 @@ pub mod horizon;
 pub mod rows;
 pub mod wind;
 
+use crate::data::Data;
 use atmosphere::Atmosphere;
 use geodetic::{Ellipsoid, Geodetic, Local};
 pub use gravity::Gravity;
@@ -93,8 +94,8 @@ pub struct PlanetFault {
 
 impl Planet {
     /// The planet of a data file.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let planet: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let planet: Self = data.read()?;
         match planet.check().first() {
             None => Ok(planet),
             Some(fault) => Err(fault.to_string()),
@@ -272,7 +273,7 @@ mod tests {
     fn every_file_reads_and_is_named_after_itself_and_has_a_source() {
         let bibliography = include_str!("../data/references.bib");
         for (name, text) in FILES {
-            let planet = Planet::parse(text).unwrap();
+            let planet = Planet::parse(text.into()).unwrap();
             assert_eq!(planet.name, name);
             for source in [&planet.source, &planet.gravity_source] {
                 assert!(
@@ -286,14 +287,14 @@ mod tests {
     #[test]
     fn gravity_and_rotation_at_the_equator_make_the_known_weight() {
         // Normal gravity of WGS84 at the equator is 9.7803253 m/s²; without J6 and the rest it is met to 1e-5.
-        let earth = Planet::parse(FILES[1].1).unwrap();
+        let earth = Planet::parse(FILES[1].1.into()).unwrap();
         let [g, ..] = earth.effective_gravity([earth.equatorial_radius_m, 0.0, 0.0]);
         assert!((g + 9.7803253).abs() < 2e-5, "{g}");
     }
 
     #[test]
     fn the_report_s_planet_is_the_report_s() {
-        let planet = Planet::parse(FILES[0].1).unwrap();
+        let planet = Planet::parse(FILES[0].1.into()).unwrap();
         assert_eq!(planet.equatorial_radius_m, 6378.1e3);
         assert_eq!(planet.polar_radius_m, 6356.8e3);
         let Gravity::Zonal {
@@ -320,8 +321,12 @@ mod tests {
         let planet: Planet = toml::from_str(&text).unwrap();
         let keys: Vec<&str> = planet.check().iter().map(|f| f.key).collect();
         assert_eq!(keys, ["equatorial_radius_m", "gravity.j2"]);
-        assert!(Planet::parse(&text).unwrap_err().contains("got -1 m"));
-        assert!(Planet::parse("nonsense = 1").is_err());
+        assert!(
+            Planet::parse(text.as_str().into())
+                .unwrap_err()
+                .contains("got -1 m")
+        );
+        assert!(Planet::parse("nonsense = 1".into()).is_err());
     }
 
     #[test]
@@ -329,7 +334,7 @@ mod tests {
         // NASA/TM-2015-218675, check case 1: six programs agree on 15598.90 ft within 0.01 ft, 2.101 ft/s eastward,
         // 960.293 ft/s down. Theirs is J2 only: J4 and J3 change the fall by 2e-6 of 14401 ft, 0.03 ft.
         const FOOT: f64 = 0.3048;
-        let earth = Planet::parse(FILES[1].1).unwrap();
+        let earth = Planet::parse(FILES[1].1.into()).unwrap();
         let start = Geodetic {
             altitude_m: 30_000.0 * FOOT,
             latitude_rad: 0.0,

@@ -21,6 +21,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.6.4, Tables 9, 12 and 13; limitation 1 of section 3.6.5.
 
+use crate::data::Data;
 use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
@@ -101,8 +102,8 @@ pub struct SoakInput {
 
 impl SoakCorrelation {
     /// Reads a correlation from the text of its file.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let correlation: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let correlation: Self = data.read()?;
         if correlation.a > 0.0 {
             Ok(correlation)
         } else {
@@ -240,11 +241,11 @@ mod tests {
     use super::*;
 
     fn pica() -> SoakCorrelation {
-        SoakCorrelation::parse(include_str!("../data/soak/pica.toml")).unwrap()
+        SoakCorrelation::parse(include_str!("../data/soak/pica.toml").into()).unwrap()
     }
 
     fn carbon_phenolic() -> SoakCorrelation {
-        SoakCorrelation::parse(include_str!("../data/soak/carbon-phenolic.toml")).unwrap()
+        SoakCorrelation::parse(include_str!("../data/soak/carbon-phenolic.toml").into()).unwrap()
     }
 
     fn input(q_w_cm2: f64, hl_j_cm2: f64, diameter_m: f64) -> SoakInput {

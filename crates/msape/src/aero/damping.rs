@@ -18,6 +18,7 @@
 
 use super::bridging::Bridging;
 use super::table::Grid;
+use crate::data::Data;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 
@@ -94,8 +95,8 @@ impl DampingData {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn parse(text: &str) -> Result<DampingData, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<DampingData, String> {
+        data.read()
     }
 
     /// What must be known of the placeholder.
@@ -201,7 +202,7 @@ mod tests {
     use numerics::math::sin_cos;
 
     fn data() -> DampingData {
-        DampingData::parse(include_str!("../../data/aero-models/damping.toml")).unwrap()
+        DampingData::parse(include_str!("../../data/aero-models/damping.toml").into()).unwrap()
     }
 
     fn subsonic(reading: Reading, degrees: f64) -> f64 {

@@ -18,6 +18,7 @@
 use super::DragTable;
 use super::database::BASE_MACH_MIN;
 use super::newtonian::pressure_coefficient_max;
+use crate::data::Data;
 use numerics::math::{RADIANS_PER_DEGREE, sin};
 use serde::{Deserialize, Serialize};
 
@@ -79,8 +80,8 @@ impl EulerCorrection {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn parse(text: &str) -> Result<EulerCorrection, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<EulerCorrection, String> {
+        data.read()
     }
 
     /// Factor on the modified Newtonian axial force of a forebody.
@@ -186,7 +187,7 @@ mod tests {
     use super::*;
 
     fn correction() -> EulerCorrection {
-        EulerCorrection::parse(include_str!("../../data/aero-models/euler-correction.toml"))
+        EulerCorrection::parse(include_str!("../../data/aero-models/euler-correction.toml").into())
             .unwrap()
     }
 

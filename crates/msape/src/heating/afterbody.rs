@@ -12,6 +12,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.5.2 and Table 6.
 
+use crate::data::Data;
 use serde::{Deserialize, Serialize};
 
 /// The fractions, from `heating/afterbody.toml`.
@@ -32,8 +33,8 @@ pub struct Afterbody {
 
 impl Afterbody {
     /// Reads the fractions from the text of `heating/afterbody.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 }
 
@@ -43,7 +44,8 @@ mod tests {
 
     #[test]
     fn fractions_are_those_of_the_report() {
-        let aft = Afterbody::parse(include_str!("../../data/heating/afterbody.toml")).unwrap();
+        let aft =
+            Afterbody::parse(include_str!("../../data/heating/afterbody.toml").into()).unwrap();
         assert_eq!(
             [
                 aft.heat_flux_fraction,

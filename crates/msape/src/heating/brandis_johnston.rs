@@ -17,6 +17,7 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
+use crate::data::Data;
 use crate::finding::Finding;
 use numerics::math;
 use numerics::scalar::{Mask, Scalar};
@@ -88,8 +89,8 @@ struct VelocityFunction {
 
 impl BrandisJohnston {
     /// Reads both from the text of `heating/brandis-johnston.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 }
 
@@ -179,7 +180,8 @@ mod tests {
     use super::*;
 
     fn both() -> BrandisJohnston {
-        BrandisJohnston::parse(include_str!("../../data/heating/brandis-johnston.toml")).unwrap()
+        BrandisJohnston::parse(include_str!("../../data/heating/brandis-johnston.toml").into())
+            .unwrap()
     }
 
     #[test]

@@ -16,6 +16,7 @@ use super::brandis_johnston::{BrandisJohnston, BrandisJohnstonConvective};
 use super::given::{GivenHeating, Part};
 use super::sutton_graves::SuttonGraves;
 use super::{Flow, PeakConditions};
+use crate::data::Data;
 use crate::finding::Finding;
 use numerics::scalar::Scalar;
 use std::sync::Arc;
@@ -33,13 +34,13 @@ pub enum Convective {
 
 impl Convective {
     /// Sutton-Graves for `planet`, from the text of `heating/sutton-graves.toml`.
-    pub fn sutton_graves(text: &str, planet: &str) -> Result<Self, String> {
-        SuttonGraves::parse(text, planet).map(Self::SuttonGraves)
+    pub fn sutton_graves(data: Data, planet: &str) -> Result<Self, String> {
+        SuttonGraves::parse(data, planet).map(Self::SuttonGraves)
     }
 
     /// Brandis-Johnston, from the text of `heating/brandis-johnston.toml`.
-    pub fn brandis_johnston(text: &str) -> Result<Self, String> {
-        BrandisJohnston::parse(text).map(|both| Self::BrandisJohnston(both.convective))
+    pub fn brandis_johnston(data: Data) -> Result<Self, String> {
+        BrandisJohnston::parse(data).map(|both| Self::BrandisJohnston(both.convective))
     }
 
     /// Name as in case files.
@@ -91,13 +92,13 @@ mod tests {
         let sutton_graves = include_str!("../../data/heating/sutton-graves.toml");
         let brandis_johnston = include_str!("../../data/heating/brandis-johnston.toml");
         assert_eq!(
-            Convective::sutton_graves(sutton_graves, "earth")
+            Convective::sutton_graves(sutton_graves.into(), "earth")
                 .unwrap()
                 .name(),
             "sutton-graves"
         );
         assert_eq!(
-            Convective::brandis_johnston(brandis_johnston)
+            Convective::brandis_johnston(brandis_johnston.into())
                 .unwrap()
                 .name(),
             "brandis-johnston"

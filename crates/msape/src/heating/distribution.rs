@@ -18,6 +18,7 @@
 //! # References
 //! - \[lees-1956\], re-derived for this project: dD/dθ = 16 θ sin² θ P, D(0) = 0.
 
+use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use numerics::math;
@@ -53,8 +54,8 @@ pub struct SphereCone {
 
 impl Lees {
     /// Reads the range from the text of `heating/lees.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 
     /// The caution, where the cone is too steep.
@@ -192,7 +193,7 @@ mod tests {
 
     #[test]
     fn steep_cone_is_cautioned() {
-        let lees = Lees::parse(include_str!("../../data/heating/lees.toml")).unwrap();
+        let lees = Lees::parse(include_str!("../../data/heating/lees.toml").into()).unwrap();
         assert!(lees.findings(&cone(45.0)).is_empty());
         assert_eq!(lees.findings(&cone(60.0)).len(), 1);
     }

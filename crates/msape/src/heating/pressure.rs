@@ -23,6 +23,7 @@
 //! # References
 //! - \[samareh-2014\] eqs 9-12.
 
+use crate::data::Data;
 use crate::finding::{Finding, Severity};
 use numerics::math;
 use numerics::scalar::Scalar;
@@ -135,8 +136,8 @@ pub struct PressureFit {
 
 impl PressureFit {
     /// Reads the fit from the text of `heating/stagnation-pressure.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 
     /// Rise of the stagnation pressure above that of the air, Pa, from density in kg/m³ and speed in m/s.
@@ -210,7 +211,8 @@ mod tests {
     use crate::quantity::input::{self, Choices, Kind, Preset};
 
     fn fit() -> PressureFit {
-        PressureFit::parse(include_str!("../../data/heating/stagnation-pressure.toml")).unwrap()
+        PressureFit::parse(include_str!("../../data/heating/stagnation-pressure.toml").into())
+            .unwrap()
     }
 
     #[test]

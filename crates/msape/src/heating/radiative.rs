@@ -16,6 +16,7 @@ use super::brandis_johnston::{BrandisJohnston, BrandisJohnstonRadiative};
 use super::given::{GivenHeating, Part};
 use super::tauber_sutton::TauberSutton;
 use super::{Flow, PeakConditions};
+use crate::data::Data;
 use crate::finding::Finding;
 use numerics::scalar::Scalar;
 use std::sync::Arc;
@@ -35,13 +36,13 @@ pub enum Radiative {
 
 impl Radiative {
     /// Tauber-Sutton, from the text of `heating/tauber-sutton.toml`.
-    pub fn tauber_sutton(text: &str) -> Result<Self, String> {
-        TauberSutton::parse(text).map(Self::TauberSutton)
+    pub fn tauber_sutton(data: Data) -> Result<Self, String> {
+        TauberSutton::parse(data).map(Self::TauberSutton)
     }
 
     /// Brandis-Johnston, from the text of `heating/brandis-johnston.toml`.
-    pub fn brandis_johnston(text: &str) -> Result<Self, String> {
-        BrandisJohnston::parse(text).map(|both| Self::BrandisJohnston(both.radiative))
+    pub fn brandis_johnston(data: Data) -> Result<Self, String> {
+        BrandisJohnston::parse(data).map(|both| Self::BrandisJohnston(both.radiative))
     }
 
     /// Name as in case files.

@@ -15,6 +15,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.4.3; \[marvin-sinclair-1967\].
 
+use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use numerics::math;
@@ -47,8 +48,8 @@ struct Valid {
 
 impl Shoulder {
     /// Reads the law from the text of `heating/shoulder.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 
     /// Heat flux on the shoulder over that at the stagnation point.
@@ -97,7 +98,7 @@ mod tests {
     use super::*;
 
     fn law() -> Shoulder {
-        Shoulder::parse(include_str!("../../data/heating/shoulder.toml")).unwrap()
+        Shoulder::parse(include_str!("../../data/heating/shoulder.toml").into()).unwrap()
     }
 
     #[test]

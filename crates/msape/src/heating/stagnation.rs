@@ -22,6 +22,7 @@ use super::pressure::StagnationPressure;
 use super::radiative::Radiative;
 use super::wall::{ColdWall, Wall, WallGas};
 use super::{Flow, PeakConditions};
+use crate::data::Data;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use numerics::scalar::{Mask, Scalar};
@@ -48,8 +49,8 @@ pub struct Margins {
 
 impl Margins {
     /// Reads them from the text of `heating/margins.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 }
 
@@ -279,26 +280,31 @@ mod tests {
     use crate::heating::pressure::{PressureFit, PressureModel};
 
     fn portal() -> StagnationHeating {
-        let margins = Margins::parse(include_str!("../../data/heating/margins.toml")).unwrap();
+        let margins =
+            Margins::parse(include_str!("../../data/heating/margins.toml").into()).unwrap();
         let sutton_graves = include_str!("../../data/heating/sutton-graves.toml");
         StagnationHeating {
-            convective: Convective::sutton_graves(sutton_graves, "earth-msape").unwrap(),
+            convective: Convective::sutton_graves(sutton_graves.into(), "earth-msape").unwrap(),
             options: ConvectiveOptions {
                 margin: margins.convective_margin,
                 ..ConvectiveOptions::default()
             },
-            radiative: Radiative::tauber_sutton(include_str!(
-                "../../data/heating/tauber-sutton.toml"
-            ))
+            radiative: Radiative::tauber_sutton(
+                include_str!("../../data/heating/tauber-sutton.toml").into(),
+            )
             .unwrap(),
             radiative_margin: margins.radiative_margin,
             body: None,
-            gas: WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "earth").unwrap(),
+            gas: WallGas::parse(
+                include_str!("../../data/heating/hot-wall.toml").into(),
+                "earth",
+            )
+            .unwrap(),
             pressure: StagnationPressure {
                 model: PressureModel::NewtonianLimit,
-                fit: PressureFit::parse(include_str!(
-                    "../../data/heating/stagnation-pressure.toml"
-                ))
+                fit: PressureFit::parse(
+                    include_str!("../../data/heating/stagnation-pressure.toml").into(),
+                )
                 .unwrap(),
             },
         }

@@ -14,6 +14,7 @@
 //! - \[samareh-2014\] eq. 8; \[sutton-graves-1972\] eq. 33 and 42.
 
 use super::{Flow, FlowRange, PeakConditions};
+use crate::data::Data;
 use crate::finding::Finding;
 use crate::finding::range::Range;
 use numerics::scalar::Scalar;
@@ -63,14 +64,14 @@ struct Valid {
 
 impl SuttonGraves {
     /// Reads the constant of `planet` from the text of `heating/sutton-graves.toml`.
-    pub fn parse(text: &str, planet: &str) -> Result<Self, String> {
-        super::of_planet(Self::all(text)?, planet)
+    pub fn parse(data: Data, planet: &str) -> Result<Self, String> {
+        super::of_planet(Self::all(data)?, planet)
             .ok_or_else(|| format!("no Sutton-Graves constant for planet `{planet}`"))
     }
 
     /// Reads all constants of such a file, each with the names of its planets.
-    pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn all(data: Data) -> Result<Vec<(Vec<String>, Self)>, String> {
+        let file: File = data.read()?;
         let valid = FlowRange {
             speed_m_s: file.valid.speed_m_s,
             ..FlowRange::default()
@@ -122,7 +123,7 @@ mod tests {
     #[test]
     fn density_of_nose_radius_over_ten_thousand_gives_k_v3_over_a_hundred() {
         // √(1e-4) = 0.01; 1.74153e-4 × 0.01 × 1e12 = 1.74153e6 W/m²
-        let model = SuttonGraves::parse(TEXT, "earth").unwrap();
+        let model = SuttonGraves::parse(TEXT.into(), "earth").unwrap();
         let q = model.heat_flux_w_m2(&Flow {
             density_kg_m3: 1e-4,
             speed_m_s: 1e4,
@@ -133,23 +134,30 @@ mod tests {
 
     #[test]
     fn each_planet_has_its_constant_and_an_unknown_one_none() {
-        assert_eq!(SuttonGraves::parse(TEXT, "mars").unwrap().k, 1.9027e-4);
         assert_eq!(
-            SuttonGraves::parse(TEXT, "earth-msape"),
-            SuttonGraves::parse(TEXT, "earth")
+            SuttonGraves::parse(TEXT.into(), "mars").unwrap().k,
+            1.9027e-4
+        );
+        assert_eq!(
+            SuttonGraves::parse(TEXT.into(), "earth-msape"),
+            SuttonGraves::parse(TEXT.into(), "earth")
         );
         assert!(
-            SuttonGraves::parse(TEXT, "pluto")
+            SuttonGraves::parse(TEXT.into(), "pluto")
                 .unwrap_err()
                 .contains("pluto")
         );
         let minus = TEXT.replacen("k = 1.9027e-4", "k = -1.0", 1);
-        assert!(SuttonGraves::all(&minus).unwrap_err().contains("got -1"));
+        assert!(
+            SuttonGraves::all(minus.as_str().into())
+                .unwrap_err()
+                .contains("got -1")
+        );
     }
 
     #[test]
     fn speed_beyond_the_enthalpy_range_is_found() {
-        let model = SuttonGraves::parse(TEXT, "earth").unwrap();
+        let model = SuttonGraves::parse(TEXT.into(), "earth").unwrap();
         let peak = PeakConditions {
             density_kg_m3: 1e-4,
             speed_m_s: 1.2e4,

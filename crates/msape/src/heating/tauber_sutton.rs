@@ -16,6 +16,7 @@
 
 use super::nose_exponent::NoseExponent;
 use super::{Flow, FlowRange, PER_CM2, PeakConditions};
+use crate::data::Data;
 use crate::finding::Finding;
 use numerics::scalar::{Mask, Scalar};
 use serde::Deserialize;
@@ -61,8 +62,8 @@ struct VelocityFunction {
 
 impl TauberSutton {
     /// Reads the correlation from the text of `heating/tauber-sutton.toml` or its sister for another planet.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let file: File = data.read()?;
         let table = file.velocity_function.table;
         let mut rows = Vec::with_capacity(table.len());
         for pair in table.windows(2) {
@@ -149,7 +150,7 @@ mod tests {
     use super::*;
 
     fn earth() -> TauberSutton {
-        TauberSutton::parse(include_str!("../../data/heating/tauber-sutton.toml")).unwrap()
+        TauberSutton::parse(include_str!("../../data/heating/tauber-sutton.toml").into()).unwrap()
     }
 
     #[test]
@@ -216,6 +217,10 @@ mod tests {
     fn unsorted_table_is_refused() {
         let text =
             include_str!("../../data/heating/tauber-sutton.toml").replace("[9250.0,", "[8250.0,");
-        assert!(TauberSutton::parse(&text).unwrap_err().contains("8250"));
+        assert!(
+            TauberSutton::parse(text.as_str().into())
+                .unwrap_err()
+                .contains("8250")
+        );
     }
 }

@@ -17,6 +17,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.4.2 (radiative-equilibrium wall, emissivity 0.85); \[sutton-graves-1972\].
 
+use crate::data::Data;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -128,14 +129,14 @@ pub fn radiating_temperature_k<S: Scalar>(heat_flux_w_m2: S, emissivity: f64) ->
 
 impl WallGas {
     /// Reads the gas of `planet` from the text of `heating/hot-wall.toml`.
-    pub fn parse(text: &str, planet: &str) -> Result<Self, String> {
-        super::of_planet(Self::all(text)?, planet)
+    pub fn parse(data: Data, planet: &str) -> Result<Self, String> {
+        super::of_planet(Self::all(data)?, planet)
             .ok_or_else(|| format!("no gas at the wall for planet `{planet}`"))
     }
 
     /// Reads all gases of such a file, each with the names of its planets.
-    pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn all(data: Data) -> Result<Vec<(Vec<String>, Self)>, String> {
+        let file: File = data.read()?;
         let wall_emissivity = file.wall_emissivity;
         file.gas
             .into_iter()
@@ -238,7 +239,11 @@ mod tests {
     use super::*;
 
     fn air() -> WallGas {
-        WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "earth").unwrap()
+        WallGas::parse(
+            include_str!("../../data/heating/hot-wall.toml").into(),
+            "earth",
+        )
+        .unwrap()
     }
 
     #[test]
@@ -261,14 +266,20 @@ mod tests {
         // Venus: (0.965 · 33.397 + 0.035 · 21.463)/43.45 g; Saturn: (0.94 · 20.680 + 0.06 · 14.588)/2.1352 g
         for (planet, rise_mj_kg) in [("venus", 0.759_0), ("saturn", 9.514)] {
             let text = include_str!("../../data/heating/hot-wall.toml");
-            let gas = WallGas::parse(text, planet).unwrap();
+            let gas = WallGas::parse(text.into(), planet).unwrap();
             let rise: f64 = gas.enthalpy_j_kg(1000.0) - gas.enthalpy_j_kg(298.15);
             assert!(
                 (rise / 1e6 / rise_mj_kg - 1.0).abs() < 1e-2,
                 "{planet}: {rise}"
             );
         }
-        assert!(WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "pluto").is_err());
+        assert!(
+            WallGas::parse(
+                include_str!("../../data/heating/hot-wall.toml").into(),
+                "pluto"
+            )
+            .is_err()
+        );
     }
 
     #[test]

@@ -25,9 +25,8 @@ use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::rules::VehicleData;
 
-/// The library of the shipped files and those of a user, or every fault of them.
-pub(super) fn library(own: &[(String, String)]) -> Result<Library, Vec<DataError>> {
-    let mut files = Files::new(own);
+/// The library of these files, or every fault of them.
+pub(super) fn library(mut files: Files) -> Result<Library, Vec<DataError>> {
     let atmospheres = files.folder("atmospheres", Atmosphere::parse);
     let materials = files.folder("materials", TpsMaterial::parse);
     let planets = planets(&mut files, &atmospheres);
@@ -80,8 +79,8 @@ fn planets(files: &mut Files, atmospheres: &Named<(String, Atmosphere)>) -> Name
     let [graves, wall, tauber] = RELATIONS;
     let sutton_graves = files.relations(graves, SuttonGraves::all);
     let wall_gas = files.relations(wall, WallGas::all);
-    let tauber_sutton = files.relations(tauber, |text| {
-        TauberSutton::parse(text).map(|relation| vec![(relation.planets.clone(), relation)])
+    let tauber_sutton = files.relations(tauber, |data| {
+        TauberSutton::parse(data).map(|relation| vec![(relation.planets.clone(), relation)])
     });
     let brandis_johnston = files.one("heating/brandis-johnston.toml", BrandisJohnston::parse);
     planets_exist(files, &planets, &sutton_graves);

@@ -1,11 +1,13 @@
-//! The files that are built into the program, in three lists, so that a program that reads only one of them, as the page reads
+//! The files that are built into the program, in lists, so that a program that reads only one of them, as the page reads
 //! cases, holds no other.
 
 /// Paths below `data`, and texts.
 type Files = &'static [(&'static str, &'static str)];
 
-/// What a library is made of.
-pub(super) static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
+/// What a library is made of, as the build reads it.
+pub(super) static SHIPPED: Files = include!(concat!(env!("OUT_DIR"), "/shipped_files.rs"));
+/// Texts of the same.
+static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
 /// Shipped cases, and what versions of them did otherwise.
 static CASES: Files = include!(concat!(env!("OUT_DIR"), "/case_files.rs"));
 /// References; empty without the feature `validation`.
@@ -54,6 +56,25 @@ pub(super) fn within(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_the_build_made_of_a_file_is_what_the_file_says() {
+        use crate::aero::AxialForce;
+        use crate::data::Data;
+        use serde_json::Value;
+        assert_eq!(SHIPPED.len(), LIBRARY.len());
+        for ((path, made), (_, text)) in SHIPPED.iter().zip(LIBRARY) {
+            if path.ends_with(".csv") {
+                let [made, read] = [Data::Shipped(made), Data::Own(text)]
+                    .map(|data| AxialForce::parse(data).unwrap());
+                assert_eq!(format!("{made:?}"), format!("{read:?}"), "{path}");
+            } else {
+                let [made, read] = [Data::Shipped(made), Data::Own(text)]
+                    .map(|data| data.read::<Value>().unwrap());
+                assert_eq!(made, read, "{path}");
+            }
+        }
+    }
 
     #[test]
     fn every_file_is_in_one_list_and_is_found_in_it() {

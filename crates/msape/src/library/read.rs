@@ -1,8 +1,10 @@
 //! Reads data files, shipped ones and those of a user, and notes every fault.
 
 use super::{DataError, Named, files};
+use crate::data::Data;
 
 /// Folders to which a user may add, and what the names of their files end in.
+#[cfg(feature = "own-data")]
 const FOLDERS: [(&str, &str); 8] = [
     ("planets", ".toml"),
     ("atmospheres", ".toml"),
@@ -22,7 +24,7 @@ pub(super) const RELATIONS: [&str; 3] = [
 
 /// The files of a library, and what is wrong with them.
 pub(super) struct Files<'f> {
-    files: Vec<(&'f str, &'f str)>,
+    files: Vec<(&'f str, Data<'f>)>,
     pub faults: Vec<DataError>,
 }
 
@@ -34,12 +36,20 @@ pub(super) struct Relation<T> {
 }
 
 impl<'f> Files<'f> {
-    /// The shipped files and those of a user.
-    pub fn new(own: &'f [(String, String)]) -> Self {
-        let mut all = Self {
-            files: files::LIBRARY.to_vec(),
+    /// The shipped files.
+    pub fn shipped() -> Self {
+        let shipped = files::SHIPPED.iter();
+        Self {
+            files: shipped
+                .map(|(path, data)| (*path, Data::Shipped(data)))
+                .collect(),
             faults: Vec::new(),
-        };
+        }
+    }
+
+    /// The same and those of a user.
+    #[cfg(feature = "own-data")]
+    pub fn with(mut self, own: &'f [(String, String)]) -> Self {
         for (path, text) in own {
             if !is_addable(path) {
                 let folders = FOLDERS.map(|(folder, ending)| format!("{folder}/NAME{ending}"));
@@ -47,18 +57,18 @@ impl<'f> Files<'f> {
                 let kinds = [folders.as_slice(), relations.as_slice()]
                     .concat()
                     .join(", ");
-                all.fault(
+                self.fault(
                     path,
                     format!("is no file that can be added; must be one of {kinds}"),
                 );
-            } else if all.files.iter().any(|(known, _)| known == path) {
+            } else if self.files.iter().any(|(known, _)| known == path) {
                 let message = "name: there is a file of this name; give it another one";
-                all.fault(path, message.to_string());
+                self.fault(path, message.to_string());
             } else {
-                all.files.push((path, text));
+                self.files.push((path, Data::Own(text)));
             }
         }
-        all
+        self
     }
 
     /// Notes a fault.
@@ -71,14 +81,14 @@ impl<'f> Files<'f> {
     pub fn folder<T>(
         &mut self,
         folder: &str,
-        parse: impl Fn(&str) -> Result<T, String>,
+        parse: impl Fn(Data) -> Result<T, String>,
     ) -> Named<T> {
         let prefix = format!("{folder}/");
         let inside = |path: &str| path.strip_prefix(&prefix).is_some_and(|f| !f.contains('/'));
         let mut found = Vec::new();
-        for (path, text) in self.files.clone() {
+        for (path, data) in self.files.clone() {
             if inside(path)
-                && let Some(thing) = self.parsed(path, text, &parse)
+                && let Some(thing) = self.parsed(path, data, &parse)
             {
                 found.push((stem(path).to_string(), thing));
             }
@@ -87,7 +97,7 @@ impl<'f> Files<'f> {
     }
 
     /// A file that every library has.
-    pub fn one<T>(&mut self, path: &str, parse: impl Fn(&str) -> Result<T, String>) -> Option<T> {
+    pub fn one<T>(&mut self, path: &str, parse: impl Fn(Data) -> Result<T, String>) -> Option<T> {
         let file = self.files.iter().find(|(known, _)| *known == path).copied();
         if file.is_none() {
             self.fault(path, "is not there".to_string());
@@ -99,14 +109,14 @@ impl<'f> Files<'f> {
     pub fn relations<T>(
         &mut self,
         start: &str,
-        parse: impl Fn(&str) -> Result<Vec<(Vec<String>, T)>, String>,
+        parse: impl Fn(Data) -> Result<Vec<(Vec<String>, T)>, String>,
     ) -> Vec<Relation<T>> {
         let mut found: Vec<Relation<T>> = Vec::new();
-        for (path, text) in self.files.clone() {
+        for (path, data) in self.files.clone() {
             if !path.starts_with(start) {
                 continue;
             }
-            for (planets, thing) in self.parsed(path, text, &parse).into_iter().flatten() {
+            for (planets, thing) in self.parsed(path, data, &parse).into_iter().flatten() {
                 let twice = |name: &&String| found.iter().any(|other| other.planets.contains(name));
                 if let Some(name) = planets.iter().find(twice) {
                     let message =
@@ -127,10 +137,10 @@ impl<'f> Files<'f> {
     fn parsed<T>(
         &mut self,
         path: &str,
-        text: &str,
-        parse: &impl Fn(&str) -> Result<T, String>,
+        data: Data,
+        parse: &impl Fn(Data) -> Result<T, String>,
     ) -> Option<T> {
-        match parse(text) {
+        match parse(data) {
             Ok(thing) => Some(thing),
             Err(message) => {
                 self.fault(path, message);
@@ -147,6 +157,7 @@ pub(super) fn stem(path: &str) -> &str {
 }
 
 /// Whether a user may add a file of this path.
+#[cfg(feature = "own-data")]
 fn is_addable(path: &str) -> bool {
     let name_of = |start: &str, ending: &str| path.strip_prefix(start)?.strip_suffix(ending);
     let in_folder = FOLDERS.iter().filter_map(|(folder, ending)| {

@@ -19,6 +19,7 @@ pub mod table;
 pub mod us_1976;
 
 use super::gas::Gas;
+use crate::data::Data;
 use exponential::Exponential;
 use numerics::scalar::Scalar;
 pub use piece::Piece;
@@ -88,12 +89,12 @@ pub enum Atmosphere {
 
 impl Atmosphere {
     /// Title and atmosphere of a data file: a table, or else the definition of the U.S. Standard Atmosphere 1976.
-    pub fn parse(text: &str) -> Result<(String, Self), String> {
-        if text.contains("\n[table]\n") {
-            let (title, table) = Table::parse(text)?;
+    pub fn parse(data: Data) -> Result<(String, Self), String> {
+        if data.has("table") {
+            let (title, table) = Table::parse(data)?;
             return Ok((title, Self::Table(Arc::new(table))));
         }
-        let definition = Definition::parse(text)?;
+        let definition = Definition::parse(data)?;
         let standard = UsStandard1976::new(&definition);
         Ok((definition.title, Self::UsStandard1976(Arc::new(standard))))
     }

@@ -175,7 +175,7 @@ mod tests {
     use numerics::math::RADIANS_PER_DEGREE as DEG;
 
     fn earth() -> Planet {
-        Planet::parse(include_str!("../../data/planets/earth-msape.toml")).unwrap()
+        Planet::parse(include_str!("../../data/planets/earth-msape.toml").into()).unwrap()
     }
 
     fn interface(planet: &Planet) -> [f64; 3] {

@@ -13,6 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.1 and Table B1.
 
+use crate::data::Data;
 use serde::{Deserialize, Serialize};
 
 /// A forebody concept.
@@ -53,8 +54,8 @@ pub struct Bond {
 
 impl Concept {
     /// Reads a concept from the text of its file.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 
     /// Thickness of the bond, m.
@@ -69,7 +70,8 @@ mod tests {
 
     #[test]
     fn carbon_phenolic_is_bonded_to_acc_6_with_0_66_kg_per_m2() {
-        let concept = Concept::parse(include_str!("../../data/concepts/cp-acc6.toml")).unwrap();
+        let concept =
+            Concept::parse(include_str!("../../data/concepts/cp-acc6.toml").into()).unwrap();
         assert_eq!(concept.tps, "carbon-phenolic");
         assert_eq!(concept.carrier, "acc-6");
         // 0.0381 cm × 1732 kg/m³ = 0.66 kg/m²

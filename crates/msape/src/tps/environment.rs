@@ -250,7 +250,7 @@ mod tests {
     #[test]
     fn aftbody_has_a_twentieth_of_the_heating_and_half_the_pressure() {
         let text = include_str!("../../data/heating/afterbody.toml");
-        let aft = STAGNATION.aftbody(&Afterbody::parse(text).unwrap());
+        let aft = STAGNATION.aftbody(&Afterbody::parse(text.into()).unwrap());
         assert_eq!(
             [
                 aft.peak_heat_flux_w_m2,

@@ -1,6 +1,7 @@
 //! The trajectories on which the mass-estimating relations were fitted, and findings for an entry outside them.
 
 use super::{Environment, PA_PER_ATM};
+use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
@@ -32,8 +33,8 @@ pub struct FitSpace {
 
 impl FitSpace {
     /// Reads the ranges from the text of their file.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        toml::from_str(text).map_err(|error| error.to_string())
+    pub fn parse(data: Data) -> Result<Self, String> {
+        data.read()
     }
 
     /// Findings for an entry outside the fitted trajectories; `forebody` is what its heat
@@ -134,7 +135,8 @@ mod tests {
 
     #[test]
     fn entry_outside_the_840_trajectories_is_said_once_for_each_quantity() {
-        let space = FitSpace::parse(include_str!("../../data/tps/mer-fit-space.toml")).unwrap();
+        let space =
+            FitSpace::parse(include_str!("../../data/tps/mer-fit-space.toml").into()).unwrap();
         assert_eq!(space.findings(&FOREBODY, 60.0), []);
         let steep = Environment {
             entry_speed_m_s: 9e3,

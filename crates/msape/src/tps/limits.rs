@@ -269,7 +269,7 @@ mod tests {
     use numerics::math::RADIANS_PER_DEGREE;
 
     fn material(index: usize) -> TpsMaterial {
-        TpsMaterial::parse(FILES[index]).unwrap()
+        TpsMaterial::parse(FILES[index].into()).unwrap()
     }
 
     /// 12 km/s at −9°, 12 kJ/cm², 800 W/cm², half an atmosphere: quiet for PICA.

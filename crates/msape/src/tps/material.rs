@@ -2,6 +2,7 @@
 
 use super::Side;
 use super::mer::Mer;
+use crate::data::Data;
 use crate::finding::range::Range;
 use serde::{Deserialize, Serialize};
 
@@ -107,8 +108,8 @@ pub struct Emissivity {
 
 impl TpsMaterial {
     /// Reads a material from the text of its file.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let material: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let material: Self = data.read()?;
         let positive = [
             ("density.density_kg_m3", material.density.density_kg_m3),
             (
@@ -145,8 +146,9 @@ pub(crate) mod tests {
     #[test]
     fn all_six_files_read_and_write_back_the_same() {
         for text in FILES {
-            let material = TpsMaterial::parse(text).unwrap();
-            let again = TpsMaterial::parse(&toml::to_string(&material).unwrap()).unwrap();
+            let material = TpsMaterial::parse(text.into()).unwrap();
+            let again =
+                TpsMaterial::parse(toml::to_string(&material).unwrap().as_str().into()).unwrap();
             assert_eq!(material, again);
         }
     }
@@ -155,13 +157,13 @@ pub(crate) mod tests {
     fn unknown_key_and_negative_density_are_refused_by_name() {
         let misspelt = FILES[0].replace("pressure_atm", "presure_atm");
         assert!(
-            TpsMaterial::parse(&misspelt)
+            TpsMaterial::parse(misspelt.as_str().into())
                 .unwrap_err()
                 .contains("presure_atm")
         );
         let negative = FILES[0].replace("density_kg_m3 = 266.0", "density_kg_m3 = -266.0");
         assert!(
-            TpsMaterial::parse(&negative)
+            TpsMaterial::parse(negative.as_str().into())
                 .unwrap_err()
                 .contains("density.density_kg_m3: got -266")
         );

@@ -187,7 +187,7 @@ mod tests {
     use crate::tps::material::tests::FILES;
 
     fn material(index: usize) -> TpsMaterial {
-        TpsMaterial::parse(FILES[index]).unwrap()
+        TpsMaterial::parse(FILES[index].into()).unwrap()
     }
 
     /// Heat load x V² at V = 10 km/s.

@@ -1,5 +1,6 @@
 //! Constants of a family of vehicles, read from a file of `data/vehicles`: each with its source, assumed ones marked.
 
+use crate::data::Data;
 use crate::vehicle::kinds::{ComponentDensities, FoamGrade, WallPlace};
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::structure::{Carrier, Construction, LaunchLoad, StructureLoads};
@@ -157,8 +158,8 @@ pub struct VehicleData {
 
 impl VehicleData {
     /// Reads a file of `data/vehicles`; a missing constant is an error too.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let data: Self = data.read()?;
         data.rules()?;
         data.densities()?;
         data.structure_loads()?;
@@ -256,7 +257,7 @@ mod tests {
 
     #[test]
     fn the_mmeev_has_60_mm_of_annulus_and_30_deg_of_wing() {
-        let rules = VehicleData::parse(MMEEV).unwrap().rules().unwrap();
+        let rules = VehicleData::parse(MMEEV.into()).unwrap().rules().unwrap();
         assert_eq!(rules.annulus_width_m, 0.06);
         assert!((rules.wing_slope_max_rad - numerics::math::PI / 6.0).abs() < 1e-15);
     }
@@ -264,10 +265,20 @@ mod tests {
     #[test]
     fn missing_and_unknown_constants_are_refused() {
         assert!(
-            VehicleData::parse(&MMEEV.replace("rules.annulus_width_m", "rules.annulus_m")).is_err()
+            VehicleData::parse(
+                MMEEV
+                    .replace("rules.annulus_width_m", "rules.annulus_m")
+                    .as_str()
+                    .into()
+            )
+            .is_err()
         );
         let more =
             format!("{MMEEV}\n[loads.spin]\nvalue = 1.0\nsource = \"assumed\"\nplace = \"x\"\n");
-        assert!(VehicleData::parse(&more).unwrap_err().contains("spin"));
+        assert!(
+            VehicleData::parse(more.as_str().into())
+                .unwrap_err()
+                .contains("spin")
+        );
     }
 }

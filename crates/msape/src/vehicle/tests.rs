@@ -14,7 +14,7 @@ use crate::vehicle::kinds::WallPlace;
 use numerics::math::RADIANS_PER_DEGREE;
 
 fn data() -> VehicleData {
-    VehicleData::parse(include_str!("../../data/vehicles/mmeev.toml")).unwrap()
+    VehicleData::parse(include_str!("../../data/vehicles/mmeev.toml").into()).unwrap()
 }
 
 /// Materials by the names of the data file, and by plain words.
@@ -76,8 +76,9 @@ pub(super) fn msr() -> VehicleInput {
             crush_load_limit_earth_g: 3500.0,
             stroke_efficiency: None,
             foam_strength: FoamStrength::CrushLaw,
-            ground: Ground::parse(include_str!("../../data/grounds/uttr-clay.toml")).unwrap(),
-            foam: FoamKind::parse(include_str!("../../data/foams/pmi.toml")).unwrap(),
+            ground: Ground::parse(include_str!("../../data/grounds/uttr-clay.toml").into())
+                .unwrap(),
+            foam: FoamKind::parse(include_str!("../../data/foams/pmi.toml").into()).unwrap(),
             crushing_mass: CrushingMass::Payload,
         },
         foam_grades: data.foam.clone(),

@@ -41,8 +41,10 @@ fn outline() -> Profile {
 }
 
 fn options() -> Options {
-    let force = AxialForce::parse(include_str!("../../../data/aerodynamics/mmeev-60.csv")).unwrap();
-    let data = DampingData::parse(include_str!("../../../data/aero-models/damping.toml")).unwrap();
+    let force =
+        AxialForce::parse(include_str!("../../../data/aerodynamics/mmeev-60.csv").into()).unwrap();
+    let data =
+        DampingData::parse(include_str!("../../../data/aero-models/damping.toml").into()).unwrap();
     Options {
         axial_force: force.table,
         bridging: Bridging::SineSquared,

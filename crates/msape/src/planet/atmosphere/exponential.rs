@@ -100,7 +100,7 @@ mod tests {
     use crate::planet::atmosphere::us_1976::UsStandard1976;
 
     fn standard() -> PlanetAir {
-        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
+        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml").into())
             .unwrap()
             .planet_air()
     }

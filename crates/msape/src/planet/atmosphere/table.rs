@@ -372,7 +372,7 @@ mod tests {
     use std::sync::Arc;
 
     fn standard() -> PlanetAir {
-        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml"))
+        UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml").into())
             .unwrap()
             .planet_air()
     }

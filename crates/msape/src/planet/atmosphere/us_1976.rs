@@ -28,6 +28,7 @@ mod stratum;
 pub mod temperature;
 
 use super::{Air, Piece};
+use crate::data::Data;
 use crate::planet::gas::{FreePath, HeatCapacityRatio};
 use definition::Definition;
 use hermite::Cubic;
@@ -78,8 +79,8 @@ impl UsStandard1976 {
     pub const VALID_M: (f64, f64) = (-5_000.0, 1_000_000.0);
 
     /// The atmosphere of the data file `us-1976.toml`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        Ok(Self::new(&Definition::parse(text)?))
+    pub fn parse(data: Data) -> Result<Self, String> {
+        Ok(Self::new(&Definition::parse(data)?))
     }
 
     /// The atmosphere of a definition; integrates the heterosphere.

@@ -12,6 +12,7 @@
 //! # References
 //! - Those of each file.
 
+use crate::data::Data;
 use crate::vehicle::body::RigidBody;
 use crate::vehicle::body::shape::{Aft, AftCone, Shape};
 use crate::vehicle::rules::Datum;
@@ -54,8 +55,8 @@ const MOST_CONES: usize = 4;
 
 impl OutlineData {
     /// Reads a file of `data/outlines`; dimensions that make no outline are an error too.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let data: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let data: Self = data.read()?;
         data.body()?;
         Ok(data)
     }
@@ -158,7 +159,7 @@ mod tests {
 
     #[test]
     fn a_file_is_an_outline_and_scales_with_its_diameter() {
-        let data = OutlineData::parse(FILE).unwrap();
+        let data = OutlineData::parse(FILE.into()).unwrap();
         let (one, half) = (data.body().unwrap(), data.scaled_body(Some(1.0)).unwrap());
         let ratio = one.outline.solid().volume_m3 / half.outline.solid().volume_m3;
         assert!((ratio - 8.0).abs() < 1e-12);
@@ -168,8 +169,9 @@ mod tests {
 
     #[test]
     fn unknown_missing_and_impossible_dimensions_are_refused() {
-        let refused =
-            |from: &str, to: &str| OutlineData::parse(&FILE.replace(from, to)).unwrap_err();
+        let refused = |from: &str, to: &str| {
+            OutlineData::parse(FILE.replace(from, to).as_str().into()).unwrap_err()
+        };
         assert!(refused("nose_radius_m", "nose_m").contains("nose_radius_m is missing"));
         assert!(refused("aft_cone_1_end", "aft_cone_2_end").contains("not known"));
         assert!(refused("value=0.4", "value=1.4").contains("must narrow"));
@@ -179,7 +181,7 @@ mod tests {
     fn every_shipped_outline_is_sound() {
         let mut count = 0;
         for (path, text) in crate::library::data_folder("outlines") {
-            let data = OutlineData::parse(text).unwrap_or_else(|e| panic!("{path}: {e}"));
+            let data = OutlineData::parse(text.into()).unwrap_or_else(|e| panic!("{path}: {e}"));
             let open = data.shape().unwrap().outline();
             let faults = crate::vehicle::body::check::faults(&open);
             assert!(faults.is_empty(), "{path}: {faults:?}");
@@ -192,7 +194,11 @@ mod tests {
     fn known_heights_come_out() {
         let height = |name: &str| {
             let text = crate::library::data_file(&format!("outlines/{name}.toml")).unwrap();
-            OutlineData::parse(text).unwrap().body().unwrap().length_m()
+            OutlineData::parse(text.into())
+                .unwrap()
+                .body()
+                .unwrap()
+                .length_m()
         };
         // Apollo 135 in; Genesis was divided so; Hayabusa 0.20 m, to the millimetres of its transcription
         assert!((height("apollo") - 135.0 * 0.0254).abs() < 0.01);

@@ -513,7 +513,7 @@ mod tests {
     #[test]
     fn two_thousand_landings_stop_and_balance() {
         let kind = crate::library::data_file("foams/pmi.toml").unwrap();
-        let kind = crate::vehicle::impact::foam::FoamKind::parse(kind).unwrap();
+        let kind = crate::vehicle::impact::foam::FoamKind::parse(kind.into()).unwrap();
         let (mut seed, mut ringing) = (1, 0);
         let mut between = |low: f64, high: f64| low + (high - low) * spread(&mut seed);
         for n in 0..2000 {
@@ -564,7 +564,7 @@ mod tests {
     /// The MSR vehicle of Table 15 in soft clay, whose foam just reaches its plateau.
     fn in_clay(speed_m_s: f64, payload_kg: f64, plateau_pa: f64) -> f64 {
         let kind = crate::library::data_file("foams/pmi.toml").unwrap();
-        let kind = crate::vehicle::impact::foam::FoamKind::parse(kind).unwrap();
+        let kind = crate::vehicle::impact::foam::FoamKind::parse(kind.into()).unwrap();
         let striker = striker(0.225, speed_m_s, 45.7);
         let pulse = pulse(&Touchdown {
             payload_side_kg: payload_kg,

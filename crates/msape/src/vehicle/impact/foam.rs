@@ -15,6 +15,7 @@
 //! # References
 //! - \[gibson-ashby-1997\] chapters 5 and 8; \[maiti-1984\].
 
+use crate::data::Data;
 use serde::{Deserialize, Serialize};
 
 /// Constants of a kind of foam, a file of `data/foams`.
@@ -56,8 +57,8 @@ pub struct CrushLaw {
 
 impl FoamKind {
     /// Reads a file of `data/foams`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let kind: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let kind: Self = data.read()?;
         let positive = [
             kind.solid_density_kg_m3,
             kind.solid_modulus_pa,
@@ -151,7 +152,7 @@ mod tests {
     use super::*;
 
     fn kind() -> FoamKind {
-        FoamKind::parse(crate::library::data_file("foams/pmi.toml").unwrap()).unwrap()
+        FoamKind::parse(crate::library::data_file("foams/pmi.toml").unwrap().into()).unwrap()
     }
 
     #[test]

@@ -17,6 +17,7 @@
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
 
+use crate::data::Data;
 use crate::vehicle::impact::soil::Soil;
 use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::{self, Penetrator};
@@ -84,8 +85,8 @@ enum Law {
 
 impl Ground {
     /// Reads a file of `data/grounds`.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let ground: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let ground: Self = data.read()?;
         let [least, middle, largest] = match (ground.penetration, ground.young) {
             (Some(_), Some(_)) => {
                 return Err("penetration and young: one of them, or neither".to_string());
@@ -194,12 +195,12 @@ mod tests {
 
     fn ground(name: &str) -> Ground {
         let path = format!("grounds/{name}.toml");
-        Ground::parse(crate::library::data_file(&path).unwrap()).unwrap()
+        Ground::parse(crate::library::data_file(&path).unwrap().into()).unwrap()
     }
 
     #[test]
     fn the_clay_of_utah_is_28_within_27_and_29() {
-        let ground = Ground::parse(CLAY).unwrap();
+        let ground = Ground::parse(CLAY.into()).unwrap();
         let penetration = ground.penetration.unwrap();
         assert_eq!(
             [
@@ -217,11 +218,22 @@ mod tests {
 
     #[test]
     fn bad_grounds_are_refused() {
-        assert!(Ground::parse("name = 'x'\nalpha = 1").is_err());
-        assert!(Ground::parse(&CLAY.replace("alpha_min = 27.0", "alpha_min = 30.0")).is_err());
+        assert!(Ground::parse("name = 'x'\nalpha = 1".into()).is_err());
+        assert!(
+            Ground::parse(
+                CLAY.replace("alpha_min = 27.0", "alpha_min = 30.0")
+                    .as_str()
+                    .into()
+            )
+            .is_err()
+        );
         let both =
             format!("{CLAY}\n[young]\ns_number = 1.0\ns_number_min = 1.0\ns_number_max = 1.0\n");
-        assert!(Ground::parse(&both).unwrap_err().contains("one of them"));
+        assert!(
+            Ground::parse(both.as_str().into())
+                .unwrap_err()
+                .contains("one of them")
+        );
     }
 
     #[test]
@@ -246,7 +258,7 @@ mod tests {
             .unwrap();
         // 427 to 571 g over the range of S
         assert!(mud.least_earth_g > 400.0 && mud.largest_earth_g < 600.0);
-        let clay = Ground::parse(CLAY).unwrap();
+        let clay = Ground::parse(CLAY.into()).unwrap();
         let load = |nose_diameter_m| {
             let striker = Striker {
                 nose_diameter_m,
@@ -261,7 +273,8 @@ mod tests {
     #[test]
     fn every_ground_of_the_library_reads() {
         for (path, text) in crate::library::data_folder("grounds") {
-            let ground = Ground::parse(text).unwrap_or_else(|fault| panic!("{path}: {fault}"));
+            let ground =
+                Ground::parse(text.into()).unwrap_or_else(|fault| panic!("{path}: {fault}"));
             assert!(
                 !ground.note.is_empty() && !ground.place.is_empty(),
                 "{path}"

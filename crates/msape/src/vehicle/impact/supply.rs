@@ -118,7 +118,8 @@ mod tests {
 
     #[test]
     fn less_than_the_weakest_grade_is_the_weakest_and_a_given_density_has_its_own_strength() {
-        let kind = FoamKind::parse(crate::library::data_file("foams/pmi.toml").unwrap()).unwrap();
+        let kind =
+            FoamKind::parse(crate::library::data_file("foams/pmi.toml").unwrap().into()).unwrap();
         let supply = |given_kg_m3| {
             Supply {
                 kind: &kind,

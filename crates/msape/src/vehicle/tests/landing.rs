@@ -10,7 +10,7 @@ use numerics::math::FRAC_PI_2;
 
 fn on(ground: &str, mut input: VehicleInput) -> (VehicleInput, Vehicle, Landing) {
     let text = crate::library::data_file(&format!("grounds/{ground}.toml")).unwrap();
-    input.impact.ground = Ground::parse(text).unwrap();
+    input.impact.ground = Ground::parse(text.into()).unwrap();
     let vehicle = build(&input).unwrap();
     let speed = input.loads.terminal_speed_m_s;
     let landing = Landing::new(&input, &vehicle, TouchdownVelocity::new(speed, -FRAC_PI_2));

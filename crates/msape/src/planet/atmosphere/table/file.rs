@@ -12,6 +12,7 @@
 
 use super::Table;
 use super::row::Row;
+use crate::data::Data;
 use crate::planet::gas::GasData;
 use serde::Deserialize;
 
@@ -49,8 +50,8 @@ struct Columns {
 
 impl Table {
     /// Title and atmosphere of a data file.
-    pub fn parse(text: &str) -> Result<(String, Self), String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<(String, Self), String> {
+        let file: File = data.read()?;
         let columns = &file.table;
         let height = columns.altitude_km.len();
         let optional = |column: &[f64]| column.is_empty() || column.len() == height;

@@ -1,5 +1,6 @@
 //! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
 
+use crate::data::Data;
 use serde::Deserialize;
 
 /// The whole file.
@@ -138,8 +139,8 @@ pub struct Species {
 
 impl Definition {
     /// Reads the file and checks what the code relies on.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let definition: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn parse(data: Data) -> Result<Self, String> {
+        let definition: Self = data.read()?;
         let Lower {
             base_geopotential_km: bases,
             gradient_k_km,

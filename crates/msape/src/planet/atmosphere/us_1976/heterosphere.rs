@@ -26,12 +26,14 @@
 
 mod flux;
 mod hydrogen;
+mod sums;
 
 use super::definition::Definition;
 use super::hermite::Knot;
 use super::temperature::{Segment, Upper, Z10_M};
-use flux::{FLUX_TOP_KM, flux_integral, flux_per_m};
+use flux::{FLUX_TOP_KM, FluxIntegral, flux_per_m};
 use numerics::math;
+use sums::Sums;
 
 /// Gases that are followed from 86 km: N₂, O, O₂, Ar, He.
 const HEAVY: usize = 5;
@@ -108,9 +110,28 @@ type Logs = [f64; HEAVY];
 pub struct Heterosphere<'a> {
     definition: &'a Definition,
     upper: &'a Upper,
+    /// Of the gases followed from 86 km.
+    fluxes: Vec<FluxIntegral<'a>>,
     r_0: f64,
     start: Logs,
     at_120_km: Logs,
+}
+
+/// What the equations need of one altitude, whatever the densities there.
+struct Place {
+    /// Altitude, m.
+    z: f64,
+    /// Temperature, K, and dT/dz, K/m.
+    t: f64,
+    gradient: f64,
+    /// Gravity, m/s².
+    g: f64,
+    /// Eddy diffusion, m²/s.
+    eddy: f64,
+    /// ∫ v dz.
+    transported: Logs,
+    /// (T/273.15)^b of the diffusion; left out where nothing mixes.
+    diffusion: Logs,
 }
 
 /// Density, kg/m³, and molar mass, kg/kmol, at the knots of one span.
@@ -133,6 +154,10 @@ impl<'a> Heterosphere<'a> {
         Self {
             definition,
             upper,
+            fluxes: { definition.species.iter() }
+                .take(HEAVY)
+                .map(FluxIntegral::new)
+                .collect(),
             r_0,
             start,
             at_120_km: start,
@@ -163,13 +188,41 @@ impl<'a> Heterosphere<'a> {
         self.definition.constants.gravity_m_s2 * ratio * ratio
     }
 
-    /// d ln(nᵢ T)/dz without v, 1/m.
-    fn slopes(&self, span: &Span, z: f64, logs: &Logs) -> Logs {
+    fn place(&self, span: &Span, z: f64) -> Place {
         let t = self.upper.temperature_k(span.segment, z);
-        let gradient = self.upper.gradient_k_m(span.segment, z);
+        let eddy = self.eddy_m2_s(z);
+        let mut transported = [0.0; HEAVY];
+        for (value, flux) in transported.iter_mut().zip(&self.fluxes) {
+            *value = flux.at(z);
+        }
+        let mut diffusion = [0.0; HEAVY];
+        if eddy > 0.0 {
+            let ln_t = math::ln(t / 273.15);
+            for (value, s) in diffusion.iter_mut().zip(&self.definition.species) {
+                *value = math::exp(s.diffusion_b * ln_t);
+            }
+        }
+        Place {
+            z,
+            t,
+            gradient: self.upper.gradient_k_m(span.segment, z),
+            g: self.gravity_m_s2(z),
+            eddy,
+            transported,
+            diffusion,
+        }
+    }
+
+    /// d ln(nᵢ T)/dz without v, 1/m.
+    fn slopes(&self, span: &Span, place: &Place, logs: &Logs) -> Logs {
+        let Place {
+            t,
+            gradient,
+            g,
+            eddy: k,
+            ..
+        } = *place;
         let r_star = self.definition.constants.gas_constant_j_kmol_k;
-        let g = self.gravity_m_s2(z);
-        let k = self.eddy_m2_s(z);
         let species = &self.definition.species;
         let m_n2 = species.first().map_or(0.0, |s| s.molar_mass_kg_kmol);
         let m = if span.to_m <= 100e3 {
@@ -177,15 +230,10 @@ impl<'a> Heterosphere<'a> {
         } else {
             m_n2
         };
-        let [n2, o, o2] = [logs[0], logs[1], logs[2]];
-        let with_flux = |i: usize, log: f64| {
-            species
-                .get(i)
-                .map_or(0.0, |s| math::exp(log - flux_integral(s, z)) / t)
-        };
+        let with_flux = |i: usize| math::exp(logs[i] - place.transported[i]) / t;
         let [mut n_n2, mut n_major, mut m_major] = [0.0, 0.0, m];
         if k > 0.0 {
-            let n = [with_flux(0, n2), with_flux(1, o), with_flux(2, o2)];
+            let n = [with_flux(0), with_flux(1), with_flux(2)];
             n_n2 = n[0];
             n_major = n[0] + n[1] + n[2];
             if span.from_m >= 100e3 {
@@ -193,7 +241,6 @@ impl<'a> Heterosphere<'a> {
                 m_major = (n[0] * mass(0) + n[1] * mass(1) + n[2] * mass(2)) / n_major;
             }
         }
-        let ln_t = math::ln(t / 273.15);
         let mut slopes = [0.0; HEAVY];
         for (i, (slope, s)) in slopes.iter_mut().zip(species).enumerate() {
             let mass = s.molar_mass_kg_kmol + s.thermal_diffusion * r_star / g * gradient;
@@ -201,7 +248,7 @@ impl<'a> Heterosphere<'a> {
                 m
             } else if k > 0.0 {
                 let (background, m) = if i < 3 { (n_n2, m) } else { (n_major, m_major) };
-                let d = s.diffusion_a_per_m_s / background * math::exp(s.diffusion_b * ln_t);
+                let d = s.diffusion_a_per_m_s / background * place.diffusion[i];
                 (mass * d + m * k) / (d + k)
             } else {
                 mass
@@ -231,17 +278,20 @@ impl<'a> Heterosphere<'a> {
             density: Vec::with_capacity(cells + 1),
             molar_mass: Vec::with_capacity(cells + 1),
         };
+        let mut here = self.place(span, span.from_m);
         for i in 0..=cells {
-            let z = span.from_m + i as f64 * h;
-            self.sums(span, z, logs)
+            let z = here.z;
+            let k_1 = self.slopes(span, &here, logs);
+            self.sums(&here, logs, &k_1)
                 .push(self.definition.constants.avogadro_per_kmol, &mut knots);
             if i == cells {
                 break;
             }
-            let k_1 = self.slopes(span, z, logs);
-            let k_2 = self.slopes(span, z + h / 2.0, &along(logs, &k_1, h / 2.0));
-            let k_3 = self.slopes(span, z + h / 2.0, &along(logs, &k_2, h / 2.0));
-            let k_4 = self.slopes(span, z + h, &along(logs, &k_3, h));
+            let middle = self.place(span, z + h / 2.0);
+            let k_2 = self.slopes(span, &middle, &along(logs, &k_1, h / 2.0));
+            let k_3 = self.slopes(span, &middle, &along(logs, &k_2, h / 2.0));
+            here = self.place(span, span.from_m + (i + 1) as f64 * h);
+            let k_4 = self.slopes(span, &here, &along(logs, &k_3, h));
             for (i, log) in logs.iter_mut().enumerate() {
                 *log += h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]);
             }
@@ -282,8 +332,9 @@ impl<'a> Heterosphere<'a> {
         let hydrogen = self.hydrogen(span, cells);
         for i in 0..=cells {
             let z = span.from_m + i as f64 * span.cell_m;
-            let t = self.upper.temperature_k(span.segment, z);
-            let mut sums = self.sums(span, z, &self.logs_above_120_km(z, t));
+            let place = self.place(span, z);
+            let logs = self.logs_above_120_km(z, place.t);
+            let mut sums = self.sums(&place, &logs, &self.slopes(span, &place, &logs));
             if let Some((n, slope)) = hydrogen.get(i) {
                 let m = self
                     .definition
@@ -297,59 +348,18 @@ impl<'a> Heterosphere<'a> {
         knots
     }
 
-    fn sums(&self, span: &Span, z: f64, logs: &Logs) -> Sums {
-        let t = self.upper.temperature_k(span.segment, z);
-        let ln_t_slope = self.upper.gradient_k_m(span.segment, z) / t;
+    fn sums(&self, place: &Place, logs: &Logs, slopes: &Logs) -> Sums {
+        let ln_t_slope = place.gradient / place.t;
         let mut sums = Sums::default();
-        for ((log, slope), s) in logs
-            .iter()
-            .zip(self.slopes(span, z, logs))
-            .zip(&self.definition.species)
-        {
-            let n = math::exp(log - flux_integral(s, z)) / t;
+        for (i, s) in self.definition.species.iter().take(HEAVY).enumerate() {
+            let n = math::exp(logs[i] - place.transported[i]) / place.t;
             sums.add(
                 n,
-                n * (slope - flux_per_m(s, z) - ln_t_slope),
+                n * (slopes[i] - flux_per_m(s, place.z) - ln_t_slope),
                 s.molar_mass_kg_kmol,
             );
         }
         sums
-    }
-}
-
-/// Sums over the gases: n, n M and their slopes.
-#[derive(Default)]
-struct Sums {
-    n: f64,
-    n_slope: f64,
-    mass: f64,
-    mass_slope: f64,
-}
-
-impl Sums {
-    fn add(&mut self, n: f64, slope: f64, molar_mass_kg_kmol: f64) {
-        self.n += n;
-        self.n_slope += slope;
-        self.mass += n * molar_mass_kg_kmol;
-        self.mass_slope += slope * molar_mass_kg_kmol;
-    }
-
-    fn push(&self, avogadro_per_kmol: f64, knots: &mut SpanKnots) {
-        let Self {
-            n,
-            n_slope,
-            mass,
-            mass_slope,
-        } = self;
-        let (m, per_kg) = (mass / n, avogadro_per_kmol);
-        knots.density.push(Knot {
-            value: mass / per_kg,
-            slope_per_m: mass_slope / per_kg,
-        });
-        knots.molar_mass.push(Knot {
-            value: m,
-            slope_per_m: m * (mass_slope / mass - n_slope / n),
-        });
     }
 }
 

@@ -221,7 +221,7 @@ mod tests {
 
     fn lower() -> Lower {
         let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-        Lower::new(&Definition::parse(text).unwrap())
+        Lower::new(&Definition::parse(text.into()).unwrap())
     }
 
     #[test]

@@ -159,7 +159,7 @@ mod tests {
 
     fn standard() -> StandardTemperature {
         let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-        let definition = Definition::parse(text).unwrap();
+        let definition = Definition::parse(text.into()).unwrap();
         StandardTemperature {
             lower: Lower::new(&definition),
             upper: Upper::new(&definition),

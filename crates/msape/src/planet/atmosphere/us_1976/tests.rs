@@ -7,7 +7,7 @@ const PRINTED: &str = include_str!("../../../../../../tests/data/us_1976_printed
 
 fn us_1976() -> Atmosphere {
     let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-    Atmosphere::parse(text).unwrap().1
+    Atmosphere::parse(text.into()).unwrap().1
 }
 
 fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
@@ -114,7 +114,7 @@ fn below_86_km_the_cells_meet_the_closed_form() {
     // (w/H)⁴/384 with w = 100 m and H above 5.4 km: 3e-10
     use super::{definition::Definition, lower::Lower};
     let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-    let lower = Lower::new(&Definition::parse(text).unwrap());
+    let lower = Lower::new(&Definition::parse(text.into()).unwrap());
     let air = us_1976();
     let mut z = -4_987.0;
     while z < 86e3 {
@@ -188,7 +188,8 @@ fn interpolation_between_knots_meets_the_definition() {
     // derivative is largest at the lower ends of the spans.
     use super::{definition::Definition, heterosphere::*, temperature::Upper};
     let definition =
-        Definition::parse(include_str!("../../../../data/atmospheres/us-1976.toml")).unwrap();
+        Definition::parse(include_str!("../../../../data/atmospheres/us-1976.toml").into())
+            .unwrap();
     let upper = Upper::new(&definition);
     let air = us_1976();
     for (i, span) in SPANS.iter().enumerate() {

@@ -16,7 +16,7 @@
 
 use super::super::definition::Definition;
 use super::super::temperature::Segment;
-use super::{FLUX_TOP_KM, HEAVY, Heterosphere, Span, Z11_M, flux_integral};
+use super::{FLUX_TOP_KM, HEAVY, Heterosphere, Span, Z11_M};
 use numerics::math;
 
 impl Heterosphere<'_> {
@@ -49,12 +49,8 @@ impl Heterosphere<'_> {
         // φ/D
         let source = |z: f64, t: f64| {
             let mut n = 0.0;
-            for (log, s) in self
-                .logs_above_120_km(z, t)
-                .iter()
-                .zip(&self.definition.species)
-            {
-                n += math::exp(log - flux_integral(s, z)) / t;
+            for (log, transported) in self.logs_above_120_km(z, t).iter().zip(&self.fluxes) {
+                n += math::exp(log - transported.at(z)) / t;
             }
             flux * n / h.diffusion_a_per_m_s / math::exp(h.diffusion_b * math::ln(t / 273.15))
         };

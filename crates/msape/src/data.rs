@@ -1,0 +1,52 @@
+//! Data files: text of one's own, or what the build made of the text of a shipped one.
+//!
+//! The build reads the TOML and CSV of the folder `data` once and embeds the same keys and values in the form that the
+//! program reads fastest. TOML and CSV of one's own are read with the feature `own-data` only, which the page, where nobody can
+//! add such a file, is built without.
+
+use serde::de::{DeserializeOwned, IgnoredAny};
+use std::collections::BTreeMap;
+
+/// A data file.
+#[derive(Clone, Copy, Debug)]
+pub enum Data<'d> {
+    /// Text of a file of one's own.
+    #[cfg(feature = "own-data")]
+    Own(&'d str),
+    /// What the build made of a shipped file.
+    Shipped(&'d str),
+}
+
+#[cfg(feature = "own-data")]
+impl<'d> From<&'d str> for Data<'d> {
+    fn from(text: &'d str) -> Self {
+        Self::Own(text)
+    }
+}
+
+#[cfg(feature = "own-data")]
+impl<'d> From<&'d String> for Data<'d> {
+    fn from(text: &'d String) -> Self {
+        Self::Own(text)
+    }
+}
+
+impl Data<'_> {
+    /// The file as a type that says its keys.
+    ///
+    /// # Errors
+    /// Place, key and what it must be.
+    pub fn read<T: DeserializeOwned>(self) -> Result<T, String> {
+        match self {
+            #[cfg(feature = "own-data")]
+            Self::Own(text) => toml::from_str(text).map_err(|error| error.to_string()),
+            Self::Shipped(text) => serde_json::from_str(text).map_err(|error| error.to_string()),
+        }
+    }
+
+    /// Whether the file has a key, or a table of this name.
+    pub fn has(self, key: &str) -> bool {
+        let keys = self.read::<BTreeMap<String, IgnoredAny>>();
+        keys.is_ok_and(|keys| keys.contains_key(key))
+    }
+}
