@@ -47,6 +47,11 @@ pub fn for_end_to_end(project: &Project) -> Result<()> {
     node_packages(project)
 }
 
+/// What counting instructions needs.
+pub fn for_counts(project: &Project) -> Result<()> {
+    debian_packages(project, &[VALGRIND])
+}
+
 /// What reading the exported files back needs.
 pub fn for_cad(project: &Project) -> Result<()> {
     debian_packages(project, &[PYTHON, NODE, NPM])?;
@@ -70,6 +75,11 @@ const CHROMEDRIVER: Needed = Needed {
     program: "chromedriver",
     package: "chromium-driver",
     reason: "it starts tests in Chromium",
+};
+const VALGRIND: Needed = Needed {
+    program: "valgrind",
+    package: "valgrind",
+    reason: "it counts instructions, so that a slower solver is seen on any machine",
 };
 const PYTHON: Needed = Needed {
     program: "python3",

@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 
 use crate::{
-    build, cad,
+    build, cad, counts,
     project::{Project, announce, files_below, run},
     serve,
     setup::{self, WASM},
@@ -20,7 +20,7 @@ struct Stage {
 
 type Step = fn(&Project) -> Result<()>;
 
-const STAGES: [Stage; 7] = [
+const STAGES: [Stage; 8] = [
     Stage {
         name: "fmt",
         set_up: setup::for_lints,
@@ -40,6 +40,11 @@ const STAGES: [Stage; 7] = [
         name: "native",
         set_up: |_| Ok(()),
         check: native,
+    },
+    Stage {
+        name: "counts",
+        set_up: setup::for_counts,
+        check: counts::check,
     },
     Stage {
         name: "cad",

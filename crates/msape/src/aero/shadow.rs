@@ -23,10 +23,12 @@ use numerics::root;
 const NUDGE_RAD: f64 = 1e-9;
 /// A sample as far as this beyond 1 may hide an extremum within.
 const STEEP: f64 = 1.0;
-/// Accuracy of the place of an extremum, of an arc.
-const CLOSE: f64 = 1e-5;
-/// Nearer than this to the circle itself, of an arc, the ray leaves along the surface.
-const BESIDE: f64 = 1e-7;
+/// Accuracy of the place of an extremum, of the chord between the samples beside it.
+const CLOSE: f64 = 4e-5;
+/// From the circle itself as far as this, of the same chord, no extremum is sought.
+const APART: f64 = 1e-4;
+/// Nearer than this to the circle itself, diameters, the ray leaves along the surface.
+const BESIDE: f64 = 1e-8;
 /// Most intervals that are kept.
 const MOST: usize = 6;
 
@@ -142,7 +144,11 @@ pub fn cast(lit: &mut Lit, surface: &Surface, own: usize, t: f64, wind: Wind) {
     for (n, (piece, samples)) in surface.pieces().iter().zip(surface.samples()).enumerate() {
         let Some(hull) = lit.hull() else { return };
         let range = if n == own {
-            eye.own(piece, &station, t, hull)
+            match piece.bulges(&station) {
+                // it shades what faces away from the air, and that is not in `lit`
+                true => None,
+                false => eye.own(piece, &station, hull),
+            }
         } else if eye.may_shade(samples, hull) {
             eye.other(piece, samples, hull)
         } else {
@@ -172,6 +178,19 @@ impl Eye {
         ((self.r - r) * (self.r + r) + tau * tau) / (2.0 * self.r * tau)
     }
 
+    /// The slope of h along an arc, times something that keeps its sign where the arc is upstream.
+    fn slope(&self, arc: &Arc, [x, r]: [f64; 2]) -> f64 {
+        let (c, s) = (x - arc.center[0], r - arc.center[1]);
+        let ahead = self.x - x;
+        let tau = self.tau(x);
+        s * (tau * tau - (self.r - r) * (self.r + r)) - 2.0 * r * c * ahead
+    }
+
+    /// Whether a point lies on the circle itself.
+    fn is_beside(&self, [x, r]: [f64; 2]) -> bool {
+        (self.x - x).abs() < BESIDE && (self.r - r).abs() < BESIDE
+    }
+
     /// h where the piece passes beside the circle itself.
     fn beside(&self, r: f64) -> f64 {
         if self.r > r {
@@ -182,7 +201,7 @@ impl Eye {
     }
 
     /// Range of h over the piece on which the circle lies.
-    fn own(&self, piece: &Piece, station: &Station, t: f64, hull: [f64; 2]) -> Option<[f64; 2]> {
+    fn own(&self, piece: &Piece, station: &Station, hull: [f64; 2]) -> Option<[f64; 2]> {
         // The ray that leaves along the surface.
         let along = -station.normal_x / station.normal_r / self.tangent;
         let ends = [0.0, 1.0].map(|end| (end, self.tau(piece.position(end)[0])));
@@ -197,15 +216,17 @@ impl Eye {
                     // a = r₀: no extremum between
                     include(&mut range, self.h(piece.position(end)));
                 }
-                Piece::Arc { .. } => {
-                    let h = |t_on: f64| {
-                        if (t_on - t).abs() < BESIDE {
-                            along
-                        } else {
-                            self.h(piece.position(t_on))
-                        }
+                Piece::Arc { center, radius, .. } => {
+                    let h = |point: [f64; 2]| match self.is_beside(point) {
+                        true => along,
+                        false => self.h(point),
                     };
-                    include_arc(&mut range, h, [t, end], hull);
+                    let arc = Arc {
+                        center: *center,
+                        radius: *radius,
+                    };
+                    let ends = [[station.x, station.r], piece.position(end)];
+                    self.include_arc(&mut range, &arc, &arc.samples(ends), h, hull);
                 }
             }
         }
@@ -274,52 +295,61 @@ impl Eye {
                     include(&mut range, h);
                 }
             }
-            Piece::Arc { .. } => {
-                let from = if straddles {
-                    self.crossing(piece, taus)
-                } else {
-                    0.0
-                };
-                let (from, to) = match (straddles, taus[0] > 0.0) {
-                    (true, true) => (0.0, from),
-                    (true, false) => (from, 1.0),
-                    _ => (0.0, 1.0),
-                };
+            Piece::Arc { center, radius, .. } => {
+                let arc = Arc { center, radius };
                 if straddles {
-                    let [_, r] = piece.position(if taus[0] > 0.0 { to } else { from });
-                    include(&mut range, self.beside(r));
-                }
-                let h = |t: f64| {
-                    let point = piece.position(t);
-                    if self.tau(point[0]) > 0.0 {
-                        self.h(point)
-                    } else {
-                        self.beside(point[1])
-                    }
-                };
-                if straddles {
-                    include_arc(&mut range, h, [from, to], hull);
+                    let h = |point: [f64; 2]| match self.tau(point[0]) > 0.0 {
+                        true => self.h(point),
+                        false => self.beside(point[1]),
+                    };
+                    let crossing = arc.at(self.x, samples[samples.len() / 2][1] > center[1]);
+                    include(&mut range, self.beside(crossing[1]));
+                    let upstream = ends[usize::from(taus[1] > 0.0)];
+                    let points = arc.samples([crossing, upstream]);
+                    self.include_arc(&mut range, &arc, &points, h, hull);
                 } else {
-                    include_samples(&mut range, &samples.map(|point| self.h(point)), h, hull);
+                    self.include_arc(&mut range, &arc, samples, |point| self.h(point), hull);
                 }
             }
         }
         range
     }
 
-    /// Where an arc that is monotone in x crosses the plane of the circle, by bisection.
-    fn crossing(&self, piece: &Piece, taus: [f64; 2]) -> f64 {
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            let tau = self.tau(piece.position(middle)[0]);
-            if (tau > 0.0) == (taus[0] > 0.0) {
-                low = middle;
-            } else {
-                high = middle;
+    /// Takes in h at points along an arc, and where one of them is extreme, the extremum beside it.
+    fn include_arc(
+        &self,
+        range: &mut Option<[f64; 2]>,
+        arc: &Arc,
+        points: &Samples,
+        h: impl Fn([f64; 2]) -> f64,
+        [low, high]: [f64; 2],
+    ) {
+        let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
+        for (n, point) in points.iter().enumerate() {
+            let value = h(*point);
+            include(range, value);
+            if value < least.1 {
+                least = (n, value);
+            }
+            if value > most.1 {
+                most = (n, value);
             }
         }
-        0.5 * (low + high)
+        // Only an extremum among the lit cosines moves a shadow.
+        let near_lit = [
+            (least.1 > low && least.1 < high + STEEP).then_some(least.0),
+            (most.1 < high && most.1 > low - STEEP).then_some(most.0),
+        ];
+        for n in near_lit.into_iter().flatten() {
+            let last = points.len() - 1;
+            let ends = [n.saturating_sub(1), (n + 1).min(last)].map(|n| points[n]);
+            // on the circle itself the slope is 0 / 0
+            let from = if self.is_beside(ends[0]) { APART } else { 0.0 };
+            let slope = |u: f64| self.slope(arc, arc.above(ends, u));
+            if let Some(u) = root::brent(slope, from, 1.0, CLOSE) {
+                include(range, h(arc.above(ends, u)));
+            }
+        }
     }
 }
 
@@ -333,49 +363,37 @@ fn include(range: &mut Option<[f64; 2]>, value: f64) {
     });
 }
 
-/// Takes in the range of h over a part of an arc.
-fn include_arc(
-    range: &mut Option<[f64; 2]>,
-    h: impl Fn(f64) -> f64,
-    [from, to]: [f64; 2],
-    hull: [f64; 2],
-) {
-    let of_part = |u: f64| h(from + (to - from) * u);
-    let steps = f64::from(SAMPLE_STEPS);
-    let values = core::array::from_fn(|n| of_part(n as f64 / steps));
-    include_samples(range, &values, of_part, hull);
+/// The circle of an arc. Between two of its points it is run through along their chord: an extremum does not mind, and no angle is
+/// needed.
+#[derive(Clone, Copy)]
+struct Arc {
+    center: [f64; 2],
+    radius: f64,
 }
 
-/// Takes in samples of h at even steps of 0…1, and where one of them is extreme, the extremum beside it.
-fn include_samples(
-    range: &mut Option<[f64; 2]>,
-    values: &[f64; SAMPLE_STEPS as usize + 1],
-    h: impl Fn(f64) -> f64,
-    [low, high]: [f64; 2],
-) {
-    let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
-    for (n, value) in values.iter().copied().enumerate() {
-        include(range, value);
-        if value < least.1 {
-            least = (n, value);
-        }
-        if value > most.1 {
-            most = (n, value);
-        }
+impl Arc {
+    /// The point at an axial position, on the outer or on the inner side of the center.
+    fn at(&self, x: f64, outer: bool) -> [f64; 2] {
+        let dx = x - self.center[0];
+        let dr = ((self.radius - dx) * (self.radius + dx)).max(0.0).sqrt();
+        let r = self.center[1] + if outer { dr } else { -dr };
+        [x, r.max(0.0)]
     }
-    let steps = f64::from(SAMPLE_STEPS);
-    let beside = |n: usize| {
-        let at = n as f64;
-        ((at - 1.0).max(0.0) / steps, (at + 1.0).min(steps) / steps)
-    };
-    // Only an extremum among the lit cosines moves a shadow.
-    if least.1 > low && least.1 < high + STEEP {
-        let (a, b) = beside(least.0);
-        include(range, -root::maximum(|t| -h(t), a, b, CLOSE).1);
+
+    /// The point above `u` of 0…1 of the chord between two points, less than 180 deg apart.
+    fn above(&self, [from, to]: [[f64; 2]; 2], u: f64) -> [f64; 2] {
+        let on_chord = |i: usize| from[i] + u * (to[i] - from[i]) - self.center[i];
+        let (x, r) = (on_chord(0), on_chord(1));
+        let scale = self.radius / (x * x + r * r).sqrt();
+        [
+            self.center[0] + scale * x,
+            (self.center[1] + scale * r).max(0.0),
+        ]
     }
-    if most.1 < high && most.1 > low - STEEP {
-        let (a, b) = beside(most.0);
-        include(range, root::maximum(h, a, b, CLOSE).1);
+
+    /// Points from one to another.
+    fn samples(&self, ends: [[f64; 2]; 2]) -> Samples {
+        core::array::from_fn(|n| self.above(ends, n as f64 / f64::from(SAMPLE_STEPS)))
     }
 }
 

@@ -89,6 +89,16 @@ impl Piece {
         }
     }
 
+    /// Whether a piece bulges outwards, away from the axis and along the meridian, where a station of it is: then it never shades what
+    /// faces the air on it.
+    pub fn bulges(&self, station: &Station) -> bool {
+        let along = match self {
+            Piece::Line { .. } => true,
+            Piece::Arc { sweep_rad, .. } => *sweep_rad < 0.0,
+        };
+        along && station.normal_r >= 0.0
+    }
+
     /// Position at `t` of 0…1, diameters.
     pub fn position(&self, t: f64) -> [f64; 2] {
         match *self {

@@ -60,19 +60,19 @@ impl<'a> FluxIntegral<'a> {
             rising_at_86_km: rising(species, 86.0),
             whole: 0.0,
         };
-        integral.whole = integral.from_86_km(FLUX_TOP_KM);
+        integral.whole = integral.up_to(FLUX_TOP_KM);
         integral
     }
 
     /// From 86 km.
     pub fn at(&self, z_m: f64) -> f64 {
         match z_m / 1000.0 {
-            z if z < FLUX_TOP_KM => self.from_86_km(z),
+            z if z < FLUX_TOP_KM => self.up_to(z),
             _ => self.whole,
         }
     }
 
-    fn from_86_km(&self, z: f64) -> f64 {
+    fn up_to(&self, z: f64) -> f64 {
         let Species {
             q_capital_per_km3: q1,
             w_capital_per_km3: w1,
