@@ -90,10 +90,10 @@ impl FlightProblem {
                     mission,
                     body,
                     outline: outline.body(),
-                    findings: reader.findings,
+                    findings: reader.into_findings(),
                 })
             }
-            _ => Err(reader.faults),
+            _ => Err(reader.into_faults()),
         }
     }
 
@@ -134,9 +134,9 @@ impl DesignProblem {
         match design::design(&mut reader, library) {
             Some(input) if reader.faults.is_empty() => Ok(DesignProblem {
                 input,
-                findings: reader.findings,
+                findings: reader.into_findings(),
             }),
-            _ => Err(reader.faults),
+            _ => Err(reader.into_faults()),
         }
     }
 

@@ -2,9 +2,10 @@
 
 use super::inputs::DesignInput;
 use super::{Pass, Solution};
+use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::flight::mission::{Body, Model};
-use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
+use crate::flight::{self, Flight, LANDED_WITHIN_M, Request, allen_eggers, summary, three_dof};
 use crate::outcome::Outcome;
 use numerics::math::RADIANS_PER_DEGREE;
 
@@ -14,6 +15,8 @@ pub(super) struct Flown {
     pub(super) outcome: Outcome,
     pub(super) reason: Option<String>,
     pub(super) terminal_speed_m_s: f64,
+    /// Whether it reached its final altitude.
+    pub(super) came_down: bool,
     /// Speed at impact, or the terminal speed where the flight does not come down.
     pub(super) impact_speed_m_s: f64,
 }
@@ -23,11 +26,11 @@ impl Flown {
     pub(super) fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
         let mission = &input.mission;
         let (flight, outcome, reason) = match model {
-            Model::AllenEggers => (
-                allen_eggers::fly(mission, body, Request::Nothing),
-                Outcome::Landed,
-                None,
-            ),
+            Model::AllenEggers => {
+                let flight = allen_eggers::fly(mission, body, Request::Nothing);
+                let (outcome, reason) = allen_eggers::ending(mission, &flight);
+                (flight, outcome, reason)
+            }
             Model::ThreeDof | Model::SixDof => {
                 let record = three_dof::integrate(mission, body);
                 let flight =
@@ -38,7 +41,16 @@ impl Flown {
         let (outcome, reason) = flight.ending(outcome, reason);
         let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
         let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
-        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped);
+        let came_down = match outcome {
+            Outcome::Landed => true,
+            // by an end of a table or by time a flight stops above its final altitude
+            Outcome::Stopped => {
+                let end_m = mission.stop.altitude_m;
+                end_m
+                    .is_some_and(|end_m| (flight.final_altitude_m - end_m).abs() <= LANDED_WITHIN_M)
+            }
+            _ => false,
+        };
         let impact_speed_m_s = if came_down {
             flight.final_speed_m_s
         } else {
@@ -49,6 +61,7 @@ impl Flown {
             outcome,
             reason,
             terminal_speed_m_s,
+            came_down,
             impact_speed_m_s,
         }
     }
@@ -62,7 +75,7 @@ impl Flown {
         }
     }
 
-    /// A flight that leaves the atmosphere or is given up: nothing can be sized for it.
+    /// A flight that leaves the atmosphere, ends on the way or is given up: nothing can be sized for it.
     pub(super) fn departed(
         self,
         input: &DesignInput,
@@ -72,26 +85,43 @@ impl Flown {
     ) -> Solution {
         let flight = with_history(input, request, body, self.flight);
         let mut findings = flight::findings(&input.mission, body, &flight);
+        let angle_deg = flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE;
+        let end_m = short(flight.final_altitude_m);
+        let (key, value, did) = match self.outcome {
+            Outcome::Stopped => (
+                "stop.altitude_m",
+                flight.final_altitude_m,
+                format!("does not come down to its final altitude, but stops at {end_m} m,"),
+            ),
+            Outcome::GaveUp => (
+                "entry.flight_path_angle_deg",
+                angle_deg,
+                "was given up".to_owned(),
+            ),
+            _ => (
+                "entry.flight_path_angle_deg",
+                angle_deg,
+                "leaves the atmosphere again".to_owned(),
+            ),
+        };
         findings.push(Finding {
             severity: Severity::Exceeded,
             model: "coupling".to_owned(),
-            key: "entry.flight_path_angle_deg".to_owned(),
-            value: Some(flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE),
+            key: key.to_owned(),
+            value: Some(value),
             valid: (None, None),
             message: format!(
-                "A vehicle of {:.2} kg {} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
+                "A vehicle of {:.2} kg {did} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
                 body.mass_kg,
-                match self.outcome {
-                    Outcome::GaveUp => "was given up",
-                    _ => "leaves the atmosphere again",
-                }
             ),
             source: "convention of this program".to_owned(),
-            field: Some("entry.flight_path_angle_deg".to_owned()),
+            field: Some(key.to_owned()),
         });
+        let stopped = self.outcome == Outcome::Stopped;
+        let by_time = || format!("stopped in time at {end_m} m, above the final altitude");
         Solution {
             outcome: self.outcome,
-            reason: self.reason,
+            reason: self.reason.or_else(|| stopped.then(by_time)),
             flight: Some(flight),
             design: None,
             adjustments: Vec::new(),

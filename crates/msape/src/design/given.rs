@@ -1,4 +1,4 @@
-//! Results of higher fidelity that the user gives in the place of a model of the coupling.
+//! Findings on results of higher fidelity that the user [gives](super::inputs::Given) in the place of a model of the coupling.
 //!
 //! ```text
 //! t = t_given      T = T_given      m = m_given
@@ -21,17 +21,6 @@ use crate::heating::given::USERS;
 use crate::tps::Side;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
-
-/// What the user gives.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Given {
-    /// Thickness of the forebody's heat shield, m.
-    pub forebody_tps_m: Option<f64>,
-    /// Thickness of the aftbody's heat shield, m.
-    pub aftbody_tps_m: Option<f64>,
-    /// Peak temperature of the payload, K.
-    pub payload_temperature_k: Option<f64>,
-}
 
 /// What is said of all that is given.
 pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) -> Vec<Finding> {

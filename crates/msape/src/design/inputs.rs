@@ -2,7 +2,6 @@
 
 use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
-use crate::design::given::Given;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
@@ -12,6 +11,17 @@ use crate::tps::JudgedAt;
 use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{Vehicle, VehicleInput};
+
+/// What the user gives in the place of models.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Thickness of the forebody's heat shield, m.
+    pub forebody_tps_m: Option<f64>,
+    /// Thickness of the aftbody's heat shield, m.
+    pub aftbody_tps_m: Option<f64>,
+    /// Peak temperature of the payload, K.
+    pub payload_temperature_k: Option<f64>,
+}
 
 /// A design problem.
 #[derive(Clone, Debug)]

@@ -198,6 +198,24 @@ mod tests {
     }
 
     #[test]
+    fn the_model_factor_is_of_a_relation_and_not_of_given_fluxes() {
+        let table = format!("table = [\n{}]", rows("", 1.0));
+        let factor = "convective_model_factor = 1.33\n";
+        let peak = |answer: &Answer| {
+            let flight = answer.flight.as_ref().unwrap();
+            flight.peak_convective_heat_flux_w_m2.value
+        };
+        let (plain, with) = (flown(&table), flown(&format!("{factor}{table}")));
+        assert_eq!(peak(&plain), peak(&with));
+        let said = |answer: &Answer| {
+            let mut findings = answer.findings.iter();
+            findings.any(|f| f.message.contains("The model factor is not used"))
+        };
+        assert!(said(&with) && !said(&plain));
+        assert!((peak(&flown(factor)) / peak(&flown("")) - 1.33).abs() < 1e-5);
+    }
+
+    #[test]
     fn the_users_table_is_told_and_its_ends_are() {
         let answer = flown(&format!("table = [\n{}]", rows("", 1.0)));
         let said: Vec<&str> = answer.findings.iter().map(|f| f.message.as_str()).collect();

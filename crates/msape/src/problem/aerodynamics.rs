@@ -85,7 +85,7 @@ pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<
         .and_then(|(body, medium)| database(&mut reader, library, &medium, body, drag.as_ref()));
     match body.zip(database) {
         Some(found) if reader.faults.is_empty() => Ok(found),
-        _ => Err(reader.faults),
+        _ => Err(reader.into_faults()),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Checks the choice of heating models.
 
 use super::aerodynamics::beyond;
-use super::planet::SAME_GAS;
+use super::planet::{SAME_GAS, remark};
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
 use crate::heating::brandis_johnston::BrandisJohnston;
@@ -25,6 +25,7 @@ pub(super) fn heating(
 ) -> Option<(StagnationHeating, f64)> {
     let name = &world.planet.name;
     let (table, body) = given(reader);
+    let given_fluxes = table.is_some();
     let convective = match choice(reader, "heating.convective")? {
         _ if table.is_some() => table.clone().map(Convective::Given),
         "brandis-johnston" => brandis_johnston(reader, "heating.convective", world)
@@ -52,7 +53,10 @@ pub(super) fn heating(
     };
     let emissivity = reader.number("heating.wall_emissivity");
     let wall = choice(reader, "heating.wall");
-    let model_factor = reader.number("heating.convective_model_factor");
+    let model_factor = match given_fluxes {
+        true => no_factor(reader),
+        false => reader.number("heating.convective_model_factor"),
+    };
     let convective_margin = reader.number("heating.convective_margin");
     let radiative_margin = reader.number("heating.radiative_margin");
     let pressure = choice(reader, "heating.stagnation_pressure").and_then(PressureModel::named);
@@ -78,6 +82,17 @@ pub(super) fn heating(
         },
     };
     Some((heating, emissivity))
+}
+
+/// The factor on heat fluxes that the case gives: none, as it corrects a relation.
+fn no_factor(reader: &mut Reader) -> Option<f64> {
+    let key = "heating.convective_model_factor";
+    let factor = reader.number(key)?;
+    if factor != 1.0 {
+        let message = "The model factor is not used: it corrects a relation, and the case gives convective heat fluxes itself.";
+        remark(reader, key, message.to_string());
+    }
+    Some(1.0)
 }
 
 /// The gas at the wall: that of the planet, or of the air that the case brings.

@@ -189,7 +189,7 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("heating.convective_model_factor", "Convective Model Factor", Group::Models, Dimension::One, Range::above(0.0, 10.0))
         .usual(1.0, 1.5)
         .preset(Preset::Number(1.0))
-        .help("Correction of the convective relation itself, apart from the margin; the report's comparison with DPLR gives 1.33.", "NASA/TM-2014-218507, section 3.4.3"),
+        .help("Correction of the convective relation itself, apart from the margin and not of heat fluxes that the case gives; the report's comparison with DPLR gives 1.33.", "NASA/TM-2014-218507, section 3.4.3"),
     Input::new(
         "heating.wall",
         "Wall for Convective Heating",
