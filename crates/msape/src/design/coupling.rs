@@ -1,8 +1,8 @@
 //! The answer of a design: the vehicle on which the passes settle, or why there is none.
 //!
 //! # Valid
-//! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere or stops on the way
-//! down, or given up at a limit of work or where a number is not finite.
+//! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere, or a table
+//! beyond which the case refuses to go on, or given up at a limit of work or where a number is not finite.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
@@ -207,6 +207,7 @@ impl Finished<'_> {
         if input.given.payload_temperature_k.is_none() {
             findings.extend(input.soak.findings(&sized.soak));
         }
+        findings.extend(flown.ended_in_time(&input.mission));
         findings.extend(given::findings(input, vehicle, sized));
         findings.extend(vehicle.findings.iter().cloned());
         findings
@@ -228,26 +229,32 @@ mod tests {
     }
 
     #[test]
-    fn a_flight_that_stops_on_its_way_down_is_never_sized() {
-        // by the end of a table, and by time
+    fn a_flight_that_is_ended_by_a_table_is_never_sized() {
         let wind = "[[0.0, 5.0, 0.0], [20000.0, 10.0, 0.0], [60000.0, 0.0, 0.0]]";
-        let by_table = [("wind.table", wind), ("wind.extrapolation", "refuse")];
-        for (changes, why) in [
-            (&by_table[..], "left wind.table"),
-            (&[("stop.time_s", "60")], "stopped in time at"),
-        ] {
-            let answer = designed(changes);
-            assert_eq!(answer.outcome, Outcome::Stopped);
+        let air = "[[2000.0, 1.0, 275.0], [80000.0, 2e-5, 200.0], [130000.0, 1e-8, 500.0]]";
+        for (table, rows) in [("wind", wind), ("atmosphere", air)] {
+            let (key, rule) = (format!("{table}.table"), format!("{table}.extrapolation"));
+            let answer = designed(&[(&key, rows), (&rule, "refuse")]);
+            assert_eq!(answer.outcome, Outcome::Stopped, "{table}");
             assert!(answer.design.is_none() && answer.flight.is_some());
             let reason = answer.reason.unwrap();
-            assert!(reason.contains(why), "{reason}");
+            assert!(reason.contains(&format!("left {table}")), "{reason}");
             let mut said = answer.findings.iter().map(|finding| &finding.message);
             assert!(
-                said.any(|message| message.contains("does not come down to its final altitude"))
+                said.any(|message| message.contains("where it leaves a table, on this flight"))
             );
+            assert_ne!(designed(&[(&key, rows)]).outcome, Outcome::Stopped);
         }
-        // one that comes down to a height above the ground is
-        let high = designed(&[("stop.altitude_m", "1000"), ("stop.time_s", "1e5")]);
-        assert_eq!(high.outcome, Outcome::Converged);
+    }
+
+    #[test]
+    fn a_vehicle_for_a_flight_that_ends_in_time_says_so() {
+        let said = |answer: &crate::Answer| {
+            let mut findings = answer.findings.iter();
+            findings.any(|finding| finding.message.contains("The flight ends in time at"))
+        };
+        assert!(said(&designed(&[("stop.time_s", "300")])));
+        let down = designed(&[("stop.altitude_m", "1000"), ("stop.time_s", "1e5")]);
+        assert!(down.outcome == Outcome::Converged && !said(&down));
     }
 }

@@ -4,7 +4,7 @@ use super::inputs::DesignInput;
 use super::{Pass, Solution};
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::flight::mission::{Body, Model};
+use crate::flight::mission::{Body, Mission, Model};
 use crate::flight::{self, Flight, LANDED_WITHIN_M, Request, allen_eggers, summary, three_dof};
 use crate::outcome::Outcome;
 use numerics::math::RADIANS_PER_DEGREE;
@@ -15,7 +15,7 @@ pub(super) struct Flown {
     pub(super) outcome: Outcome,
     pub(super) reason: Option<String>,
     pub(super) terminal_speed_m_s: f64,
-    /// Whether it reached its final altitude.
+    /// Whether it ended where the case asks for.
     pub(super) came_down: bool,
     /// Speed at impact, or the terminal speed where the flight does not come down.
     pub(super) impact_speed_m_s: f64,
@@ -25,32 +25,23 @@ impl Flown {
     /// The flight of a body by one model.
     pub(super) fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
         let mission = &input.mission;
-        let (flight, outcome, reason) = match model {
+        let (flight, outcome, reason, refused) = match model {
             Model::AllenEggers => {
                 let flight = allen_eggers::fly(mission, body, Request::Nothing);
-                let (outcome, reason) = allen_eggers::ending(mission, &flight);
-                (flight, outcome, reason)
+                (flight, Outcome::Landed, None, false)
             }
             Model::ThreeDof | Model::SixDof => {
                 let record = three_dof::integrate(mission, body);
                 let flight =
                     summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
-                (flight, record.outcome, record.reason)
+                let refused = record.refused.is_some();
+                (flight, record.outcome, record.reason, refused)
             }
         };
         let (outcome, reason) = flight.ending(outcome, reason);
         let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
         let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
-        let came_down = match outcome {
-            Outcome::Landed => true,
-            // by an end of a table or by time a flight stops above its final altitude
-            Outcome::Stopped => {
-                let end_m = mission.stop.altitude_m;
-                end_m
-                    .is_some_and(|end_m| (flight.final_altitude_m - end_m).abs() <= LANDED_WITHIN_M)
-            }
-            _ => false,
-        };
+        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped) && !refused;
         let impact_speed_m_s = if came_down {
             flight.final_speed_m_s
         } else {
@@ -75,6 +66,28 @@ impl Flown {
         }
     }
 
+    /// What is said of a vehicle whose flight ends in time above its final altitude: asked for, and no touchdown.
+    pub(super) fn ended_in_time(&self, mission: &Mission) -> Option<Finding> {
+        let end_m = mission.stop.altitude_m.unwrap_or(0.0);
+        let height_m = self.flight.final_altitude_m;
+        let in_time = mission.stop.time_s.is_some() && height_m > end_m + LANDED_WITHIN_M;
+        in_time.then(|| Finding {
+            severity: Severity::Exceeded,
+            model: "coupling".to_owned(),
+            key: "final_altitude_m".to_owned(),
+            value: Some(height_m),
+            valid: (None, Some(end_m)),
+            message: format!(
+                "The flight ends in time at {} m, above {} m: impact, foam and landing are made for the speed there, {} m/s.",
+                short(height_m),
+                short(end_m),
+                short(self.flight.final_speed_m_s)
+            ),
+            source: "convention of this program".to_owned(),
+            field: Some("stop.time_s".to_owned()),
+        })
+    }
+
     /// A flight that leaves the atmosphere, ends on the way or is given up: nothing can be sized for it.
     pub(super) fn departed(
         self,
@@ -91,7 +104,7 @@ impl Flown {
             Outcome::Stopped => (
                 "stop.altitude_m",
                 flight.final_altitude_m,
-                format!("does not come down to its final altitude, but stops at {end_m} m,"),
+                format!("stops at {end_m} m, where it leaves a table,"),
             ),
             Outcome::GaveUp => (
                 "entry.flight_path_angle_deg",
@@ -117,11 +130,9 @@ impl Flown {
             source: "convention of this program".to_owned(),
             field: Some(key.to_owned()),
         });
-        let stopped = self.outcome == Outcome::Stopped;
-        let by_time = || format!("stopped in time at {end_m} m, above the final altitude");
         Solution {
             outcome: self.outcome,
-            reason: self.reason.or_else(|| stopped.then(by_time)),
+            reason: self.reason,
             flight: Some(flight),
             design: None,
             adjustments: Vec::new(),

@@ -96,7 +96,7 @@ pub(super) struct Run {
 pub(super) enum End {
     /// A vehicle was made for its flight, settled or not.
     Vehicle(Box<Made>),
-    /// The flight does not come down to its end, or was given up.
+    /// The flight leaves the atmosphere or a table, or was given up.
     Departed { body: Body, flown: Box<Flown> },
     /// No vehicle closes for these numbers.
     Unclosed(NotClosed, Box<VehicleInput>),
