@@ -27,7 +27,7 @@ use numerics::scalar::{Mask, Scalar};
 /// Where a finding says that a number came from.
 pub const USERS: &str = "given by the user";
 
-/// Least speed, m/s, and density, kg/m³, of a logarithm.
+/// Least speed, m/s, and density, kg/m³, of a logarithm, assumed: below those of any flight, and its logarithm is finite.
 const LEAST: f64 = 1e-30;
 
 /// Heat fluxes over speed and density.

@@ -319,7 +319,7 @@ fn drag(
         [] => match outline {
             Outline::Body(body) => {
                 let heat_capacity_ratio = medium?.heat_capacity_ratio;
-                fitted_in_air(reader, heat_capacity_ratio);
+                fitted_in_air(reader, heat_capacity_ratio, None);
                 let forces = library.axial_forces().in_gas(heat_capacity_ratio);
                 Some(Drag::Table(
                     forces.of_outline(&AeroBody::of_rigid(body, None)),
@@ -382,6 +382,7 @@ fn drag(
                     force.other_cone(name, body.cone_half_angle_rad, "vehicle.aerodynamics");
                 reader.findings.extend(finding);
             }
+            fitted_in_air(reader, medium?.heat_capacity_ratio, Some(name));
             Some(Drag::Table(force.table.clone()))
         }
         [_, second, ..] => {

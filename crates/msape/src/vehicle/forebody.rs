@@ -86,6 +86,25 @@ impl Forebody {
         }
     }
 
+    /// Distance from the axis, m, at a part of the length along the surface from the nose tip to the largest diameter.
+    pub fn radius_along_m(&self, part: f64) -> f64 {
+        let (nose, tangent) = (self.nose_tangent(0.0), self.shoulder_tangent(0.0));
+        let (sin, _) = self.sin_cos();
+        let theta = self.cone_half_angle_rad;
+        let on_nose_m = self.nose_radius_m * (FRAC_PI_2 - theta);
+        let on_cone_m = (tangent.r_m - nose.r_m) / sin;
+        let s_m = part * (on_nose_m + on_cone_m + self.shoulder_radius_m * theta);
+        let beyond_m = s_m - on_nose_m - on_cone_m;
+        if s_m < on_nose_m {
+            self.nose_radius_m * sin_cos(s_m / self.nose_radius_m).0
+        } else if beyond_m < 0.0 {
+            nose.r_m + (s_m - on_nose_m) * sin
+        } else {
+            let turned_rad = theta - beyond_m / self.shoulder_radius_m;
+            self.shoulder_center().r_m + self.shoulder_radius_m * sin_cos(turned_rad).1
+        }
+    }
+
     /// Axial position of the surface at depth `depth_m` (nose or cone) at the distance `r_m` from the axis, m.
     pub fn depth_x_m(&self, depth_m: f64, r_m: f64) -> f64 {
         let (sin, cos) = self.sin_cos();
