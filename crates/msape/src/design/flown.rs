@@ -66,7 +66,7 @@ impl Flown {
         }
     }
 
-    /// What is said of a vehicle whose flight ends in time above its final altitude: asked for, and no touchdown.
+    /// The remark on a vehicle whose flight ends in time above its final altitude: asked for, and no touchdown.
     pub(super) fn ended_in_time(&self, mission: &Mission) -> Option<Finding> {
         let end_m = mission.stop.altitude_m.unwrap_or(0.0);
         let height_m = self.flight.final_altitude_m;

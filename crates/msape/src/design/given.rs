@@ -7,7 +7,7 @@
 //! with thicknesses t in m, the payload's temperature T in K and masses m of components in kg, before the margin.
 //!
 //! # Valid
-//! What is given is taken; the model that it replaces is told beside it. A component of given mass keeps the shape that the rules give
+//! A given result is taken; the model that it replaces is told beside it. A component of given mass keeps the shape that the rules give
 //! it.
 //!
 //! # References
@@ -22,7 +22,7 @@ use crate::tps::Side;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 
-/// What is said of all that is given.
+/// Remarks on all that is given.
 pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) -> Vec<Finding> {
     let given = &input.given;
     let mut findings: Vec<Finding> = [

@@ -1,4 +1,4 @@
-//! What a design is made from, checked.
+//! Everything that a design is made from, checked.
 
 use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
@@ -12,7 +12,7 @@ use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{Vehicle, VehicleInput};
 
-/// What the user gives in the place of models.
+/// Results that the user gives in the place of models.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Given {
     /// Thickness of the forebody's heat shield, m.
@@ -30,7 +30,7 @@ pub struct DesignInput {
     pub mission: Mission,
     /// The vehicle; its heat-shield thicknesses and loads are first guesses, which the passes replace.
     pub vehicle: VehicleInput,
-    /// What the user gives in the place of models.
+    /// Results that the user gives in the place of models.
     pub given: Given,
     /// Heat-shield material of the forebody.
     pub forebody_material: TpsMaterial,

@@ -103,7 +103,7 @@ fn search(
     Some(light)
 }
 
-/// What is said of a search that the limit of work ended.
+/// The remark on a search that the limit of work ended.
 fn cut_short(light: Option<&Run>, work: &Work) -> Finding {
     let without = match light {
         Some(_) => {
@@ -179,7 +179,7 @@ mod tests {
     use crate::problem::DesignProblem;
     use crate::{Case, Library};
 
-    /// What is said of the carbon-phenolic vehicle, which grows from 0.9 m, with so much work beyond that of its first passes.
+    /// The remark on the carbon-phenolic vehicle, which grows from 0.9 m, with so much work beyond that of its first passes.
     fn said(more: u64) -> Option<Finding> {
         let text = crate::library::data_file("cases/msr-eev-cp.toml").unwrap();
         let case = Case::from_text(text).unwrap();

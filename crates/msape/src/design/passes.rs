@@ -61,7 +61,7 @@ impl Work {
         Work { done: 0, most }
     }
 
-    /// What was done, with so much more allowed.
+    /// The work done, with so much more allowed.
     #[cfg(test)]
     pub(super) fn with_limit(self, more: u64) -> Work {
         Work {

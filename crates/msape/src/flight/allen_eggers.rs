@@ -88,7 +88,7 @@ struct Sum<'a> {
     before: Option<(f64, f64, HeatFlux<f64>)>,
     /// Heating at the points of the body for which the case gives it, and the heat flux of each where the way stands, W/m².
     points: Vec<(PointHeat, f64)>,
-    /// What was looked up in each axis of the tables that the closed form looks up.
+    /// Axes of the tables that the closed form looks up, and the values looked up in each.
     spans: Vec<(Axis, Span)>,
     /// Largest values: deceleration, dynamic pressure, rise of the stagnation pressure over that of the air, heat fluxes.
     peaks: [Peak; 7],

@@ -192,7 +192,7 @@ pub struct Begun<S = f64> {
     pub peak_deceleration_earth_g: S,
 }
 
-/// What is said of phases that began at once, their value being passed, and of those that never began.
+/// Remarks on phases that began at once, their value being passed, and of those that never began.
 pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
     let mut findings: Vec<Finding> = Vec::new();
     for (index, pair) in begun.windows(2).enumerate() {

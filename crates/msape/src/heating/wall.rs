@@ -81,8 +81,11 @@ impl Gas {
             ("free_stream_temperature_k", self.free_stream_temperature_k),
         ];
         let modes = modes.map(|temperature_k| ("vibration.temperature_k", temperature_k));
+        let fractions = self.vibration.iter().map(|mode| mode.fraction);
+        let fractions = fractions.map(|fraction| ("vibration.fraction", fraction));
         match { positive.into_iter() }
             .chain(modes)
+            .chain(fractions)
             .find(|(_, value)| !(*value > 0.0 && value.is_finite()))
         {
             Some((key, value)) => Err(format!("{key}: got {value}, must be above 0")),
@@ -137,6 +140,11 @@ impl WallGas {
     pub fn all(text: &str) -> Result<Vec<(Vec<String>, Self)>, String> {
         let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let wall_emissivity = file.wall_emissivity;
+        if !(wall_emissivity > 0.0 && wall_emissivity <= 1.0) {
+            return Err(format!(
+                "wall_emissivity: got {wall_emissivity}, must be above 0 and at most 1"
+            ));
+        }
         file.gas
             .into_iter()
             .map(|gas| {
@@ -269,6 +277,31 @@ mod tests {
             );
         }
         assert!(WallGas::parse(include_str!("../../data/heating/hot-wall.toml"), "pluto").is_err());
+    }
+
+    #[test]
+    fn a_number_that_is_of_no_gas_is_refused() {
+        let shipped = include_str!("../../data/heating/hot-wall.toml");
+        for (was, is, said) in [
+            (
+                "wall_emissivity = 0.85",
+                "wall_emissivity = 1.85",
+                "wall_emissivity: got 1.85",
+            ),
+            (
+                "fraction = 0.79",
+                "fraction = -0.79",
+                "vibration.fraction: got -0.79",
+            ),
+            (
+                "temperature_k = 3390.0",
+                "temperature_k = nan",
+                "vibration.temperature_k: got NaN",
+            ),
+        ] {
+            let fault = WallGas::all(&shipped.replacen(was, is, 1)).unwrap_err();
+            assert!(fault.contains(said), "{fault}");
+        }
     }
 
     #[test]

@@ -42,7 +42,7 @@ impl Along {
     }
 }
 
-/// In what the rows of a point are others than those of the stagnation point: one integration meets the kinks of all.
+/// Where the rows of a point are others than those of the stagnation point: one integration meets the kinks of all.
 fn difference(first: &GivenHeating, table: &GivenHeating) -> Option<String> {
     let axes = [
         ("speed", &first.speeds_m_s, &table.speeds_m_s, "m/s"),
@@ -143,7 +143,7 @@ impl BodyHeating {
         self.points.first().map(|(_, table)| table)
     }
 
-    /// What a reader must know: that the heating of the body is the user's, and what it stands for.
+    /// The remark that the heating of the body is the user's, and where it is used.
     pub fn finding(&self) -> Finding {
         let name = self.along.name();
         let last = self.points.last().map_or(0.0, |(fraction, _)| *fraction);

@@ -63,5 +63,5 @@ pub(super) const INPUTS: &[Input] = &[
         ])),
     )
     .preset(Preset::Name("extend"))
-    .help("What holds beyond the speeds and densities of a table of heating. The last slope, of the logarithms where these are interpolated, never makes more heat of less speed or density; a held end heats in a vacuum, too; refuse ends the flight there.", CONVENTION),
+    .help("Rule beyond the speeds and densities of a table of heating. The last slope, of the logarithms where these are interpolated, never makes more heat of less speed or density; a held end heats in a vacuum, too; refuse ends the flight there.", CONVENTION),
 ];
