@@ -210,6 +210,28 @@ mod tests {
                 assert!((flux / tip - of_tip).abs() < 1e-9, "{key} {r_m}: {flux}");
             }
             assert!((heating.largest_w_m2() / tip - 2.0).abs() < 1e-9);
+            // the last point judges the heat shield, and all stand in the JSON
+            let made = answer.design.as_ref().unwrap();
+            assert!((made.shoulder_heat_flux_ratio - 2.0).abs() < 1e-9);
+            let load = made.shoulder_heat_load_j_m2 / made.forebody_judged.heat_load_j_m2;
+            assert!((load - 1.0).abs() < 1e-9, "{load}");
+            let json = crate::answer::json(&answer, crate::quantity::Job::Design);
+            let last = &json["heating_points"][2];
+            assert_eq!(last[format!("{key}_fraction")], 1.0);
+            let flux = last["peak_total_margined_heat_flux_w_m2"].as_f64();
+            assert_eq!(
+                flux,
+                answer
+                    .flight
+                    .as_ref()
+                    .map(|f| f.points[2].peak_heat_flux_w_m2)
+            );
+            // the closed form integrates the points, too
+            case.set("solver.flight_model", "allen-eggers");
+            let closed = design(&case, &library, Request::Nothing).unwrap();
+            let points = closed.flight.unwrap().points;
+            let load = points[2].heat_load_j_m2 / points[0].heat_load_j_m2;
+            assert!((load - 2.0).abs() < 1e-9, "{load}");
         }
     }
 }

@@ -368,3 +368,79 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
         _ => library.aero_standard().damping(Reading::Corrected),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::remarked_aero;
+    use crate::finding::Finding;
+    use crate::problem::{DesignProblem, FlightProblem};
+    use crate::{Case, Library};
+
+    fn case(name: &str, changes: &[(&str, &str)]) -> Case {
+        let text = crate::library::data_file(name).unwrap();
+        let mut case = Case::from_text(text).unwrap();
+        for (key, value) in changes {
+            case.set(key, value);
+        }
+        case
+    }
+
+    fn of_air(findings: &[Finding]) -> Option<&str> {
+        let mut findings = findings.iter();
+        let found = findings.find(|finding| finding.key == "heat_capacity_ratio")?;
+        Some(&found.model)
+    }
+
+    #[test]
+    fn what_was_fitted_in_air_is_told_in_another_gas() {
+        let library = Library::builtin().unwrap();
+        let stardust = "cases/stardust.toml";
+        for planet in ["mars", "earth"] {
+            let there = [
+                ("entry.planet", planet),
+                ("entry.atmosphere", "planet"),
+                ("entry.radius_m", ""),
+                ("entry.altitude_m", "120000"),
+                ("heating.radiative", "none"),
+                ("vehicle.drag_coefficient", ""),
+            ];
+            let told = |model: &'static str| (planet == "mars").then_some(model);
+            for (key, value, model) in [
+                (
+                    "vehicle.aerodynamics",
+                    "sphere-cone-70",
+                    "axial force by name",
+                ),
+                ("outline.preset", "stardust", "axial force of the outline"),
+            ] {
+                let case = case(stardust, &[&there[..], &[(key, value)]].concat());
+                let problem = FlightProblem::check(&case, &library).unwrap();
+                assert_eq!(of_air(&problem.findings), told(model), "{planet} {key}");
+            }
+            for (name, model) in [
+                ("mmeev-60", "axial force by name"),
+                ("outline", "axial force of the outline"),
+            ] {
+                let of_design = [("design.aerodynamics", name)];
+                let case = case(
+                    "cases/galahad.toml",
+                    &[&there[..5], &of_design[..]].concat(),
+                );
+                let problem = DesignProblem::check(&case, &library).unwrap();
+                assert_eq!(of_air(&problem.findings), told(model), "{planet} {name}");
+            }
+            for (name, model) in [
+                ("sphere-cone-70", "axial force by name"),
+                ("", "axial force of the outline"),
+            ] {
+                let more = [
+                    ("outline.preset", "stardust"),
+                    ("vehicle.aerodynamics", name),
+                ];
+                let case = case(stardust, &[&there[..], &more[..]].concat());
+                let (_, findings) = remarked_aero(&case, &library).unwrap();
+                assert_eq!(of_air(&findings), told(model), "{planet} aero {name}");
+            }
+        }
+    }
+}

@@ -183,3 +183,29 @@ pub(super) fn choice(reader: &mut Reader, key: &str) -> Option<&'static str> {
     let names: Vec<&'static str> = fixed.iter().map(|(name, _)| *name).collect();
     reader.choice(key, &names)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::FlightProblem;
+    use crate::{Case, Library};
+
+    #[test]
+    fn a_hot_wall_has_the_gas_of_the_table_that_the_case_brings() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let library = Library::builtin().unwrap();
+        // p = ρ R T at two altitudes
+        let gas_constant = |r: f64| {
+            let row = |h: f64, rho: f64, t: f64| format!("[{h}, {rho:e}, {t}, {:e}]", rho * r * t);
+            let rows = [row(0.0, 1.2, 280.0), row(2e5, 1e-9, 280.0)].join(", ");
+            let mut case = Case::from_text(text).unwrap();
+            case.set("heating.wall", "radiative-equilibrium");
+            case.set("atmosphere.table", &format!("[{rows}]"));
+            let problem = FlightProblem::check(&case, &library).unwrap();
+            problem.mission.heating.gas.gas_constant_j_kg_k()
+        };
+        // carbon dioxide: 188.92 J/(kg K); air with a little rounding stays that of the planet
+        assert!((gas_constant(188.92) / 188.92 - 1.0).abs() < 1e-6);
+        let air = gas_constant(287.05);
+        assert!(air == gas_constant(288.5) && (air / 287.05 - 1.0).abs() < 1e-3);
+    }
+}
