@@ -31,7 +31,7 @@ use crate::quantity::Job;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aerodynamics::{aero, remarked_aero};
+pub use aerodynamics::{BodyCoefficients, aero, remarked_aero};
 pub use attitude_of_design::{
     add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };

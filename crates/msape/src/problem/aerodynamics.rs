@@ -59,11 +59,14 @@ impl Medium {
     }
 }
 
+/// A body and the database of its coefficients.
+pub type BodyCoefficients = (AeroBody, Database);
+
 /// A body and its database, from a case with an outline or from a design.
 ///
 /// # Errors
 /// Every fault of the case at once.
-pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<InputError>> {
+pub fn aero(case: &Case, library: &Library) -> Result<BodyCoefficients, Vec<InputError>> {
     remarked_aero(case, library).map(|(found, _)| found)
 }
 
@@ -74,7 +77,7 @@ pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<
 pub fn remarked_aero(
     case: &Case,
     library: &Library,
-) -> Result<((AeroBody, Database), Vec<Finding>), Vec<InputError>> {
+) -> Result<(BodyCoefficients, Vec<Finding>), Vec<InputError>> {
     let mut reader = Reader::new(case);
     let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
     let body = match rigid_body(case, library) {

@@ -3,13 +3,12 @@
 use super::aerodynamics::{
     Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
 };
-use super::entering::{above_end, altitude_at, descends};
+use super::entering::{above_end, altitude_at, descends, goes_on};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
-use super::planet::{atmosphere, deep_enough, planet, reaching, remark, wind};
+use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
-use crate::aero::table::Extrapolation;
 use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
 use crate::flight::mission::{
@@ -22,15 +21,6 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
-
-/// Keys of what holds beyond the ends of tables.
-const RULES: [&str; 5] = [
-    "atmosphere.extrapolation",
-    "heating.extrapolation",
-    "vehicle.aerodynamics.extrapolation",
-    "vehicle.bank_extrapolation",
-    "wind.extrapolation",
-];
 
 /// Which flight-path angles a command takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -60,15 +50,7 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     });
     let heating = world.and_then(|world| heating(reader, library, world, gas_constant));
     let solver = solver(reader);
-    if let Some(Model::AllenEggers) = solver.as_ref().map(|solver| solver.model) {
-        for key in RULES {
-            if reader.given(key) && beyond(reader, key) == Extrapolation::Refuse {
-                let message =
-                    "The closed form does not end where it leaves a table: \"refuse\" is not used.";
-                remark(reader, key, message.to_string());
-            }
-        }
-    }
+    goes_on(reader, solver.as_ref());
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
         descends(reader, start, solver, angle);
