@@ -23,7 +23,7 @@ use crate::text::{Decoded, decode};
 use dxf::group::Place;
 use thiserror::Error;
 
-/// Faults are listed up to this number.
+/// Faults are listed up to this number, assumed.
 pub const MOST_FAULTS: usize = 100;
 /// Characters of a text from a file that a message shows.
 const MOST_SHOWN: usize = 40;

@@ -100,12 +100,12 @@ pub fn run(arguments: &Aero, data: &Data) -> Done {
             case.set(key, &value.to_string());
         }
     }
-    let found = msape::problem::aero(case, &data.library);
+    let found = msape::problem::remarked_aero(case, &data.library);
     let of_air = found
         .as_ref()
-        .map(|(_, database)| database.heat_capacity_ratio());
+        .map(|((_, database), _)| database.heat_capacity_ratio());
     let theory = theory(arguments, case, of_air.unwrap_or(GAMMA), faults);
-    let (body, database) = loaded.unless_at_fault(found)?;
+    let ((body, database), remarked) = loaded.unless_at_fault(found)?;
     if arguments.database {
         output::write(
             msape::aero::stored::csv(&database),
@@ -116,6 +116,7 @@ pub fn run(arguments: &Aero, data: &Data) -> Done {
     refuse(&database, &theory, &angles)?;
     let polar = polar::polar(&polar::Aero::new(&body, theory, Some(&database)), &angles);
     let mut findings = remarks(&polar, &theory, &database);
+    findings.extend(remarked);
     findings.extend(loaded.findings());
     let case = &loaded.case;
     let text = if arguments.json {

@@ -5,6 +5,7 @@
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer.
 //! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
 //! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
+//! - `given`: what is said of results that the user gives.
 //! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
@@ -14,7 +15,7 @@ pub mod coupling;
 pub mod crossings;
 pub mod drag;
 mod flown;
-pub mod given;
+mod given;
 pub mod inputs;
 mod lighter;
 pub mod misfit;

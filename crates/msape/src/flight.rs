@@ -276,3 +276,6 @@ fn came_back(flight: &Flight) -> Option<Finding> {
         field: Some("stop.passes".to_string()),
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -31,7 +31,7 @@ use crate::quantity::Job;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aerodynamics::aero;
+pub use aerodynamics::{BodyCoefficients, aero, remarked_aero};
 pub use attitude_of_design::{
     add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };
@@ -90,10 +90,10 @@ impl FlightProblem {
                     mission,
                     body,
                     outline: outline.body(),
-                    findings: reader.findings,
+                    findings: reader.into_findings(),
                 })
             }
-            _ => Err(reader.faults),
+            _ => Err(reader.into_faults()),
         }
     }
 
@@ -134,9 +134,9 @@ impl DesignProblem {
         match design::design(&mut reader, library) {
             Some(input) if reader.faults.is_empty() => Ok(DesignProblem {
                 input,
-                findings: reader.findings,
+                findings: reader.into_findings(),
             }),
-            _ => Err(reader.faults),
+            _ => Err(reader.into_faults()),
         }
     }
 

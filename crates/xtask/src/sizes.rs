@@ -8,6 +8,7 @@ use crate::project::files_below;
 
 /// What a browser fetches together.
 struct Part {
+    /// What it is, another for each part.
     name: &'static str,
     /// What it may be, compressed, bytes.
     budget_bytes: usize,
@@ -39,10 +40,7 @@ pub fn print(dist: &Path) -> Result<Sizes> {
     for (part, sum) in PARTS.iter().zip(&mut sums) {
         println!("\n{:>12} {:>12}  {}", "bytes", "brotli", part.name);
         let mut total = Size::default();
-        for file in files
-            .iter()
-            .filter(|file| std::ptr::eq(part_of(file), part))
-        {
+        for file in files.iter().filter(|file| part_of(file).name == part.name) {
             let size = Size::of(&fs::read(file)?)?;
             total.add(size);
             println!(

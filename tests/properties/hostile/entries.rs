@@ -7,6 +7,7 @@ use crate::designs::LIBRARY;
 use msape::library::named;
 use msape::planet::Gravity;
 use msape::quantity::Job;
+use msape::quantity::input::{Choices, Kind, find};
 use msape::{Case, Request};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -32,6 +33,12 @@ fn number(key: &'static str, range: std::ops::Range<f64>) -> BoxedStrategy<Typed
 }
 
 fn one_of(key: &'static str, words: &[&'static str]) -> BoxedStrategy<Typed> {
+    let Some(Kind::Choice(Choices::Fixed(known))) = find(key).map(|input| input.kind) else {
+        panic!("{key} is no choice of fixed names");
+    };
+    for word in words {
+        assert!(known.iter().any(|(name, _)| name == word), "{key}: {word}");
+    }
     select(words.to_vec())
         .prop_map(move |word| vec![(key, word.to_string())])
         .boxed()
@@ -99,7 +106,7 @@ fn options() -> impl Strategy<Value = Typed> {
             "heating.radiative",
             &["none", "none", "tauber-sutton", "brandis-johnston"],
         ),
-        perhaps(one_of("heating.wall", &["cold", "hot"])),
+        perhaps(one_of("heating.wall", &["cold", "radiative-equilibrium"])),
         perhaps(one_of(
             "solver.method",
             &["dormand-prince-54", "dormand-prince-853", "rk4"],

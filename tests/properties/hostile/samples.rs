@@ -37,7 +37,7 @@ pub(crate) fn cases() -> Vec<String> {
 }
 
 /// Tables by the key that names their file.
-pub(crate) const TABLES: [(&str, &[&str]); 7] = [
+pub(crate) const TABLES: [(&str, &[&str]); 8] = [
     (
         "atmosphere.file",
         &[
@@ -56,6 +56,14 @@ pub(crate) const TABLES: [(&str, &[&str]); 7] = [
         &[
             "Altitude (ft);Speed (kt);Direction (deg)\n0;19,4;270\n30000;60,1;280\n",
             "altitude_m,eastward_m_s,northward_m_s\n0,5,1\n10000,20,-3\n50000,40,0\n",
+        ],
+    ),
+    (
+        "heating.file",
+        &[
+            "V [km/s];rho [kg/m3];q_conv [W/cm2];q_rad [W/cm2]\n8;1e-4;50,5;0\n8;1e-3;160;0\n12;1e-4;170;20\n12;1e-3;540;300\n",
+            "8000,1e-4,1e5,0\n8000,1e-3,3e5,0\n9000,1e-4,2e5,1e4\n9000,1e-3,6e5,2e4\n",
+            "r/R,speed_m_s,density_kg_m3,q\n0,8e3,1e-4,2e5\n0,8e3,1e-3,4e5\n0,9e3,1e-4,3e5\n0,9e3,1e-3,6e5\n1,8e3,1e-4,1e5\n1,8e3,1e-3,2e5\n1,9e3,1e-4,2e5\n1,9e3,1e-3,3e5\n",
         ],
     ),
     (
@@ -161,6 +169,14 @@ mod tests {
     use cad::outline::read;
 
     /// What is changed is right before it is.
+    #[test]
+    fn every_kind_of_table_has_samples() {
+        let keys = TABLES.map(|(key, _)| key);
+        for key in cad::table::FILES {
+            assert!(keys.contains(&key), "{key}");
+        }
+    }
+
     #[test]
     fn every_sample_is_read() {
         for (name, bytes) in outlines() {

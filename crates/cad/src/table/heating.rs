@@ -148,11 +148,26 @@ mod tests {
         assert_eq!(table.key, "heating.table");
         assert_eq!(table.rows[0], [8e3, 1e-4, 5.05e5, 0.0]);
         assert_eq!(table.rows[3], [12e3, 1e-3, 5.4e6, 3e6]);
-        let bare = read("8000,1e-4,1e5\n8000,1e-3,3e5\n9000,1e-4,2e5\n9000,1e-3,6e5\n");
+        let bare =
+            read("8000,1e-4,1e5,2e4\n8000,1e-3,3e5,6e4\n9000,1e-4,2e5,4e4\n9000,1e-3,6e5,9e4\n");
+        let bare = bare.unwrap();
+        assert_eq!(bare.key, "heating.table");
+        assert_eq!(bare.rows[0], [8e3, 1e-4, 1e5, 2e4]);
         assert!(
-            faults("8000,1e-4\n9000,1e-3\n").contains("no heading names them"),
-            "{bare:?}"
+            bare.remarks
+                .iter()
+                .any(|remark| remark.contains("radiative")),
+            "{:?}",
+            bare.remarks
         );
+        // three columns may be a total heat flux or a convective one
+        for few in [
+            "8000,1e-4\n9000,1e-3\n",
+            "8000,1e-4,1e5\n8000,1e-3,3e5\n9000,1e-4,2e5\n9000,1e-3,6e5\n",
+        ] {
+            let few = faults(few);
+            assert!(few.contains("no heading names them"), "{few}");
+        }
     }
 
     #[test]

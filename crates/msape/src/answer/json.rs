@@ -5,11 +5,14 @@
 use super::Answer;
 use crate::answer::{landing, outputs, turning};
 use crate::flight::Trajectory;
+use crate::flight::points::PointHeat;
+use crate::heating::given::body::Along;
 use crate::quantity::Job;
 use serde_json::{Number, Value, json as value};
 use std::fmt;
 
-/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, where some began `phases`, of a design
+/// The answer as one object: `name`, `outcome`, `reason`, `results`, `findings`, `adjustments`, `passes`, where some began `phases`, where the case gives
+/// them `heating_points`, of a design
 /// `mass_tree`, `structure`, `stability` and, where it was flown, `reorientation` and, where a time history was asked for, `trajectory` and, for a design, `landing`.
 pub fn json(answer: &Answer, job: Job) -> Value {
     let trajectory = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
@@ -46,6 +49,11 @@ fn members(answer: &Answer, job: Job) -> Vec<(&'static str, Value)> {
     if let Some(phases) = begun.filter(|phases| !phases.is_empty()) {
         members.push(("phases", value!(phases)));
     }
+    let points = answer.flight.as_ref().map(|flight| &flight.points);
+    if let Some(points) = points.filter(|points| !points.is_empty()) {
+        let points: Vec<Value> = points.iter().map(point).collect();
+        members.push(("heating_points", value!(points)));
+    }
     if let Some(design) = &answer.design {
         members.push(("mass_tree", value!(design.vehicle.mass_tree())));
         if let Some(structural) = &design.structural {
@@ -71,6 +79,19 @@ fn members(answer: &Answer, job: Job) -> Vec<(&'static str, Value)> {
         }
     }
     members
+}
+
+/// Heating at a point of the body, under the name of its column in the case.
+fn point(point: &PointHeat) -> Value {
+    let place = match point.along {
+        Along::Radius => "radius_fraction",
+        Along::Arc => "arc_fraction",
+    };
+    value!({
+        place: point.fraction,
+        "peak_total_margined_heat_flux_w_m2": point.peak_heat_flux_w_m2,
+        "total_margined_heat_load_j_m2": point.heat_load_j_m2,
+    })
 }
 
 /// The same object as text, a line for each number and for each column of the time history.

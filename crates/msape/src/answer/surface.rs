@@ -3,6 +3,7 @@
 //! ```text
 //! nose and cone   q̇ = q̇₀ f(r)     f of Lees along a sphere-cone, e = 0
 //! shoulder        q̇ = q̇ₛ          its largest value on all of the arc
+//! forebody        q̇ linear in r   where the case gives the heating of its points, instead of both
 //! aftbody         q̇ = q̇ₐ
 //! ```
 //!
@@ -17,7 +18,9 @@
 //! - \[lees-1956\]; \[samareh-2014\] sections 3.4.3 and 3.5.2.
 
 use crate::answer::Answer;
+use crate::flight::points::PointHeat;
 use crate::heating::distribution::SphereCone;
+use crate::heating::given::body::Along;
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::hypot;
@@ -26,7 +29,7 @@ use numerics::math::hypot;
 const ON_SHOULDER: f64 = 1e-6;
 
 /// Heat flux along the outer surface of a design.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceHeating {
     /// The forebody that is heated.
     pub forebody: Forebody,
@@ -36,6 +39,9 @@ pub struct SurfaceHeating {
     pub shoulder_w_m2: f64,
     /// Largest heat flux on the aftbody, W/m².
     pub aftbody_w_m2: f64,
+    /// Distance from the axis, m, and largest heat flux, W/m², of the points for which the case gives the heating, from the axis
+    /// outwards; none where it gives none.
+    pub points: Vec<[f64; 2]>,
 }
 
 /// A part of the outer surface.
@@ -53,8 +59,17 @@ impl SurfaceHeating {
     /// The heating of a design; `None` where nothing was flown or nothing closed.
     pub fn of(answer: &Answer) -> Option<Self> {
         let (design, flight) = (answer.design.as_ref()?, answer.flight.as_ref()?);
+        let forebody = design.vehicle.layout.outline.forebody;
+        let point = |point: &PointHeat| {
+            let r_m = match point.along {
+                Along::Radius => 0.5 * forebody.diameter_m * point.fraction,
+                Along::Arc => forebody.radius_along_m(point.fraction),
+            };
+            [r_m, point.peak_heat_flux_w_m2]
+        };
         Some(Self {
-            forebody: design.vehicle.layout.outline.forebody,
+            points: flight.points.iter().map(point).collect(),
+            forebody,
             stagnation_w_m2: flight.peak_total_margined_heat_flux_w_m2.value,
             shoulder_w_m2: design.shoulder_heat_flux_w_m2,
             aftbody_w_m2: design.aftbody_heat_flux_w_m2,
@@ -94,9 +109,23 @@ impl SurfaceHeating {
             nose_radius_m: self.forebody.nose_radius_m,
         };
         match region {
+            Region::Forebody | Region::Shoulder if !self.points.is_empty() => self.of_points(r_m),
             Region::Forebody => self.stagnation_w_m2 * body.heat_flux_ratio(r_m, 0.0),
             Region::Shoulder => self.shoulder_w_m2,
             Region::Aftbody => self.aftbody_w_m2,
+        }
+    }
+}
+
+impl SurfaceHeating {
+    /// Heat flux between the points of the case, held beyond the last, W/m².
+    fn of_points(&self, r_m: f64) -> f64 {
+        let next = self.points.partition_point(|[at_m, _]| *at_m <= r_m);
+        let before = next.checked_sub(1).and_then(|i| self.points.get(i));
+        match (before, self.points.get(next)) {
+            (Some([r_0, q_0]), Some([r_1, q_1])) => q_0 + (q_1 - q_0) * (r_m - r_0) / (r_1 - r_0),
+            (Some([_, q]), None) | (None, Some([_, q])) => *q,
+            (None, None) => self.stagnation_w_m2,
         }
     }
 }
@@ -145,5 +174,64 @@ mod tests {
         let r_m = 0.4 * heating.forebody.diameter_m;
         assert!(heating.heat_flux_w_m2(Region::Forebody, r_m) < tip);
         assert!(heating.largest_w_m2() >= tip);
+    }
+
+    #[test]
+    fn points_that_the_case_gives_are_the_map_of_the_forebody() {
+        let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
+        for (key, along) in [("radius", Along::Radius), ("arc", Along::Arc)] {
+            let mut rows = String::new();
+            for f in [0.0, 0.5, 1.0] {
+                for v in [2e3, 14e3] {
+                    for rho in [1e-6_f64, 1e-2] {
+                        let flux = (1.0 + f) * 3.6e-4 * rho.sqrt() * v * v * v;
+                        rows.push_str(&format!("[{f}, {v}, {rho:e}, {flux:e}, 0.0],\n"));
+                    }
+                }
+            }
+            let mut case = Case::from_text(text).unwrap();
+            case.set(&format!("heating.{key}_table"), &format!("[{rows}]"));
+            let library = Library::builtin().unwrap();
+            let answer = design(&case, &library, Request::Nothing).unwrap();
+            let heating = SurfaceHeating::of(&answer).unwrap();
+            let tip = heating.heat_flux_w_m2(Region::Forebody, 0.0);
+            assert!((tip / heating.stagnation_w_m2 - 1.0).abs() < 1e-9);
+            let radius_m = 0.5 * heating.forebody.diameter_m;
+            let half_m = match along {
+                Along::Radius => 0.5 * radius_m,
+                Along::Arc => heating.forebody.radius_along_m(0.5),
+            };
+            for (region, r_m, of_tip) in [
+                (Region::Forebody, half_m, 1.5),
+                (Region::Forebody, 0.5 * half_m, 1.25),
+                (Region::Shoulder, radius_m, 2.0),
+            ] {
+                let flux = heating.heat_flux_w_m2(region, r_m);
+                assert!((flux / tip - of_tip).abs() < 1e-9, "{key} {r_m}: {flux}");
+            }
+            assert!((heating.largest_w_m2() / tip - 2.0).abs() < 1e-9);
+            // the last point judges the heat shield, and all stand in the JSON
+            let made = answer.design.as_ref().unwrap();
+            assert!((made.shoulder_heat_flux_ratio - 2.0).abs() < 1e-9);
+            let load = made.shoulder_heat_load_j_m2 / made.forebody_judged.heat_load_j_m2;
+            assert!((load - 1.0).abs() < 1e-9, "{load}");
+            let json = crate::answer::json(&answer, crate::quantity::Job::Design);
+            let last = &json["heating_points"][2];
+            assert_eq!(last[format!("{key}_fraction")], 1.0);
+            let flux = last["peak_total_margined_heat_flux_w_m2"].as_f64();
+            assert_eq!(
+                flux,
+                answer
+                    .flight
+                    .as_ref()
+                    .map(|f| f.points[2].peak_heat_flux_w_m2)
+            );
+            // the closed form integrates the points, too
+            case.set("solver.flight_model", "allen-eggers");
+            let closed = design(&case, &library, Request::Nothing).unwrap();
+            let points = closed.flight.unwrap().points;
+            let load = points[2].heat_load_j_m2 / points[0].heat_load_j_m2;
+            assert!((load - 2.0).abs() < 1e-9, "{load}");
+        }
     }
 }

@@ -100,6 +100,18 @@ impl<'a> Reader<'a> {
         });
     }
 
+    /// All faults, each once: a key may be read more than once.
+    pub fn into_faults(mut self) -> Vec<InputError> {
+        once(&mut self.faults);
+        self.faults
+    }
+
+    /// All remarks, each once.
+    pub fn into_findings(mut self) -> Vec<Finding> {
+        once(&mut self.findings);
+        self.findings
+    }
+
     /// Whether the case gives this key.
     pub fn given(&self, key: &str) -> bool {
         self.case.values.contains_key(key)
@@ -366,6 +378,17 @@ impl<'a> Reader<'a> {
         }
         found
     }
+}
+
+/// Leaves away what stands in a list before.
+fn once<T: PartialEq>(list: &mut Vec<T>) {
+    let mut kept: Vec<T> = Vec::with_capacity(list.len());
+    for item in list.drain(..) {
+        if !kept.contains(&item) {
+            kept.push(item);
+        }
+    }
+    *list = kept;
 }
 
 #[cfg(test)]

@@ -14,12 +14,16 @@ const MESSAGE_MAX: usize = 300;
 /// Keys of a file, at most: ten times as many as a case with the largest number of phases has.
 const MOST_KEYS: usize = 10_000;
 
+/// Whether a text opens with a brace, as JSON does.
+fn is_json(text: &str) -> bool {
+    let blank = ['\u{feff}', ' ', '\t', '\r', '\n'];
+    text.trim_start_matches(blank).starts_with('{')
+}
+
 /// A fault of a text with more keys than any case has, before it is taken apart: signs that follow a key, and headings of sections, are
 /// counted, those in texts too.
 fn short_enough(text: &str) -> Result<(), Vec<InputError>> {
-    let is_json = text
-        .trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n'])
-        .starts_with('{');
+    let is_json = is_json(text);
     let sign = if is_json { b':' } else { b'=' };
     let signs = text
         .bytes()
@@ -60,10 +64,7 @@ impl Case {
     /// What makes the file unreadable: syntax, a missing or newer schema. Faults of single keys are found by checking.
     pub fn from_text(text: &str) -> Result<Case, Vec<InputError>> {
         short_enough(text)?;
-        if text
-            .trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n'])
-            .starts_with('{')
-        {
+        if is_json(text) {
             Case::from_json(text)
         } else {
             Case::from_toml(text)

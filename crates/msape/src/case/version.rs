@@ -94,6 +94,20 @@ struct Place {
 struct Mended {
     section: String,
     what: String,
+    /// Where it shows; everywhere when absent.
+    #[serde(rename = "where")]
+    only: Option<Place>,
+}
+
+impl Mended {
+    /// Whether a fault that was mended shows in a case.
+    fn concerns(&self, case: &Case) -> bool {
+        let there = |Place { key, values }: &Place| {
+            let text = case.text(key);
+            text.is_some_and(|text| values.contains(&text))
+        };
+        case.has_section(&self.section) && self.only.as_ref().is_none_or(there)
+    }
 }
 
 /// A case that keeps what its version gave, and remarks on that.
@@ -207,7 +221,7 @@ fn brought_up(mut case: Case, changes: &[(Version, Changes)]) -> BroughtUp {
             }
         }
         let mended = changes.mended.iter();
-        let concerned = mended.filter(|mended| case.has_section(&mended.section));
+        let concerned = mended.filter(|mended| mended.concerns(&case));
         remarks.extend(concerned.map(|mended| format!("Since version {version}: {}", mended.what)));
     }
     case.version = Version::CURRENT;
@@ -247,7 +261,10 @@ mod tests {
 source = "assumed"
 place = "a test"
 same = []
-mended = [{ section = "design", what = "The stroke was too long." }]
+mended = [
+    { section = "design", what = "The stroke was too long." },
+    { section = "heating", what = "The wall was cold.", where = { key = "heating.wall", values = ["radiative-equilibrium"] } },
+]
 [[default]]
 key = "heating.convective_margin"
 was = "1.5"
@@ -306,6 +323,18 @@ now = "a softer one"
         assert_eq!(case.version, Version::CURRENT);
         assert_eq!(remarks.len(), 3, "{remarks:?}");
         assert_eq!(note(&case, &[]), None);
+    }
+
+    #[test]
+    fn a_mended_fault_is_told_where_it_shows() {
+        let told = |wall: &str| {
+            let old = case(&format!("[heating]\nwall = '{wall}'\n"));
+            let remarks = old.brought_up_from(Version::FIRST).remarks;
+            remarks
+                .iter()
+                .any(|remark| remark.contains("A hot wall has"))
+        };
+        assert!(told("radiative-equilibrium") && !told("cold"));
     }
 
     #[test]

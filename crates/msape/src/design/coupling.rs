@@ -1,8 +1,8 @@
 //! The answer of a design: the vehicle on which the passes settle, or why there is none.
 //!
 //! # Valid
-//! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere, or given
-//! up at a limit of work or where a number is not finite.
+//! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere, or a table
+//! beyond which the case refuses to go on, or given up at a limit of work or where a number is not finite.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
@@ -10,7 +10,7 @@
 use super::flown::with_history;
 use super::given;
 use super::inputs::DesignInput;
-use super::passes::{self, End, MOST_WORK, Made, Run, WORK_OF_PASS, Way};
+use super::passes::{self, End, MOST_WORK, Made, Run, Way, Work};
 use super::{Design, Pass, Solution, lighter, misfit};
 use crate::finding::Finding;
 use crate::flight::mission::Model;
@@ -24,21 +24,27 @@ use numerics::math::FRAC_PI_2;
 
 /// Designs a vehicle.
 pub fn solve(input: &DesignInput, request: Request) -> Solution {
-    let mut work = 0;
+    solve_within(input, request, Work::up_to(MOST_WORK))
+}
+
+fn solve_within(input: &DesignInput, request: Request, mut work: Work) -> Solution {
     let first = passes::run(input, Way::default(), &mut work);
-    let Run { input, passes, end } = lighter::than(input, &first, &mut work).unwrap_or(first);
-    match end {
+    let (run, remark) = lighter::than(input, first, &mut work);
+    let Run { input, passes, end } = run;
+    let mut solution = match end {
         End::Vehicle(made) => Finished {
             input: &input,
             request,
             made: *made,
             passes,
+            work: &work,
         }
         .solution(),
         End::Departed { body, flown } => flown.departed(&input, request, &body, passes),
         End::Unclosed(not_closed, vehicle) => unclosed(not_closed, &vehicle, passes),
-        End::Excluded => unreachable!("only asked for by `lighter`"),
-    }
+    };
+    solution.findings.extend(remark);
+    solution
 }
 
 fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> Solution {
@@ -67,6 +73,7 @@ struct Finished<'a> {
     request: Request,
     made: Made,
     passes: Vec<Pass>,
+    work: &'a Work,
 }
 
 impl Finished<'_> {
@@ -83,6 +90,7 @@ impl Finished<'_> {
             request,
             made,
             passes,
+            work,
         } = self;
         let Made {
             vehicle,
@@ -98,7 +106,8 @@ impl Finished<'_> {
             Outcome::NotConverged | Outcome::GaveUp => {
                 let which = match outcome {
                     Outcome::GaveUp => format!(
-                        "after which the limit of work was reached, {MOST_WORK} evaluations of the equations of motion, a pass being {WORK_OF_PASS}"
+                        "after which the limit of work was reached, {}",
+                        work.limit()
                     ),
                     _ => "the last one allowed".to_string(),
                 };
@@ -198,8 +207,54 @@ impl Finished<'_> {
         if input.given.payload_temperature_k.is_none() {
             findings.extend(input.soak.findings(&sized.soak));
         }
+        findings.extend(flown.ended_in_time(&input.mission));
         findings.extend(given::findings(input, vehicle, sized));
         findings.extend(vehicle.findings.iter().cloned());
         findings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Case, Library, Outcome, Request, design};
+
+    /// The Stardust-like vehicle of Table 15 with some keys changed.
+    fn designed(changes: &[(&str, &str)]) -> crate::Answer {
+        let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
+        let mut case = Case::from_text(text).unwrap();
+        for (key, value) in changes {
+            case.set(key, value);
+        }
+        design(&case, &Library::builtin().unwrap(), Request::Nothing).unwrap()
+    }
+
+    #[test]
+    fn a_flight_that_is_ended_by_a_table_is_never_sized() {
+        let wind = "[[0.0, 5.0, 0.0], [20000.0, 10.0, 0.0], [60000.0, 0.0, 0.0]]";
+        let air = "[[2000.0, 1.0, 275.0], [80000.0, 2e-5, 200.0], [130000.0, 1e-8, 500.0]]";
+        for (table, rows) in [("wind", wind), ("atmosphere", air)] {
+            let (key, rule) = (format!("{table}.table"), format!("{table}.extrapolation"));
+            let answer = designed(&[(&key, rows), (&rule, "refuse")]);
+            assert_eq!(answer.outcome, Outcome::Stopped, "{table}");
+            assert!(answer.design.is_none() && answer.flight.is_some());
+            let reason = answer.reason.unwrap();
+            assert!(reason.contains(&format!("left {table}")), "{reason}");
+            let mut said = answer.findings.iter().map(|finding| &finding.message);
+            assert!(
+                said.any(|message| message.contains("where it leaves a table, on this flight"))
+            );
+            assert_ne!(designed(&[(&key, rows)]).outcome, Outcome::Stopped);
+        }
+    }
+
+    #[test]
+    fn a_vehicle_for_a_flight_that_ends_in_time_says_so() {
+        let said = |answer: &crate::Answer| {
+            let mut findings = answer.findings.iter();
+            findings.any(|finding| finding.message.contains("The flight ends in time at"))
+        };
+        assert!(said(&designed(&[("stop.time_s", "300")])));
+        let down = designed(&[("stop.altitude_m", "1000"), ("stop.time_s", "1e5")]);
+        assert!(down.outcome == Outcome::Converged && !said(&down));
     }
 }

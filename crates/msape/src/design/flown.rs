@@ -2,9 +2,10 @@
 
 use super::inputs::DesignInput;
 use super::{Pass, Solution};
+use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::flight::mission::{Body, Model};
-use crate::flight::{self, Flight, Request, allen_eggers, summary, three_dof};
+use crate::flight::mission::{Body, Mission, Model};
+use crate::flight::{self, Flight, LANDED_WITHIN_M, Request, allen_eggers, summary, three_dof};
 use crate::outcome::Outcome;
 use numerics::math::RADIANS_PER_DEGREE;
 
@@ -14,6 +15,8 @@ pub(super) struct Flown {
     pub(super) outcome: Outcome,
     pub(super) reason: Option<String>,
     pub(super) terminal_speed_m_s: f64,
+    /// Whether it ended where the case asks for.
+    pub(super) came_down: bool,
     /// Speed at impact, or the terminal speed where the flight does not come down.
     pub(super) impact_speed_m_s: f64,
 }
@@ -22,23 +25,23 @@ impl Flown {
     /// The flight of a body by one model.
     pub(super) fn fly(input: &DesignInput, body: &Body, model: Model) -> Flown {
         let mission = &input.mission;
-        let (flight, outcome, reason) = match model {
-            Model::AllenEggers => (
-                allen_eggers::fly(mission, body, Request::Nothing),
-                Outcome::Landed,
-                None,
-            ),
+        let (flight, outcome, reason, refused) = match model {
+            Model::AllenEggers => {
+                let flight = allen_eggers::fly(mission, body, Request::Nothing);
+                (flight, Outcome::Landed, None, false)
+            }
             Model::ThreeDof | Model::SixDof => {
                 let record = three_dof::integrate(mission, body);
                 let flight =
                     summary::summarize(three_dof::motion(mission, body), &record, Request::Nothing);
-                (flight, record.outcome, record.reason)
+                let refused = record.refused.is_some();
+                (flight, record.outcome, record.reason, refused)
             }
         };
         let (outcome, reason) = flight.ending(outcome, reason);
         let ground_m = mission.stop.altitude_m.unwrap_or(0.0);
         let terminal_speed_m_s = allen_eggers::terminal_speed_m_s(mission, body, ground_m);
-        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped);
+        let came_down = matches!(outcome, Outcome::Landed | Outcome::Stopped) && !refused;
         let impact_speed_m_s = if came_down {
             flight.final_speed_m_s
         } else {
@@ -49,6 +52,7 @@ impl Flown {
             outcome,
             reason,
             terminal_speed_m_s,
+            came_down,
             impact_speed_m_s,
         }
     }
@@ -62,7 +66,29 @@ impl Flown {
         }
     }
 
-    /// A flight that leaves the atmosphere or is given up: nothing can be sized for it.
+    /// The remark on a vehicle whose flight ends in time above its final altitude: asked for, and no touchdown.
+    pub(super) fn ended_in_time(&self, mission: &Mission) -> Option<Finding> {
+        let end_m = mission.stop.altitude_m.unwrap_or(0.0);
+        let height_m = self.flight.final_altitude_m;
+        let in_time = mission.stop.time_s.is_some() && height_m > end_m + LANDED_WITHIN_M;
+        in_time.then(|| Finding {
+            severity: Severity::Exceeded,
+            model: "coupling".to_owned(),
+            key: "final_altitude_m".to_owned(),
+            value: Some(height_m),
+            valid: (None, Some(end_m)),
+            message: format!(
+                "The flight ends in time at {} m, above {} m: impact, foam and landing are made for the speed there, {} m/s.",
+                short(height_m),
+                short(end_m),
+                short(self.flight.final_speed_m_s)
+            ),
+            source: "convention of this program".to_owned(),
+            field: Some("stop.time_s".to_owned()),
+        })
+    }
+
+    /// A flight that leaves the atmosphere, ends on the way or is given up: nothing can be sized for it.
     pub(super) fn departed(
         self,
         input: &DesignInput,
@@ -72,22 +98,37 @@ impl Flown {
     ) -> Solution {
         let flight = with_history(input, request, body, self.flight);
         let mut findings = flight::findings(&input.mission, body, &flight);
+        let angle_deg = flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE;
+        let end_m = short(flight.final_altitude_m);
+        let (key, value, did) = match self.outcome {
+            Outcome::Stopped => (
+                "stop.altitude_m",
+                flight.final_altitude_m,
+                format!("stops at {end_m} m, where it leaves a table,"),
+            ),
+            Outcome::GaveUp => (
+                "entry.flight_path_angle_deg",
+                angle_deg,
+                "was given up".to_owned(),
+            ),
+            _ => (
+                "entry.flight_path_angle_deg",
+                angle_deg,
+                "leaves the atmosphere again".to_owned(),
+            ),
+        };
         findings.push(Finding {
             severity: Severity::Exceeded,
             model: "coupling".to_owned(),
-            key: "entry.flight_path_angle_deg".to_owned(),
-            value: Some(flight.entry_relative.flight_path_angle_rad / RADIANS_PER_DEGREE),
+            key: key.to_owned(),
+            value: Some(value),
             valid: (None, None),
             message: format!(
-                "A vehicle of {:.2} kg {} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
+                "A vehicle of {:.2} kg {did} on this flight: loads, heat and touchdown of a whole entry are not known, so that nothing is sized and no mass is given.",
                 body.mass_kg,
-                match self.outcome {
-                    Outcome::GaveUp => "was given up",
-                    _ => "leaves the atmosphere again",
-                }
             ),
             source: "convention of this program".to_owned(),
-            field: Some("entry.flight_path_angle_deg".to_owned()),
+            field: Some(key.to_owned()),
         });
         Solution {
             outcome: self.outcome,

@@ -1,4 +1,4 @@
-//! Results of higher fidelity that the user gives in the place of a model of the coupling.
+//! Findings on results of higher fidelity that the user [gives](super::inputs::Given) in the place of a model of the coupling.
 //!
 //! ```text
 //! t = t_given      T = T_given      m = m_given
@@ -7,7 +7,7 @@
 //! with thicknesses t in m, the payload's temperature T in K and masses m of components in kg, before the margin.
 //!
 //! # Valid
-//! What is given is taken; the model that it replaces is told beside it. A component of given mass keeps the shape that the rules give
+//! A given result is taken; the model that it replaces is told beside it. A component of given mass keeps the shape that the rules give
 //! it.
 //!
 //! # References
@@ -22,18 +22,7 @@ use crate::tps::Side;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
 
-/// What the user gives.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Given {
-    /// Thickness of the forebody's heat shield, m.
-    pub forebody_tps_m: Option<f64>,
-    /// Thickness of the aftbody's heat shield, m.
-    pub aftbody_tps_m: Option<f64>,
-    /// Peak temperature of the payload, K.
-    pub payload_temperature_k: Option<f64>,
-}
-
-/// What is said of all that is given.
+/// Remarks on all that is given.
 pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) -> Vec<Finding> {
     let given = &input.given;
     let mut findings: Vec<Finding> = [

@@ -1,8 +1,7 @@
-//! What a design is made from, checked.
+//! Everything that a design is made from, checked.
 
 use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
-use crate::design::given::Given;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::heating::afterbody::Afterbody;
@@ -13,6 +12,17 @@ use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{Vehicle, VehicleInput};
 
+/// Results that the user gives in the place of models.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Thickness of the forebody's heat shield, m.
+    pub forebody_tps_m: Option<f64>,
+    /// Thickness of the aftbody's heat shield, m.
+    pub aftbody_tps_m: Option<f64>,
+    /// Peak temperature of the payload, K.
+    pub payload_temperature_k: Option<f64>,
+}
+
 /// A design problem.
 #[derive(Clone, Debug)]
 pub struct DesignInput {
@@ -20,7 +30,7 @@ pub struct DesignInput {
     pub mission: Mission,
     /// The vehicle; its heat-shield thicknesses and loads are first guesses, which the passes replace.
     pub vehicle: VehicleInput,
-    /// What the user gives in the place of models.
+    /// Results that the user gives in the place of models.
     pub given: Given,
     /// Heat-shield material of the forebody.
     pub forebody_material: TpsMaterial,

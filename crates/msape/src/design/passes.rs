@@ -43,11 +43,46 @@ const FLIGHT_PART: f64 = 0.05;
 /// Finest tolerance of a flight: below it the steps meet rounding.
 const FINEST_TOLERANCE: f64 = 1e-10;
 
-/// Work after which a design is given up, in evaluations of the equations of motion: the default of twenty passes, each with a
-/// flight of the classical method at its own limit, is 16 million.
+/// Work after which a design is given up, in evaluations of the equations of motion, assumed: the default of twenty passes, each with
+/// a flight of the classical method at its own limit, is 16 million.
 pub(super) const MOST_WORK: u64 = 20_000_000;
 /// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
 pub(super) const WORK_OF_PASS: u64 = 10_000;
+
+/// Work of all passes of a design, in evaluations of the equations of motion.
+pub(super) struct Work {
+    done: u64,
+    most: u64,
+}
+
+impl Work {
+    /// None yet, of as much at most.
+    pub(super) fn up_to(most: u64) -> Work {
+        Work { done: 0, most }
+    }
+
+    /// The work done, with so much more allowed.
+    #[cfg(test)]
+    pub(super) fn with_limit(self, more: u64) -> Work {
+        Work {
+            most: self.done.saturating_add(more),
+            ..self
+        }
+    }
+
+    /// Whether the limit is reached.
+    pub(super) fn is_spent(&self) -> bool {
+        self.done >= self.most
+    }
+
+    /// The limit in a sentence.
+    pub(super) fn limit(&self) -> String {
+        format!(
+            "{} evaluations of the equations of motion, a pass being {WORK_OF_PASS}",
+            self.most
+        )
+    }
+}
 
 /// Passes and how they ended.
 pub(super) struct Run {
@@ -61,12 +96,10 @@ pub(super) struct Run {
 pub(super) enum End {
     /// A vehicle was made for its flight, settled or not.
     Vehicle(Box<Made>),
-    /// The flight leaves the atmosphere or was given up.
+    /// The flight leaves the atmosphere or a table, or was given up.
     Departed { body: Body, flown: Box<Flown> },
     /// No vehicle closes for these numbers.
     Unclosed(NotClosed, Box<VehicleInput>),
-    /// A vehicle grew, or is as heavy as one from which it should differ.
-    Excluded,
 }
 
 /// A vehicle, the flight that it was made for, and the body that flew it.
@@ -90,12 +123,12 @@ impl Made {
 pub(super) struct Way {
     /// Numbers of the first pass; the guesses of the input if absent.
     pub(super) from: Option<Numbers>,
-    /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg.
+    /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
     pub(super) as_asked_below_kg: Option<f64>,
 }
 
-/// Runs passes; `work` is what was spent before, and grows.
-pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
+/// Runs passes; `work` is what was done before, and grows.
+pub(super) fn run(input: &DesignInput, way: Way, work: &mut Work) -> Run {
     // its own, as the flights of a small criterion are integrated more finely
     let mut input = input.clone();
     let mut vehicle_input = input.vehicle.clone();
@@ -147,7 +180,7 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
         if let Some(name) = sized.not_finite() {
             flown.give_up(name);
         }
-        *work += WORK_OF_PASS + flown.flight.evaluations;
+        work.done += WORK_OF_PASS + flown.flight.evaluations;
         let found = found(&flown, &sized);
         let proposal = memories[usize::from(grown)].propose(taken(&vehicle_input), found, mass_kg);
         let distance_kg = proposal.distance;
@@ -163,8 +196,7 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
             mass_distance_kg: distance_kg,
         });
         let high_fidelity = model == input.mission.solver.model;
-        let departed = matches!(flown.outcome, Outcome::SkippedOut | Outcome::Captured);
-        if flown.outcome == Outcome::GaveUp || high_fidelity && departed {
+        if flown.outcome == Outcome::GaveUp || high_fidelity && !flown.came_down {
             let flown = Box::new(flown);
             break End::Departed { body, flown };
         }
@@ -173,11 +205,17 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
                 .as_asked_below_kg
                 .is_some_and(|most_kg| grown || high_fidelity && mass_kg >= most_kg)
         {
-            break End::Excluded;
+            break End::Vehicle(Box::new(Made {
+                vehicle,
+                body,
+                flown,
+                sized,
+                outcome: Outcome::NotConverged,
+            }));
         }
         let near = |kg: f64| kg.abs() < input.mass_criterion_kg;
         let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
-        let is_last = number >= input.max_iterations || *work >= MOST_WORK;
+        let is_last = number >= input.max_iterations || work.is_spent();
         if settled || is_last {
             let mut closing_input = vehicle_input.clone();
             take(&mut closing_input, found);
@@ -196,7 +234,7 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut u64) -> Run {
                 }
                 let outcome = if settled {
                     Outcome::Converged
-                } else if *work >= MOST_WORK {
+                } else if work.is_spent() {
                     Outcome::GaveUp
                 } else {
                     Outcome::NotConverged

@@ -3,8 +3,6 @@
 use super::flown::Flown;
 use super::inputs::DesignInput;
 use crate::flight::Flight;
-use crate::heating::Flow;
-use crate::heating::given::body::BodyHeating;
 use crate::soak::SoakInput;
 use crate::tps::environment::OffStagnation;
 use crate::tps::mer::{self, Sizing};
@@ -41,7 +39,7 @@ impl Sized {
         };
         let dimensions = &vehicle.dimensions;
         let off = match &input.mission.heating.body {
-            Some(body) => of_points(input, body, flight, &stagnation),
+            Some(_) => of_points(flight, &stagnation),
             None => {
                 let ratio = 2.0 * dimensions.shoulder_radius_m / dimensions.diameter_m;
                 OffStagnation::shoulder(input.shoulder.ratio(ratio))
@@ -88,26 +86,8 @@ impl Sized {
     }
 }
 
-/// The hottest point of a case that gives heat fluxes along the body. The closed form, which keeps no flight to integrate along, takes
-/// the fluxes at peak heating for the loads too.
-fn of_points(
-    input: &DesignInput,
-    body: &BodyHeating,
-    flight: &Flight,
-    stagnation: &Environment,
-) -> OffStagnation {
-    let heating = &input.mission.heating;
-    let peak = flight.peak_total_heat_flux_w_m2;
-    let flow = Flow {
-        density_kg_m3: peak.density_kg_m3,
-        speed_m_s: peak.speed_m_s,
-        nose_radius_m: 1.0,
-    };
-    let at_peak = body.points.iter().skip(1).map(|(_, table)| {
-        let flux = heating.margined(&heating.heat_flux_of(table, &flow));
-        let ratio = ratio(flux.total_w_m2(), stagnation.peak_heat_flux_w_m2);
-        [ratio, ratio]
-    });
+/// The hottest point of a case that gives heat fluxes along the body.
+fn of_points(flight: &Flight, stagnation: &Environment) -> OffStagnation {
     let along = flight.points.iter().skip(1).map(|point| {
         [
             ratio(point.peak_heat_flux_w_m2, stagnation.peak_heat_flux_w_m2),
@@ -116,10 +96,7 @@ fn of_points(
     });
     let largest =
         |[flux, load]: [f64; 2], other: [f64; 2]| [flux.max(other[0]), load.max(other[1])];
-    let [heat_flux_ratio, heat_load_ratio] = match flight.points.is_empty() {
-        true => at_peak.fold([0.0; 2], largest),
-        false => along.fold([0.0; 2], largest),
-    };
+    let [heat_flux_ratio, heat_load_ratio] = along.fold([0.0; 2], largest);
     OffStagnation {
         point: Point::Given,
         heat_flux_ratio,
@@ -127,7 +104,7 @@ fn of_points(
     }
 }
 
-/// One over the other; 0 where that is nought.
+/// One over the other; 0 where that is 0.
 fn ratio(value: f64, of: f64) -> f64 {
     if of > 0.0 { value / of } else { 0.0 }
 }

@@ -19,10 +19,10 @@
 use super::equations::{CONVECTIVE, RADIATIVE, STATES};
 use super::mission::{Body, Mission, Model};
 use super::motion::Motion;
-use super::reach::{Span, of_atmosphere, passed};
+use super::reach::{Argument, Axis, Span, axes_of_closed_form, passed};
 use super::sample::{self, EARTH_G_M_S2};
 use super::trajectory::{Request, Trajectory};
-use super::{Flight, Peak, three_dof};
+use super::{Flight, Peak, PointHeat, points, three_dof};
 use crate::aero::Drag;
 use crate::heating::pressure::Stream;
 use crate::heating::{Flow, HeatFlux};
@@ -86,6 +86,10 @@ struct Sum<'a> {
     downrange_m: f64,
     load: HeatFlux<f64>,
     before: Option<(f64, f64, HeatFlux<f64>)>,
+    /// Heating at the points of the body for which the case gives it, and the heat flux of each where the way stands, W/m².
+    points: Vec<(PointHeat, f64)>,
+    /// Axes of the tables that the closed form looks up, and the values looked up in each.
+    spans: Vec<(Axis, Span)>,
     /// Largest values: deceleration, dynamic pressure, rise of the stagnation pressure over that of the air, heat fluxes.
     peaks: [Peak; 7],
     /// Pressure of the air where the stagnation pressure rises most above it, Pa.
@@ -112,6 +116,10 @@ impl<'a> Sum<'a> {
             downrange_m: 0.0,
             load: HeatFlux::default(),
             before: None,
+            points: points::none_yet(mission),
+            spans: { axes_of_closed_form(mission).into_iter() }
+                .map(|axis| (axis, Span::EMPTY))
+                .collect(),
             peaks: [NO_PEAK; 7],
             ambient_pa: 0.0,
             rows: Vec::with_capacity(INTERVALS + 1),
@@ -170,6 +178,15 @@ impl<'a> Sum<'a> {
                 0.5 * (flux.convective_w_m2 + flux_above.convective_w_m2) * dt;
             self.load.radiative_w_m2 +=
                 0.5 * (flux.radiative_w_m2 + flux_above.radiative_w_m2) * dt;
+        }
+        points::add(&mut self.points, mission, &flow, dt);
+        for (axis, span) in &mut self.spans {
+            let value = match axis.argument {
+                Argument::AirSpeed => entering_m_s,
+                Argument::Density => density_kg_m3,
+                _ => altitude_m,
+            };
+            span.take(value, self.time_s);
         }
         self.before = Some((altitude_m, speed_m_s, flux));
         let dynamic_pressure_pa = 0.5 * density_kg_m3 * entering_m_s * entering_m_s;
@@ -299,15 +316,13 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
-            passed: of_atmosphere(mission).map_or(Vec::new(), |air| {
-                let mut flown = Span::at(self.place.altitude_m);
-                flown.take(place.altitude_m, self.time_s);
-                passed(&[air], &[flown], None)
-            }),
+            passed: { self.spans.iter() }
+                .flat_map(|(axis, span)| passed(&[*axis], &[*span], None))
+                .collect(),
             pushed: None,
             altitudes_m: [place.altitude_m, self.place.altitude_m],
             phases: Vec::new(),
-            points: Vec::new(),
+            points: self.points.iter().map(|(point, _)| *point).collect(),
             exits: 0,
             attitude: None,
             evaluations: 0,

@@ -8,7 +8,7 @@
 //! t₀ the begin of the phase and t_i the time of inflation in s.
 //!
 //! # Valid
-//! Phases begin in the order in which they are given. A parachute is a drag along the velocity of its attachment point; it has
+//! Phases begin in the order in which they are given, one whose value was passed before its turn with the one before. A parachute is a drag along the velocity of its attachment point; it has
 //! no mass of its own, and its drag area grows evenly while it inflates.
 //!
 //! # References
@@ -192,7 +192,7 @@ pub struct Begun<S = f64> {
     pub peak_deceleration_earth_g: S,
 }
 
-/// What is said of phases that began at once, their value being passed, and of those that never began.
+/// Remarks on phases that began at once, their value being passed, and of those that never began.
 pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
     let mut findings: Vec<Finding> = Vec::new();
     for (index, pair) in begun.windows(2).enumerate() {
@@ -210,7 +210,7 @@ pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
             value: Some(now.time_s),
             valid: (None, None),
             message: format!(
-                "Phase {} began at once with {}, at {} s: the {quantity} had passed {}{unit} before.",
+                "Phase {} began at once with {}, at {} s: the {quantity} had gone through {}{unit} by then.",
                 now.name,
                 before.name,
                 short(now.time_s),
@@ -270,6 +270,28 @@ mod tests {
         };
         let areas = [99.0, 100.0, 101.0, 104.0, 200.0].map(|t| changed.canopy_m2(t));
         assert_eq!(areas, [0.0, 0.0, 2.0, 8.0, 8.0]);
+    }
+
+    #[test]
+    fn a_phase_whose_value_is_passed_by_a_jump_begins_at_once() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let library = crate::Library::builtin().unwrap();
+        // a tenth of the mass: ten times the deceleration, which jumps up through 5 Earth g and over what falls through 5 later
+        let begun = |direction: &str| {
+            let phases = format!(
+                "[[phase]]\nname = 'light'\nmach = 1.4\nmass_kg = 4.6\n[[phase]]\nname = 'next'\ndeceleration_earth_g = 5.0\ndirection = '{direction}'\ndrag_area_m2 = 5.0\n"
+            );
+            let case = crate::Case::from_text(&format!("{text}{phases}")).unwrap();
+            let answer = crate::fly(&case, &library, crate::Request::Nothing).unwrap();
+            let flight = answer.flight.unwrap();
+            let [light, next] = &flight.phases[..] else {
+                panic!("two phases begin: {:?}", flight.phases)
+            };
+            next.time_s - light.time_s
+        };
+        assert_eq!(begun("rising"), 0.0);
+        let waited_s = begun("falling");
+        assert!(waited_s > 0.5, "{waited_s}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Heating along a flight at points of the body for which a case gives heat fluxes.
 //!
 //! ```text
-//! Q = ∫ (mᶜ q̇ᶜ + mʳ q̇ʳ) dt        by Gauss over each step, three nodes
+//! Q = ∫ (mᶜ q̇ᶜ + mʳ q̇ʳ) dt        by Gauss over each step, five nodes
 //! ```
 //!
 //! with Q in J/m², q̇ in W/m², m the margins, t in s.
@@ -10,30 +10,27 @@
 //! Steps along which the heat load of the stagnation point is integrated to the tolerance of the solver.
 //!
 //! # References
-//! - Gauss-Legendre quadrature of degree 5.
+//! - [`numerics::quadrature`].
 
 use super::Peak;
 use super::integration::Record;
+use super::mission::Mission;
 use super::motion::{Motion, head};
 use super::peaks::Peaks;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::heating::given::body::BodyHeating;
+use crate::heating::given::body::{Along, BodyHeating};
 use crate::heating::given::{GivenHeating, USERS};
 use crate::heating::{Flow, HeatFlux};
+use numerics::quadrature::Rule;
 use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
-
-/// Nodes, as parts of a step, and weights.
-const GAUSS: [[f64; 2]; 3] = [
-    [0.112_701_665_379_258_3, 5.0 / 18.0],
-    [0.5, 8.0 / 18.0],
-    [0.887_298_334_620_741_7, 5.0 / 18.0],
-];
 
 /// Heating at a point of the body, margins included.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PointHeat<S = f64> {
+    /// Along what the points are counted.
+    pub along: Along,
     /// Place of the point, as the table of the case counts it.
     pub fraction: f64,
     /// Sum of both heat fluxes, W/m².
@@ -57,7 +54,7 @@ pub(super) fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     for leg in &record.legs {
         let motion = motion.in_stage(&leg.stage);
         let duration_s = leg.step.t1 - leg.step.t0;
-        for [part, weight] in GAUSS {
+        for (part, weight) in Rule::Gauss5.points([0.0, 1.0]) {
             let y = leg.step.at(leg.step.t0 + duration_s * part);
             let flow = flow(&motion, &y);
             for ((_, table), load) in body.points.iter().zip(&mut loads) {
@@ -76,12 +73,46 @@ pub(super) fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     let found = body.points.iter().map(peak).zip(loads);
     let found = found.map(
         |((fraction, peak_heat_flux_w_m2), heat_load_j_m2)| PointHeat {
+            along: body.along,
             fraction,
             peak_heat_flux_w_m2,
             heat_load_j_m2,
         },
     );
     found.collect()
+}
+
+/// The points of the case before a flight, each with its heat flux, W/m².
+pub(super) fn none_yet(mission: &Mission) -> Vec<(PointHeat, f64)> {
+    let body = mission.heating.body.as_ref();
+    let of = |body: &BodyHeating| {
+        let point = |(fraction, _): &(f64, GivenHeating)| PointHeat {
+            along: body.along,
+            fraction: *fraction,
+            peak_heat_flux_w_m2: 0.0,
+            heat_load_j_m2: 0.0,
+        };
+        let points = body.points.iter().map(point);
+        points.map(|point| (point, 0.0)).collect()
+    };
+    body.map_or(Vec::new(), |body| of(body))
+}
+
+/// Takes in the heating of a flow which is met a time in s after the one before, by trapezoids.
+pub(super) fn add(
+    points: &mut [(PointHeat, f64)],
+    mission: &Mission,
+    flow: &Flow<f64>,
+    time_s: f64,
+) {
+    let tables = mission.heating.body.iter().flat_map(|body| &body.points);
+    for ((point, before_w_m2), (_, table)) in points.iter_mut().zip(tables) {
+        let nominal = mission.heating.heat_flux_of(table, flow);
+        let now_w_m2 = mission.heating.margined(&nominal).total_w_m2();
+        point.heat_load_j_m2 += 0.5 * (*before_w_m2 + now_w_m2) * time_s;
+        point.peak_heat_flux_w_m2 = point.peak_heat_flux_w_m2.max(now_w_m2);
+        *before_w_m2 = now_w_m2;
+    }
 }
 
 fn flow<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, y: &[S; N]) -> Flow<S> {
@@ -195,6 +226,24 @@ mod tests {
         assert!((nose.peak_heat_flux_w_m2 / peak - 1.0).abs() < 1e-9);
         assert!((edge.heat_load_j_m2 / nose.heat_load_j_m2 - 1.5).abs() < 1e-12);
         assert!((edge.peak_heat_flux_w_m2 / nose.peak_heat_flux_w_m2 - 1.5).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_model_factor_is_of_a_relation_and_not_of_given_fluxes() {
+        let table = format!("table = [\n{}]", rows("", 1.0));
+        let factor = "convective_model_factor = 1.33\n";
+        let peak = |answer: &Answer| {
+            let flight = answer.flight.as_ref().unwrap();
+            flight.peak_convective_heat_flux_w_m2.value
+        };
+        let (plain, with) = (flown(&table), flown(&format!("{factor}{table}")));
+        assert_eq!(peak(&plain), peak(&with));
+        let said = |answer: &Answer| {
+            let mut findings = answer.findings.iter();
+            findings.any(|f| f.message.contains("The model factor is not used"))
+        };
+        assert!(said(&with) && !said(&plain));
+        assert!((peak(&flown(factor)) / peak(&flown("")) - 1.33).abs() < 1e-5);
     }
 
     #[test]

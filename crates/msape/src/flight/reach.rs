@@ -22,12 +22,13 @@ use crate::finding::{Finding, Severity};
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 
-pub use axes::{axes, of_atmosphere, of_database};
+pub use axes::{axes, axes_of_closed_form, of_atmosphere, of_database};
 pub use push::{Push, may_push};
 
 /// Key of the axis of the atmosphere.
 const ATMOSPHERE: &str = "atmosphere";
-/// A flight that ends at the first row of the atmosphere may lie this far below it, m.
+/// A flight that ends at the first row of the atmosphere may lie this far below it, m: assumed, a thousand times what a landing is within,
+/// and nothing for the air.
 const NEAR_M: f64 = 1.0;
 
 /// With what a table is looked up.
@@ -108,7 +109,7 @@ pub struct Axis {
     pub slack: f64,
 }
 
-/// Part of the length of an axis by which rounding may leave it.
+/// Part of the length of an axis by which rounding may leave it: assumed, far above rounding and below what a table resolves.
 const SLACK: f64 = 1e-9;
 
 impl Axis {

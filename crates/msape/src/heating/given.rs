@@ -1,7 +1,7 @@
 //! Heating from outside: heat fluxes over speed and density, as another program or a test gives them.
 //!
 //! ```text
-//! ln q̇ linear in ln ρ and in ln V      where every flux of the rows beside is above nought, else
+//! ln q̇ linear in ln ρ and in ln V      where every flux of the rows beside is above 0, else
 //! q̇ linear in ρ, and in V
 //! ```
 //!
@@ -27,7 +27,7 @@ use numerics::scalar::{Mask, Scalar};
 /// Where a finding says that a number came from.
 pub const USERS: &str = "given by the user";
 
-/// Least speed, m/s, and density, kg/m³, of a logarithm.
+/// Least speed, m/s, and density, kg/m³, of a logarithm, assumed: below those of any flight, and its logarithm is finite.
 const LEAST: f64 = 1e-30;
 
 /// Heat fluxes over speed and density.
@@ -90,7 +90,7 @@ impl<S: Scalar> Between<S> {
         }
     }
 
-    /// What goes on beyond the end with a change from row to row; below the first row it does not grow.
+    /// Change beyond the end with a change from row to row; below the first row it does not grow.
     fn further(&self, change: S) -> S {
         let none = S::constant(0.0);
         let change = S::select(self.beyond.less(none), change.max(none), change);
@@ -166,7 +166,7 @@ impl GivenHeating {
         }
     }
 
-    /// Heat flux, W/m², at a speed relative to the air, m/s, and a density, kg/m³; nought of what the table does not give.
+    /// Heat flux, W/m², at a speed relative to the air, m/s, and a density, kg/m³; 0 where the table does not give it.
     #[inline]
     pub fn heat_flux_w_m2<S: Scalar>(&self, part: Part, speed_m_s: S, density_kg_m3: S) -> S {
         let fluxes = match part {
@@ -216,7 +216,7 @@ impl GivenHeating {
         ]
     }
 
-    /// What a reader must know: that the heating is the user's.
+    /// The remark that the heating is the user's.
     pub fn finding(&self, part: Part) -> Finding {
         let [[v_0, v_1], [rho_0, rho_1]] = self.ends();
         let (which, key) = match part {

@@ -60,10 +60,52 @@ struct VelocityFunction {
     table: Vec<[f64; 2]>,
 }
 
+impl File {
+    fn check(&self) -> Result<(), String> {
+        let exponent = &self.exponent;
+        let caps = exponent
+            .caps
+            .iter()
+            .map(|cap| ("exponent.caps.cap", cap.cap));
+        let positive = [
+            ("c", self.c),
+            ("exponent.coefficient", exponent.coefficient),
+        ];
+        for (key, value) in positive.into_iter().chain(caps) {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(format!("{key}: got {value}, must be above 0"));
+            }
+        }
+        for (key, value) in [
+            ("density_exponent", self.density_exponent),
+            ("exponent.speed_exponent", exponent.speed_exponent),
+            ("exponent.density_exponent", exponent.density_exponent),
+        ] {
+            if !value.is_finite() {
+                return Err(format!("{key}: got {value}, must be a finite number"));
+            }
+        }
+        for [v, f] in &self.velocity_function.table {
+            if !(*v > 0.0 && v.is_finite()) {
+                return Err(format!(
+                    "velocity_function.table: got {v} m/s, must be above 0 m/s"
+                ));
+            }
+            if !(*f >= 0.0 && f.is_finite()) {
+                return Err(format!(
+                    "velocity_function.table: got f = {f} at {v} m/s, must be 0 or more"
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
 impl TauberSutton {
     /// Reads the correlation from the text of `heating/tauber-sutton.toml` or its sister for another planet.
     pub fn parse(data: Data) -> Result<Self, String> {
         let file: File = data.read()?;
+        file.check()?;
         let table = file.velocity_function.table;
         let mut rows = Vec::with_capacity(table.len());
         for pair in table.windows(2) {
@@ -222,5 +264,44 @@ mod tests {
                 .unwrap_err()
                 .contains("8250")
         );
+    }
+
+    #[test]
+    fn a_number_that_makes_no_heat_flux_is_refused() {
+        let shipped = include_str!("../../data/heating/tauber-sutton.toml");
+        for (was, is, said) in [
+            (
+                "\nc = 4.736e4",
+                "\nc = -4.736e4",
+                "c: got -47360, must be above 0",
+            ),
+            ("\nc = 4.736e4", "\nc = inf", "c: got inf"),
+            (
+                "density_exponent = 1.22",
+                "density_exponent = nan",
+                "density_exponent: got NaN",
+            ),
+            (
+                "coefficient = 1.072e6",
+                "coefficient = 0.0",
+                "exponent.coefficient: got 0",
+            ),
+            ("cap = 0.6", "cap = -0.6", "exponent.caps.cap: got -0.6"),
+            (
+                "[9250.0,",
+                "[-9250.0,",
+                "got -9250 m/s, must be above 0 m/s",
+            ),
+            (
+                "[9000.0, 1.5]",
+                "[9000.0, -1.5]",
+                "got f = -1.5 at 9000 m/s",
+            ),
+        ] {
+            let text = shipped.replacen(was, is, 1);
+            assert_ne!(text, shipped, "{was}");
+            let fault = TauberSutton::parse(text.as_str().into()).unwrap_err();
+            assert!(fault.contains(said), "{fault}");
+        }
     }
 }

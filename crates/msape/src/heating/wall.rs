@@ -82,8 +82,11 @@ impl Gas {
             ("free_stream_temperature_k", self.free_stream_temperature_k),
         ];
         let modes = modes.map(|temperature_k| ("vibration.temperature_k", temperature_k));
+        let fractions = self.vibration.iter().map(|mode| mode.fraction);
+        let fractions = fractions.map(|fraction| ("vibration.fraction", fraction));
         match { positive.into_iter() }
             .chain(modes)
+            .chain(fractions)
             .find(|(_, value)| !(*value > 0.0 && value.is_finite()))
         {
             Some((key, value)) => Err(format!("{key}: got {value}, must be above 0")),
@@ -138,6 +141,11 @@ impl WallGas {
     pub fn all(data: Data) -> Result<Vec<(Vec<String>, Self)>, String> {
         let file: File = data.read()?;
         let wall_emissivity = file.wall_emissivity;
+        if !(wall_emissivity > 0.0 && wall_emissivity <= 1.0) {
+            return Err(format!(
+                "wall_emissivity: got {wall_emissivity}, must be above 0 and at most 1"
+            ));
+        }
         file.gas
             .into_iter()
             .map(|gas| {
@@ -280,6 +288,31 @@ mod tests {
             )
             .is_err()
         );
+    }
+
+    #[test]
+    fn a_number_that_is_of_no_gas_is_refused() {
+        let shipped = include_str!("../../data/heating/hot-wall.toml");
+        for (was, is, said) in [
+            (
+                "wall_emissivity = 0.85",
+                "wall_emissivity = 1.85",
+                "wall_emissivity: got 1.85",
+            ),
+            (
+                "fraction = 0.79",
+                "fraction = -0.79",
+                "vibration.fraction: got -0.79",
+            ),
+            (
+                "temperature_k = 3390.0",
+                "temperature_k = nan",
+                "vibration.temperature_k: got NaN",
+            ),
+        ] {
+            let fault = WallGas::all(shipped.replacen(was, is, 1).as_str().into()).unwrap_err();
+            assert!(fault.contains(said), "{fault}");
+        }
     }
 
     #[test]

@@ -96,7 +96,14 @@ fn planets(files: &mut Files, atmospheres: &Named<(String, Atmosphere)>) -> Name
         let gas = planet.heating_as.as_ref().unwrap_or(name);
         let atmosphere = find(files, &file, "atmosphere", atmospheres, &planet.atmosphere);
         if planet.heating_as.is_some() {
-            find(files, &file, "heating_as", &planets, gas);
+            let lender = find(files, &file, "heating_as", &planets, gas);
+            if let Some(other) = lender.and_then(|planet| planet.heating_as.as_ref()) {
+                let message = format!(
+                    "heating_as: got \"{gas}\", which has no relations of its own but heating_as = \"{other}\"; must be a planet with its own"
+                );
+                files.fault(&file, message);
+                continue;
+            }
         }
         let constant = of_planet(files, &file, graves, &sutton_graves, gas);
         let at_wall = of_planet(files, &file, wall, &wall_gas, gas);

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Faults are listed up to this number; a file that is not a table at all would else name every line.
+/// Faults are listed up to this number, assumed; a file that is not a table at all would else name every line.
 pub const MOST_FAULTS: usize = 100;
 
 /// What the numbers of a column must be, besides finite.

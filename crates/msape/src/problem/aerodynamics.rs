@@ -59,11 +59,25 @@ impl Medium {
     }
 }
 
+/// A body and the database of its coefficients.
+pub type BodyCoefficients = (AeroBody, Database);
+
 /// A body and its database, from a case with an outline or from a design.
 ///
 /// # Errors
 /// Every fault of the case at once.
-pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<InputError>> {
+pub fn aero(case: &Case, library: &Library) -> Result<BodyCoefficients, Vec<InputError>> {
+    remarked_aero(case, library).map(|(found, _)| found)
+}
+
+/// The same with what the check remarked.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn remarked_aero(
+    case: &Case,
+    library: &Library,
+) -> Result<(BodyCoefficients, Vec<Finding>), Vec<InputError>> {
     let mut reader = Reader::new(case);
     let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
     let body = match rigid_body(case, library) {
@@ -75,17 +89,18 @@ pub fn aero(case: &Case, library: &Library) -> Result<(AeroBody, Database), Vec<
             None
         }
     };
-    let drag = named_drag(&mut reader, library);
     // What is wrong with the planet, the check of a design has said before.
     let medium = match reader.faults.is_empty() {
         true => Medium::of_case(&mut reader, library),
         false => None,
     };
+    let gamma = medium.as_ref().map(|medium| medium.heat_capacity_ratio);
+    let drag = named_drag(&mut reader, library, gamma);
     let database = (body.as_ref().zip(medium))
         .and_then(|(body, medium)| database(&mut reader, library, &medium, body, drag.as_ref()));
     match body.zip(database) {
-        Some(found) if reader.faults.is_empty() => Ok(found),
-        _ => Err(reader.faults),
+        Some(found) if reader.faults.is_empty() => Ok((found, reader.into_findings())),
+        _ => Err(reader.into_faults()),
     }
 }
 
@@ -121,7 +136,13 @@ fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<AeroB
 }
 
 /// The drag that a case names, constant or against Mach number; the outline's own where it names none.
-fn named_drag(reader: &mut Reader, library: &Library) -> Option<Drag> {
+fn named_drag(reader: &mut Reader, library: &Library, gamma: Option<f64>) -> Option<Drag> {
+    let own = [TABLE, "vehicle.drag_coefficient"];
+    let by_name = reader.given("vehicle.aerodynamics");
+    if let (true, Some(gamma)) = (by_name || !own.iter().any(|key| reader.given(key)), gamma) {
+        let name = reader.text("vehicle.aerodynamics").filter(|_| by_name);
+        fitted_in_air(reader, gamma, name.as_deref());
+    }
     if reader.given("vehicle.aerodynamics") {
         let names: Vec<&str> = library
             .aerodynamics
@@ -223,24 +244,36 @@ pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) 
 /// 350 K are within 0.005; hydrogen with helium has 1.45 and carbon dioxide 1.3.
 const OF_AIR: f64 = 0.02;
 
-/// A finding where forces of an outline, which partly are fits in air, are used in another gas.
-pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64) {
-    let model = "axial force of the outline";
-    let said = reader.findings.iter().any(|finding| finding.model == model);
-    if said || (heat_capacity_ratio - GAMMA).abs() <= OF_AIR {
+/// A finding where the axial force of an outline, which partly is a fit in air, or of a table by name is used in another gas.
+pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64, table: Option<&str>) {
+    if (heat_capacity_ratio - GAMMA).abs() <= OF_AIR {
         return;
     }
+    let gamma = short(heat_capacity_ratio);
+    let (model, message, source) = match table {
+        None => (
+            "axial force of the outline",
+            format!(
+                "The axial force is corrected by a fit to solutions of the Euler equations, and below Mach 3 by tables, both of air; this gas has a ratio of heat capacities of {gamma}, which only the stagnation pressure takes."
+            ),
+            "data/aero-models/euler-correction.toml".to_string(),
+        ),
+        Some(name) => (
+            "axial force by name",
+            format!(
+                "The axial force of {name} is that of air, or of a gas that its source does not name; this gas has a ratio of heat capacities of {gamma}, which the table does not take."
+            ),
+            format!("data/aerodynamics/{name}.csv"),
+        ),
+    };
     reader.findings.push(Finding {
         severity: Severity::Extrapolated,
         model: model.to_string(),
         key: "heat_capacity_ratio".to_string(),
         value: Some(heat_capacity_ratio),
         valid: (Some(GAMMA - OF_AIR), Some(GAMMA + OF_AIR)),
-        message: format!(
-            "The axial force is corrected by a fit to solutions of the Euler equations, and below Mach 3 by tables, both of air; this gas has a ratio of heat capacities of {}, which only the stagnation pressure takes.",
-            short(heat_capacity_ratio)
-        ),
-        source: "data/aero-models/euler-correction.toml".to_string(),
+        message,
+        source,
         field: Some("entry.planet".to_string()),
     });
 }
@@ -337,4 +370,80 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
         "report-printed" => library.aero_standard().damping(Reading::Printed),
         _ => library.aero_standard().damping(Reading::Corrected),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::remarked_aero;
+    use crate::finding::Finding;
+    use crate::problem::{DesignProblem, FlightProblem};
+    use crate::{Case, Library};
+
+    fn case(name: &str, changes: &[(&str, &str)]) -> Case {
+        let text = crate::library::data_file(name).unwrap();
+        let mut case = Case::from_text(text).unwrap();
+        for (key, value) in changes {
+            case.set(key, value);
+        }
+        case
+    }
+
+    fn of_air(findings: &[Finding]) -> Option<&str> {
+        let mut findings = findings.iter();
+        let found = findings.find(|finding| finding.key == "heat_capacity_ratio")?;
+        Some(&found.model)
+    }
+
+    #[test]
+    fn what_was_fitted_in_air_is_told_in_another_gas() {
+        let library = Library::builtin().unwrap();
+        let stardust = "cases/stardust.toml";
+        for planet in ["mars", "earth"] {
+            let there = [
+                ("entry.planet", planet),
+                ("entry.atmosphere", "planet"),
+                ("entry.radius_m", ""),
+                ("entry.altitude_m", "120000"),
+                ("heating.radiative", "none"),
+                ("vehicle.drag_coefficient", ""),
+            ];
+            let told = |model: &'static str| (planet == "mars").then_some(model);
+            for (key, value, model) in [
+                (
+                    "vehicle.aerodynamics",
+                    "sphere-cone-70",
+                    "axial force by name",
+                ),
+                ("outline.preset", "stardust", "axial force of the outline"),
+            ] {
+                let case = case(stardust, &[&there[..], &[(key, value)]].concat());
+                let problem = FlightProblem::check(&case, &library).unwrap();
+                assert_eq!(of_air(&problem.findings), told(model), "{planet} {key}");
+            }
+            for (name, model) in [
+                ("mmeev-60", "axial force by name"),
+                ("outline", "axial force of the outline"),
+            ] {
+                let of_design = [("design.aerodynamics", name)];
+                let case = case(
+                    "cases/galahad.toml",
+                    &[&there[..5], &of_design[..]].concat(),
+                );
+                let problem = DesignProblem::check(&case, &library).unwrap();
+                assert_eq!(of_air(&problem.findings), told(model), "{planet} {name}");
+            }
+            for (name, model) in [
+                ("sphere-cone-70", "axial force by name"),
+                ("", "axial force of the outline"),
+            ] {
+                let more = [
+                    ("outline.preset", "stardust"),
+                    ("vehicle.aerodynamics", name),
+                ];
+                let case = case(stardust, &[&there[..], &more[..]].concat());
+                let (_, findings) = remarked_aero(&case, &library).unwrap();
+                assert_eq!(of_air(&findings), told(model), "{planet} aero {name}");
+            }
+        }
+    }
 }

@@ -76,7 +76,7 @@ pub fn attitude_of_design(
         inertia,
         reader.faults.is_empty(),
     ) else {
-        return Err(reader.faults);
+        return Err(reader.into_faults());
     };
     let of_outline = OfOutline {
         axial_force: axial_force.filter(|_| database.table().is_none()),
@@ -108,7 +108,7 @@ pub fn attitude_of_design(
         mission,
         body,
         outline: None,
-        findings: reader.findings,
+        findings: reader.into_findings(),
     })
 }
 

@@ -6,8 +6,7 @@ use super::heating::choice as fixed;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
-use crate::design::given::Given;
-use crate::design::inputs::DesignInput;
+use crate::design::inputs::{DesignInput, Given};
 use crate::library::{Library, Named, named};
 use crate::quantity::input::OWN_OUTLINE;
 use crate::tps::JudgedAt;
@@ -184,7 +183,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         judged_at: judged_at?,
         drag: match aero_name? {
             OWN_OUTLINE => {
-                fitted_in_air(reader, heat_capacity_ratio?);
+                fitted_in_air(reader, heat_capacity_ratio?, None);
                 DesignDrag::Outline {
                     forces: library.axial_forces().in_gas(heat_capacity_ratio?),
                     subsonic: terminal_drag?,
@@ -195,6 +194,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
                 let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);
                 let finding = force.other_cone(name, cone, "design.aerodynamics");
                 reader.findings.extend(finding);
+                fitted_in_air(reader, heat_capacity_ratio?, Some(name));
                 DesignDrag::Table(force.table.with_subsonic(terminal_drag?))
             }
         },

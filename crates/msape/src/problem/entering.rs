@@ -1,6 +1,9 @@
-//! Checks that a start comes down where only a descent can be flown.
+//! Checks that a start comes down where only a descent can be flown, and remarks on the closed form.
 
+use super::aerodynamics::beyond;
 use super::flight::Angle;
+use super::planet::remark;
+use crate::aero::table::Extrapolation;
 use crate::case::Reader;
 use crate::flight::mission::{Model, Solver, Start, Stop};
 use crate::planet::Planet;
@@ -8,6 +11,29 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::root;
+
+/// Keys of what holds beyond the ends of tables.
+const RULES: [&str; 5] = [
+    "atmosphere.extrapolation",
+    "heating.extrapolation",
+    "vehicle.aerodynamics.extrapolation",
+    "vehicle.bank_extrapolation",
+    "wind.extrapolation",
+];
+
+/// The remark that the closed form ends no flight at the end of a table.
+pub(super) fn goes_on(reader: &mut Reader, solver: Option<&Solver>) {
+    if solver.is_none_or(|solver| solver.model != Model::AllenEggers) {
+        return;
+    }
+    for key in RULES {
+        if reader.given(key) && beyond(reader, key) == Extrapolation::Refuse {
+            let message =
+                "The closed form does not end where it leaves a table: \"refuse\" is not used.";
+            remark(reader, key, message.to_string());
+        }
+    }
+}
 
 /// The fault of a design that begins below the altitude at which it ends.
 pub(super) fn above_end(reader: &mut Reader, planet: &Planet, start: &Start, stop: Stop) {

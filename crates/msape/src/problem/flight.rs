@@ -3,7 +3,7 @@
 use super::aerodynamics::{
     Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
 };
-use super::entering::{above_end, altitude_at, descends};
+use super::entering::{above_end, altitude_at, descends, goes_on};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::{choice, heating};
 use super::outline::Outline;
@@ -50,6 +50,7 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
     });
     let heating = world.and_then(|world| heating(reader, library, world, gas_constant));
     let solver = solver(reader);
+    goes_on(reader, solver.as_ref());
     let (heating, wall_emissivity) = heating?;
     if let (Some(start), Some(solver)) = (&start, &solver) {
         descends(reader, start, solver, angle);
@@ -319,7 +320,7 @@ fn drag(
         [] => match outline {
             Outline::Body(body) => {
                 let heat_capacity_ratio = medium?.heat_capacity_ratio;
-                fitted_in_air(reader, heat_capacity_ratio);
+                fitted_in_air(reader, heat_capacity_ratio, None);
                 let forces = library.axial_forces().in_gas(heat_capacity_ratio);
                 Some(Drag::Table(
                     forces.of_outline(&AeroBody::of_rigid(body, None)),
@@ -382,6 +383,7 @@ fn drag(
                     force.other_cone(name, body.cone_half_angle_rad, "vehicle.aerodynamics");
                 reader.findings.extend(finding);
             }
+            fitted_in_air(reader, medium?.heat_capacity_ratio, Some(name));
             Some(Drag::Table(force.table.clone()))
         }
         [_, second, ..] => {

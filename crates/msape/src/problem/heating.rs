@@ -1,7 +1,7 @@
 //! Checks the choice of heating models.
 
 use super::aerodynamics::beyond;
-use super::planet::SAME_GAS;
+use super::planet::{SAME_GAS, remark};
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
 use crate::heating::brandis_johnston::BrandisJohnston;
@@ -25,6 +25,7 @@ pub(super) fn heating(
 ) -> Option<(StagnationHeating, f64)> {
     let name = &world.planet.name;
     let (table, body) = given(reader);
+    let given_fluxes = table.is_some();
     let convective = match choice(reader, "heating.convective")? {
         _ if table.is_some() => table.clone().map(Convective::Given),
         "brandis-johnston" => brandis_johnston(reader, "heating.convective", world)
@@ -52,7 +53,10 @@ pub(super) fn heating(
     };
     let emissivity = reader.number("heating.wall_emissivity");
     let wall = choice(reader, "heating.wall");
-    let model_factor = reader.number("heating.convective_model_factor");
+    let model_factor = match given_fluxes {
+        true => no_factor(reader),
+        false => reader.number("heating.convective_model_factor"),
+    };
     let convective_margin = reader.number("heating.convective_margin");
     let radiative_margin = reader.number("heating.radiative_margin");
     let pressure = choice(reader, "heating.stagnation_pressure").and_then(PressureModel::named);
@@ -78,6 +82,17 @@ pub(super) fn heating(
         },
     };
     Some((heating, emissivity))
+}
+
+/// The factor on heat fluxes that the case gives: none, as it corrects a relation.
+fn no_factor(reader: &mut Reader) -> Option<f64> {
+    let key = "heating.convective_model_factor";
+    let factor = reader.number(key)?;
+    if factor != 1.0 {
+        let message = "The model factor is not used: it corrects a relation, and the case gives convective heat fluxes itself.";
+        remark(reader, key, message.to_string());
+    }
+    Some(1.0)
 }
 
 /// The gas at the wall: that of the planet, or of the air that the case brings.
@@ -167,4 +182,30 @@ pub(super) fn choice(reader: &mut Reader, key: &str) -> Option<&'static str> {
     };
     let names: Vec<&'static str> = fixed.iter().map(|(name, _)| *name).collect();
     reader.choice(key, &names)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::FlightProblem;
+    use crate::{Case, Library};
+
+    #[test]
+    fn a_hot_wall_has_the_gas_of_the_table_that_the_case_brings() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let library = Library::builtin().unwrap();
+        // p = ρ R T at two altitudes
+        let gas_constant = |r: f64| {
+            let row = |h: f64, rho: f64, t: f64| format!("[{h}, {rho:e}, {t}, {:e}]", rho * r * t);
+            let rows = [row(0.0, 1.2, 280.0), row(2e5, 1e-9, 280.0)].join(", ");
+            let mut case = Case::from_text(text).unwrap();
+            case.set("heating.wall", "radiative-equilibrium");
+            case.set("atmosphere.table", &format!("[{rows}]"));
+            let problem = FlightProblem::check(&case, &library).unwrap();
+            problem.mission.heating.gas.gas_constant_j_kg_k()
+        };
+        // carbon dioxide: 188.92 J/(kg K); air with a little rounding stays that of the planet
+        assert!((gas_constant(188.92) / 188.92 - 1.0).abs() < 1e-6);
+        let air = gas_constant(287.05);
+        assert!(air == gas_constant(288.5) && (air / 287.05 - 1.0).abs() < 1e-3);
+    }
 }

@@ -21,7 +21,7 @@ pub fn rigid_body(case: &Case, library: &Library) -> Result<Option<RigidBody>, V
     if reader.faults.is_empty() {
         Ok(body)
     } else {
-        Err(reader.faults)
+        Err(reader.into_faults())
     }
 }
 

@@ -293,6 +293,18 @@ colour = 3
     }
 
     #[test]
+    fn a_fault_of_a_number_that_is_read_twice_is_told_once() {
+        let text = crate::library::data_file("cases/stardust.toml").unwrap();
+        let phases = "[[phase]]\nname = 'odd'\nmach = 1.4\nmass_kg = 40.0\n";
+        let air = "[atmosphere]\nheat_capacity_ratio = 7.0\nexponential = { density_kg_m3 = 1.2, scale_height_m = 7e3 }\n";
+        let mut case = Case::from_text(&format!("{text}{air}{phases}")).unwrap();
+        case.set("vehicle.mass_kg", "-1");
+        let faults = FlightProblem::check(&case, &Library::builtin().unwrap()).unwrap_err();
+        let keys: Vec<&str> = faults.iter().map(|fault| fault.key.as_str()).collect();
+        assert_eq!(keys, ["atmosphere.heat_capacity_ratio", "vehicle.mass_kg"]);
+    }
+
+    #[test]
     fn one_section_without_list_is_the_first_phase() {
         assert_eq!(said("[phase]\nname = 'drogue'\nmach = 1.4\n"), said(""));
     }

@@ -360,7 +360,8 @@ fn section_given(reader: &Reader, prefix: &str) -> bool {
     inputs().any(|input| input.key.starts_with(prefix) && reader.given(input.key))
 }
 
-fn remark(reader: &mut Reader, key: &str, message: String) {
+/// A remark at an input.
+pub(super) fn remark(reader: &mut Reader, key: &str, message: String) {
     reader.findings.push(Finding {
         severity: Severity::Note,
         model: "input".to_string(),

@@ -86,6 +86,25 @@ impl Forebody {
         }
     }
 
+    /// Distance from the axis, m, at a part of the length along the surface from the nose tip to the largest diameter.
+    pub fn radius_along_m(&self, part: f64) -> f64 {
+        let (nose, tangent) = (self.nose_tangent(0.0), self.shoulder_tangent(0.0));
+        let (sin, _) = self.sin_cos();
+        let theta = self.cone_half_angle_rad;
+        let on_nose_m = self.nose_radius_m * (FRAC_PI_2 - theta);
+        let on_cone_m = (tangent.r_m - nose.r_m) / sin;
+        let s_m = part * (on_nose_m + on_cone_m + self.shoulder_radius_m * theta);
+        let beyond_m = s_m - on_nose_m - on_cone_m;
+        if s_m < on_nose_m {
+            self.nose_radius_m * sin_cos(s_m / self.nose_radius_m).0
+        } else if beyond_m < 0.0 {
+            nose.r_m + (s_m - on_nose_m) * sin
+        } else {
+            let turned_rad = theta - beyond_m / self.shoulder_radius_m;
+            self.shoulder_center().r_m + self.shoulder_radius_m * sin_cos(turned_rad).1
+        }
+    }
+
     /// Axial position of the surface at depth `depth_m` (nose or cone) at the distance `r_m` from the axis, m.
     pub fn depth_x_m(&self, depth_m: f64, r_m: f64) -> f64 {
         let (sin, cos) = self.sin_cos();
@@ -181,6 +200,33 @@ impl Forebody {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_part_of_the_length_is_a_distance_from_the_axis() {
+        // 60 deg, nose 0.5 m, shoulder 0.05 m, 1.6 m across: arcs of 30 and 60 deg and a cone from 0.25 to 0.775 m
+        let body = Forebody {
+            diameter_m: 1.6,
+            nose_radius_m: 0.5,
+            shoulder_radius_m: 0.05,
+            cone_half_angle_rad: PI / 3.0,
+        };
+        let sin = 0.75_f64.sqrt();
+        let (nose_m, cone_m, shoulder_m) = (PI / 12.0, (0.775 - 0.25) / sin, 0.05 * PI / 3.0);
+        let whole_m = nose_m + cone_m + shoulder_m;
+        for (s_m, r_m) in [
+            (0.0, 0.0),
+            (0.5 * nose_m, 0.5 * sin_cos(PI / 12.0).0),
+            (nose_m + 0.1, 0.25 + 0.1 * sin),
+            (
+                nose_m + cone_m + 0.5 * shoulder_m,
+                0.75 + 0.05 * sin_cos(PI / 6.0).1,
+            ),
+            (whole_m, 0.8),
+        ] {
+            let ours = body.radius_along_m(s_m / whole_m);
+            assert!((ours - r_m).abs() < 1e-12, "{s_m}: {ours}, {r_m}");
+        }
+    }
 
     #[test]
     fn sphere_cone_of_1_m_as_computed_independently() {

@@ -15,7 +15,7 @@ use super::row::{Row, body_axes};
 use super::{Content, Extrapolation, Given, Grid};
 use numerics::math::{PI, RADIANS_PER_DEGREE, log10};
 
-/// Faults are listed up to this number.
+/// Faults are listed up to this number, assumed.
 const MOST_FAULTS: usize = 100;
 /// Largest difference between the two sides, in coefficients: tables are printed to three or four decimals.
 const ALIKE: f64 = 2e-3;

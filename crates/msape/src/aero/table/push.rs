@@ -16,13 +16,14 @@ use super::row::{Row, body_axes};
 use crate::finding::range::short;
 use numerics::math::{PI, RADIANS_PER_DEGREE, sin_cos};
 
-/// Drag coefficient that a row may be below zero: what rounding of C_A and C_N to three decimals does, 0.0005 (|cos α| + |sin α|), 7.1e-4
-/// at most, and as much again for an angle rounded to 0.1 deg at coefficients of about 1, which is 1.2e-3 at most.
+/// Drag coefficient that a row may be below zero, assumed to cover rounding: of C_A and C_N to three decimals, 0.0005 (|cos α| + |sin α|) or
+/// 7.1e-4 at most, and of the angle to 0.1 deg at coefficients of about 1, 8.7e-4 (|cos α| + |sin α|) or 1.2e-3 at most; 1.9e-3 together.
 const PUSH: f64 = 2e-3;
 /// Angles that end at this part of π are taken for radians.
 const OF_PI: [f64; 6] = [1.0, 2.0 / 3.0, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0];
-/// The same within this part of π: what is left out of 3.1416, 3.142 or 3.141 and of their parts, 5e-4 at most.
-const OF_PI_WITHIN: f64 = 1.6e-4;
+/// The same within this: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at most, and cut after three,
+/// 3.141, by less.
+const OF_PI_WITHIN: f64 = 0.005;
 
 /// Rows by which the air would push the body: C_A cos α + C_N sin α < 0.
 pub(super) fn pushes(rows: &[Row], faults: &mut Vec<String>) {
@@ -51,7 +52,7 @@ pub(super) fn pushes(rows: &[Row], faults: &mut Vec<String>) {
 
 /// Whether the largest angle of a table, read as deg, is a part of π.
 pub fn in_radians(largest_deg: f64) -> bool {
-    let is = |part: &f64| (largest_deg - part * PI).abs() < OF_PI_WITHIN * PI;
+    let is = |part: &f64| (largest_deg - part * PI).abs() <= OF_PI_WITHIN;
     OF_PI.iter().any(is)
 }
 
@@ -96,14 +97,19 @@ mod tests {
     #[test]
     fn half_a_turn_and_its_parts_are_radians_and_round_degrees_are_not() {
         assert!(
-            ["3.1416", "1.5708", "0.5236", "0.785398"]
-                .iter()
-                .all(|text| in_radians(text.parse().unwrap()))
+            [
+                "3.1416", "1.5708", "0.5236", "0.785398", "3.14", "3.141", "3.142", "1.57",
+                "1.571", "2.09", "1.05", "0.79", "0.52"
+            ]
+            .iter()
+            .all(|text| in_radians(text.parse().unwrap()))
         );
         assert!(
-            ![3.0, 3.2, 1.5, 0.5, 1.0, 30.0, 180.0]
-                .iter()
-                .any(|a| in_radians(*a))
+            ![
+                3.0, 3.1, 3.2, 1.5, 1.6, 2.0, 2.1, 0.5, 0.8, 1.0, 30.0, 180.0
+            ]
+            .iter()
+            .any(|a| in_radians(*a))
         );
     }
 }

@@ -7,8 +7,9 @@
 //! with x an altitude in m, a Mach number, a dynamic pressure in Pa or a deceleration in Earth g.
 //!
 //! # Valid
-//! A quantity that goes through its value once at most in a quarter of a step. One that went through it before the turn of its phase, and
-//! stands beyond it still, begins the phase at once.
+//! A quantity that goes through its value once at most in a quarter of a step. One that went through it before the turn of its phase,
+//! or at that instant by what the phase before changed, and stands beyond it, begins the phase at once: a switch that closes and stays
+//! closed until the sequence reads it. One that has stood beyond its value since the start has not gone through it.
 //!
 //! # References
 //! - Own convention.
@@ -47,25 +48,32 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             .enumerate()
             .skip(self.stage.phases + 1)
         {
-            let Begin {
-                mark,
-                value,
-                direction,
-            } = phase.begin;
-            if mark == Mark::Time {
-                continue;
-            }
-            let beyond = ends.map(|(t, y)| {
-                let gap = self.quantity(mark, t, y).value() - value;
-                match direction {
-                    Direction::Rising => gap >= 0.0,
-                    Direction::Falling => gap <= 0.0,
-                }
-            });
+            let beyond = ends.map(|(t, y)| self.is_beyond(&phase.begin, t, y));
             if let (Some(passed), true) = (self.passed.get_mut(index), beyond[0] != beyond[1]) {
                 *passed = beyond[1];
             }
         }
+    }
+
+    /// Whether a quantity stands beyond the value of a phase in its direction; a time is met as it comes.
+    fn is_beyond(&self, begin: &Begin, t: S, y: &[S; N]) -> bool {
+        if begin.mark == Mark::Time {
+            return false;
+        }
+        let gap = self.quantity(begin.mark, t, y).value() - begin.value;
+        match begin.direction {
+            Direction::Rising => gap >= 0.0,
+            Direction::Falling => gap <= 0.0,
+        }
+    }
+
+    /// The same of each phase that has not begun.
+    fn beyond(&self, t: S, y: &[S; N]) -> Vec<bool> {
+        let phases = self.motion.point().mission.phases.iter();
+        let ahead = phases.skip(self.stage.phases);
+        ahead
+            .map(|phase| self.is_beyond(&phase.begin, t, y))
+            .collect()
     }
 
     /// Where the next phase begins in a step.
@@ -128,7 +136,15 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             let inflates = canopy.inflation_s > 0.0;
             self.full_s = inflates.then(|| t.value() + canopy.inflation_s);
         }
+        let before = self.beyond(t, &y);
         self.motion.point_mut().change(&phase.change, t);
+        let now = self.beyond(t, &y);
+        let later = self.passed.iter_mut().skip(self.stage.phases);
+        for (passed, (before, now)) in later.zip(before.into_iter().zip(now)) {
+            if before != now {
+                *passed = now;
+            }
+        }
         self.record.begun.push((t, y, self.stage));
     }
 }

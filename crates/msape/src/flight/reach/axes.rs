@@ -82,6 +82,21 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
     axes
 }
 
+/// The tables that the closed form looks up. It flies on beyond their ends, whatever the rule: the air as it goes on, heating held.
+pub fn axes_of_closed_form(mission: &Mission) -> Vec<Axis> {
+    let on = |axis: Axis, instead: Extrapolation| Axis {
+        rule: match axis.rule {
+            Extrapolation::Refuse => instead,
+            rule => rule,
+        },
+        ..axis
+    };
+    let air = of_atmosphere(mission).map(|axis| on(axis, Extrapolation::Extend));
+    let heating = mission.heating.given().into_iter().flat_map(of_heating);
+    let heating = heating.map(|axis| on(axis, Extrapolation::Hold));
+    air.into_iter().chain(heating).collect()
+}
+
 /// The altitudes of the atmosphere; none where it has no ends.
 pub fn of_atmosphere(mission: &Mission) -> Option<Axis> {
     let (bottom_m, top_m) = mission.atmosphere.valid_m();

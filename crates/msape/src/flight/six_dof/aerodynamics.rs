@@ -104,12 +104,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// The same with a parachute that pulls at a point, given like the centre of gravity, m, against the velocity that the
-    /// point has relative to the air.
-    ///
-    /// ```text
-    /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F
-    /// ```
+    /// As many times the load.
     pub fn times(self, factor: f64) -> Load {
         Load {
             force_n: self.force_n.map(|x| factor * x),
@@ -117,7 +112,12 @@ impl Load {
         }
     }
 
-    /// The same with a parachute.
+    /// The same with a parachute that pulls at a point, given like the centre of gravity, m, against the velocity that the
+    /// point has relative to the air.
+    ///
+    /// ```text
+    /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F
+    /// ```
     pub fn with_canopy(
         self,
         stream: &Stream,

@@ -13,12 +13,14 @@
 //! # References
 //! - Own convention.
 
+use super::check::Numbered;
 use super::{GivenHeating, USERS};
 use crate::aero::table::Extrapolation;
 use crate::finding::{Finding, Severity};
+use crate::units::told;
 use serde::{Deserialize, Serialize};
 
-/// Points of a table, at most: each is integrated along the flight.
+/// Points of a table, at most, assumed: each is integrated along the flight, and a profile of a forebody has a few dozen.
 const MOST_POINTS: usize = 100;
 
 /// Along what the points of a body are counted.
@@ -38,6 +40,35 @@ impl Along {
             Along::Arc => "s/S",
         }
     }
+}
+
+/// Where the rows of a point are others than those of the stagnation point: one integration meets the kinks of all.
+fn difference(first: &GivenHeating, table: &GivenHeating) -> Option<String> {
+    let axes = [
+        ("speed", &first.speeds_m_s, &table.speeds_m_s, "m/s"),
+        (
+            "density",
+            &first.densities_kg_m3,
+            &table.densities_kg_m3,
+            "kg/m^3",
+        ),
+    ];
+    for (name, of_first, own, unit) in axes {
+        if let Some(more) = own.iter().find(|x| !of_first.contains(x)) {
+            let more = told(*more);
+            return Some(format!(
+                "got the {name} {more} {unit}, must be one of those of the fraction 0"
+            ));
+        }
+        if let Some(lacking) = of_first.iter().find(|x| !own.contains(x)) {
+            let lacking = told(*lacking);
+            return Some(format!(
+                "no rows of the {name} {lacking} {unit}, which the fraction 0 has"
+            ));
+        }
+    }
+    (first.has_radiation() != table.has_radiation())
+        .then(|| "its columns must be those of the fraction 0".to_owned())
 }
 
 /// Heat fluxes at points of the body, the stagnation point first.
@@ -60,9 +91,13 @@ impl BodyHeating {
         rows: &[Vec<f64>],
         extrapolation: Extrapolation,
     ) -> Result<BodyHeating, Vec<String>> {
-        let mut sorted: Vec<(f64, &[f64])> = rows
+        let mut sorted: Vec<(f64, Numbered)> = rows
             .iter()
-            .filter_map(|row| row.split_first().map(|(fraction, rest)| (*fraction, rest)))
+            .zip(1..)
+            .filter_map(|(row, number)| {
+                let (fraction, rest) = row.split_first()?;
+                Some((*fraction, (number, rest)))
+            })
             .collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         match sorted.first() {
@@ -83,18 +118,22 @@ impl BodyHeating {
                     "more than {MOST_POINTS} points, must be {MOST_POINTS} or fewer"
                 )]);
             }
-            let rows: Vec<Vec<f64>> = same.iter().map(|(_, row)| row.to_vec()).collect();
-            let of_point = |fault: String| format!("at the fraction {fraction}: {fault}");
-            let table = GivenHeating::try_new(key, &rows, extrapolation)
+            let rows: Vec<Numbered> = same.iter().map(|(_, row)| *row).collect();
+            let of_point = |fault: String| format!("at the fraction {}: {fault}", told(*fraction));
+            let table = GivenHeating::of_rows(key, &rows, extrapolation)
                 .map_err(|faults| faults.into_iter().map(of_point).collect::<Vec<_>>())?;
-            if let Some((_, first)) = points.first()
-                && (first.ends() != table.ends() || first.has_radiation() != table.has_radiation())
-            {
-                return Err(vec![of_point(
-                    "its speeds, densities and columns must be those of the fraction 0".to_owned(),
-                )]);
+            let other = points
+                .first()
+                .and_then(|(_, first)| difference(first, &table));
+            if let Some(other) = other {
+                return Err(vec![of_point(other)]);
             }
             points.push((*fraction, table));
+        }
+        if points.len() < 2 {
+            return Err(vec![
+                "got the fraction 0 alone, must be 2 fractions or more; for the stagnation point alone give heating.table".to_owned(),
+            ]);
         }
         Ok(BodyHeating { along, points })
     }
@@ -104,7 +143,7 @@ impl BodyHeating {
         self.points.first().map(|(_, table)| table)
     }
 
-    /// What a reader must know: that the heating of the body is the user's, and what it stands for.
+    /// The remark that the heating of the body is the user's, and where it is used.
     pub fn finding(&self) -> Finding {
         let name = self.along.name();
         let last = self.points.last().map_or(0.0, |(fraction, _)| *fraction);

@@ -16,8 +16,11 @@ use super::{Fluxes, GivenHeating};
 use crate::aero::table::Extrapolation;
 use crate::units::told;
 
-/// Faults of one table that are told.
+/// Faults of one table that are told, assumed: as many as are read.
 const MOST_FAULTS: usize = 20;
+
+/// A row of a table of the case: its number there, from 1, and its numbers.
+pub(super) type Numbered<'a> = (usize, &'a [f64]);
 
 impl GivenHeating {
     /// Rows of speed, m/s, density, kg/m³, convective and, in all rows or in none, radiative heat flux, W/m², in any order; the key
@@ -30,7 +33,18 @@ impl GivenHeating {
         rows: &[Vec<f64>],
         extrapolation: Extrapolation,
     ) -> Result<GivenHeating, Vec<String>> {
-        let column = |i: usize| rows.iter().filter_map(move |row| row.get(i).copied());
+        let numbered = rows.iter().enumerate();
+        let rows: Vec<Numbered> = numbered.map(|(i, row)| (i + 1, row.as_slice())).collect();
+        GivenHeating::of_rows(key, &rows, extrapolation)
+    }
+
+    /// The same of rows that are some of those of the case.
+    pub(super) fn of_rows(
+        key: &'static str,
+        rows: &[Numbered],
+        extrapolation: Extrapolation,
+    ) -> Result<GivenHeating, Vec<String>> {
+        let column = |i: usize| rows.iter().filter_map(move |(_, row)| row.get(i).copied());
         let axis = |i: usize| {
             let mut axis: Vec<f64> = column(i).collect();
             axis.sort_by(f64::total_cmp);
@@ -39,10 +53,18 @@ impl GivenHeating {
         };
         let (speeds_m_s, densities_kg_m3) = (axis(0), axis(1));
         let mut faults = Vec::new();
-        for (name, axis) in [("speeds", &speeds_m_s), ("densities", &densities_kg_m3)] {
-            if axis.len() < 2 {
-                faults.push(format!("got {} {name}, must be at least 2", axis.len()));
-            }
+        for (one, more, axis, unit) in [
+            ("speed", "speeds", &speeds_m_s, "m/s"),
+            ("density", "densities", &densities_kg_m3, "kg/m^3"),
+        ] {
+            let got = match axis.as_slice() {
+                [] => "no rows".to_owned(),
+                [only] => format!("one {one}, {} {unit}", told(*only)),
+                _ => continue,
+            };
+            faults.push(format!(
+                "got {got}, must be 2 {more} or more: heat fluxes are interpolated over both"
+            ));
         }
         let radiation = column(3).count();
         if radiation != 0 && radiation != rows.len() {
@@ -69,15 +91,14 @@ impl GivenHeating {
         };
         let mut filled = vec![false; wide * long];
         let mut columns = [vec![0.0; wide * long], vec![0.0; wide * long]];
-        for (number, row) in rows.iter().enumerate() {
+        for (number, row) in rows {
             let place = place(row);
             match filled.get_mut(place) {
                 Some(before) if !*before => *before = true,
                 _ if faults.len() < MOST_FAULTS => {
                     let at = row.iter().take(2).map(|x| told(*x)).collect::<Vec<_>>();
                     faults.push(format!(
-                        "row {}: the speed and density {} stand twice",
-                        number + 1,
+                        "row {number}: the speed and density {} kg/m^3 stand twice",
                         at.join(" m/s, ")
                     ));
                 }
@@ -105,10 +126,10 @@ impl GivenHeating {
 }
 
 /// The first place of the grid that has no row.
-fn hole(rows: &[Vec<f64>], speeds: &[f64], densities: &[f64]) -> Option<String> {
+fn hole(rows: &[Numbered], speeds: &[f64], densities: &[f64]) -> Option<String> {
     let mut pairs: Vec<[f64; 2]> = rows
         .iter()
-        .filter_map(|row| Some([*row.first()?, *row.get(1)?]))
+        .filter_map(|(_, row)| Some([*row.first()?, *row.get(1)?]))
         .collect();
     pairs.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     pairs.dedup();

@@ -114,15 +114,16 @@ fn every_hole_and_every_double_row_is_a_fault() {
     ];
     assert_eq!(
         faults(&twice),
-        ["row 5: the speed and density 2000 m/s, 0.01 stand twice"]
+        ["row 5: the speed and density 2000 m/s, 0.01 kg/m^3 stand twice"]
     );
     assert_eq!(
         faults(&[[1e3, 1e-3, 1.0]]),
         [
-            "got 1 speeds, must be at least 2",
-            "got 1 densities, must be at least 2"
+            "got one speed, 1000 m/s, must be 2 speeds or more: heat fluxes are interpolated over both",
+            "got one density, 0.001 kg/m^3, must be 2 densities or more: heat fluxes are interpolated over both"
         ]
     );
+    assert_eq!(faults(&[]).len(), 2);
 }
 
 #[test]
@@ -169,5 +170,48 @@ fn points_of_a_body_begin_at_the_stagnation_point() {
     assert_eq!(
         body(&[0.5]).unwrap_err(),
         ["no rows of the fraction 0, the stagnation point"]
+    );
+    let alone = body(&[0.0]).unwrap_err().concat();
+    assert!(alone.contains("got the fraction 0 alone"), "{alone}");
+}
+
+#[test]
+fn rows_of_every_point_are_those_of_the_stagnation_point_and_are_counted_in_the_table() {
+    let grid = |f: f64, speeds: &[f64], densities: &[f64]| -> Vec<Vec<f64>> {
+        let row = |v: f64, rho: f64| vec![f, v, rho, 1e6, 0.0];
+        let rows = speeds
+            .iter()
+            .map(|v| densities.iter().map(|rho| row(*v, *rho)));
+        rows.flatten().collect()
+    };
+    let faults = |more: Vec<Vec<f64>>| {
+        let mut rows = grid(0.0, &[5e3, 7e3, 9e3], &[1e-4, 1e-3]);
+        rows.extend(more);
+        let (along, rule) = (Along::Arc, Extrapolation::Hold);
+        match BodyHeating::try_new("heating.arc_table", along, &rows, rule) {
+            Ok(_) => String::new(),
+            Err(faults) => faults.join("; "),
+        }
+    };
+    // out of order is no fault
+    assert_eq!(faults(grid(1.0, &[9e3, 5e3, 7e3], &[1e-3, 1e-4])), "");
+    // the ends are the same, a row between them is not
+    assert_eq!(
+        faults(grid(1.0, &[5e3, 6e3, 9e3], &[1e-4, 1e-3])),
+        "at the fraction 1: got the speed 6000 m/s, must be one of those of the fraction 0"
+    );
+    assert_eq!(
+        faults(grid(0.5, &[5e3, 9e3], &[1e-4, 1e-3])),
+        "at the fraction 0.5: no rows of the speed 7000 m/s, which the fraction 0 has"
+    );
+    assert_eq!(
+        faults(grid(0.5, &[5e3, 7e3, 9e3], &[1e-4, 5e-4, 1e-3])),
+        "at the fraction 0.5: got the density 0.0005 kg/m^3, must be one of those of the fraction 0"
+    );
+    let mut twice = grid(0.5, &[5e3, 7e3, 9e3], &[1e-4, 1e-3]);
+    twice.push(vec![0.5, 7e3, 1e-3, 2e6, 0.0]);
+    assert_eq!(
+        faults(twice),
+        "at the fraction 0.5: row 13: the speed and density 7000 m/s, 0.001 kg/m^3 stand twice"
     );
 }

@@ -72,6 +72,24 @@ fn a_dangling_name_is_said_with_file_key_value_and_what_there_is() {
 }
 
 #[test]
+fn relations_are_taken_of_a_planet_that_has_its_own() {
+    let twin = dusty()
+        .replace("\"dusty\"", "\"twin\"")
+        .replace("heating_as = \"mars\"", "heating_as = \"dusty\"");
+    let said = only_fault(&[("planets/dusty.toml", dusty()), ("planets/twin.toml", twin)]);
+    assert_eq!(
+        said,
+        "planets/twin.toml: heating_as: got \"dusty\", which has no relations of its own but heating_as = \"mars\"; must be a planet with its own"
+    );
+    let own = dusty().replace("heating_as = \"mars\"", "heating_as = \"dusty\"");
+    let said = only_fault(&[("planets/dusty.toml", own)]);
+    assert!(
+        said.contains("heating_as: got \"dusty\", which has no"),
+        "{said}"
+    );
+}
+
+#[test]
 fn every_fault_of_every_file_is_said() {
     let graves = shipped("heating/sutton-graves.toml").replace("\"venus\"", "\"vulcan\"");
     let faults = built(&[

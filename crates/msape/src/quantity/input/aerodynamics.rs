@@ -41,7 +41,7 @@ pub(super) const INPUTS: &[Input] = &[
         ])),
     )
     .preset(Preset::Name("hold"))
-    .help("What holds beyond the ends of a table of coefficients, of drag or of lift; refuse ends the flight there.", CONVENTION),
+    .help("Rule beyond the ends of a table of coefficients, of drag or of lift; refuse ends the flight there.", CONVENTION),
     Input::new(
         "vehicle.aerodynamics.damping",
         "Pitch Damping",

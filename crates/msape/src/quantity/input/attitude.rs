@@ -91,7 +91,7 @@ pub(super) const INPUTS: &[Input] = &[
         .help("Rows of speed relative to the air and angle of bank, interpolated linearly, ends held.", CONVENTION),
     Input::new("vehicle.bank_extrapolation", "Beyond the Bank Table", Group::Vehicle, Kind::Choice(Choices::Fixed(HELD)))
         .preset(Preset::Name("hold"))
-        .help("What holds beyond the first and the last row of a table of bank; refuse ends the flight there.", CONVENTION),
+        .help("Rule beyond the first and the last row of a table of bank; refuse ends the flight there.", CONVENTION),
     Input::new("vehicle.bank_file", "Bank File", Group::Vehicle, Kind::Text)
         .help("Name of a text file with time or speed and angle of bank.", CONVENTION),
     angle("attitude.yaw_deg", "Yaw", 360.0)

@@ -33,7 +33,7 @@ pub(super) const INPUTS: &[Input] = &[
             Column { name: "radiative_w_m2", required: false },
         ]),
     )
-    .help("Heat fluxes of the stagnation point from outside, over speed relative to the air and density, in place of the relations: each speed with each density, in any order. Logarithms are interpolated where all is above nought. Without radiative fluxes the radiative relation stays; a total heat flux stands as convective beside radiative fluxes of 0.", CONVENTION),
+    .help("Cold-wall heat fluxes of the stagnation point from outside, over speed relative to the air and density, in place of the relations: each speed with each density, in any order, and two of each or more. The margins apply, the model factor does not. Logarithms are interpolated where all are above 0. Without radiative fluxes the radiative relation stays; a total heat flux stands as convective beside radiative fluxes of 0.", CONVENTION),
     along_body("heating.radius_table", "Heating Table over Radius", &[
         column("radius_fraction"),
         CONVECTIVE[0],
@@ -41,7 +41,7 @@ pub(super) const INPUTS: &[Input] = &[
         CONVECTIVE[2],
         column("radiative_w_m2"),
     ])
-    .help("The same at points of the forebody, by their distance from the axis over the largest radius; 0 is the stagnation point. Each point is integrated along the flight, and a heat shield is judged by the largest heat flux and heat load.", CONVENTION),
+    .help("The same at points of the forebody, by their distance from the axis over the largest radius; 0 is the stagnation point. Every point has the speeds and densities of the stagnation point. Each is integrated along the flight, and a heat shield is judged by the largest heat flux and heat load.", CONVENTION),
     along_body("heating.arc_table", "Heating Table over Arc Length", &[
         column("arc_fraction"),
         CONVECTIVE[0],
@@ -51,7 +51,7 @@ pub(super) const INPUTS: &[Input] = &[
     ])
     .help("The same at points of the forebody, by their length along the outline from the nose over that to the largest radius; 0 is the stagnation point.", CONVENTION),
     Input::new("heating.file", "Heating File", Group::Models, Kind::Text)
-        .help("Name of a text file with speed, density and convective, radiative or total heat flux, and r or s as a fraction where it is along the body.", CONVENTION),
+        .help("Name of a text file with speed, density and convective, radiative or total heat flux to a cold wall, and r or s as a fraction where it is along the body.", CONVENTION),
     Input::new(
         "heating.extrapolation",
         "Beyond the Heating Table",
@@ -63,5 +63,5 @@ pub(super) const INPUTS: &[Input] = &[
         ])),
     )
     .preset(Preset::Name("extend"))
-    .help("What holds beyond the speeds and densities of a table of heating. The last slope, of the logarithms where these are interpolated, never makes more heat of less speed or density; a held end heats in a vacuum, too; refuse ends the flight there.", CONVENTION),
+    .help("Rule beyond the speeds and densities of a table of heating. The last slope, of the logarithms where these are interpolated, never makes more heat of less speed or density; a held end heats in a vacuum, too; refuse ends the flight there.", CONVENTION),
 ];

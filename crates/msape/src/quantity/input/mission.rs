@@ -119,7 +119,7 @@ pub(super) const INPUTS: &[Input] = &[
         ])),
     )
     .preset(Preset::Name("extend"))
-    .help("What holds beyond the first and the last altitude of the atmosphere, of the case or of the planet; density never grows with height there. Refuse ends the flight there.", CONVENTION),
+    .help("Rule beyond the first and the last altitude of the atmosphere, of the case or of the planet; density never grows with height there. Refuse ends the flight there.", CONVENTION),
     Input::number("atmosphere.molar_mass_kg_kmol", "Molar Mass of the Gas", Group::Models, Dimension::MolarMass, Range::closed(1.0, 200.0))
         .unit("kg/kmol")
         .help("Molar mass of the gas of an atmosphere given in the case; that of the planet's gas when absent.", CONVENTION),
@@ -151,7 +151,7 @@ pub(super) const INPUTS: &[Input] = &[
         Kind::Choice(Choices::Fixed(HELD)),
     )
     .preset(Preset::Name("hold"))
-    .help("What holds beyond the first and the last altitude of the table of wind; refuse ends the flight there.", CONVENTION),
+    .help("Rule beyond the first and the last altitude of the table of wind; refuse ends the flight there.", CONVENTION),
     Input::number("wind.eastward_m_s", "Wind towards East", Group::Models, Dimension::Speed, Range::closed(-500.0, 500.0))
         .unit("m/s")
         .help("Velocity of the air towards the east at every altitude.", CONVENTION),
@@ -189,7 +189,7 @@ pub(super) const INPUTS: &[Input] = &[
     Input::number("heating.convective_model_factor", "Convective Model Factor", Group::Models, Dimension::One, Range::above(0.0, 10.0))
         .usual(1.0, 1.5)
         .preset(Preset::Number(1.0))
-        .help("Correction of the convective relation itself, apart from the margin; the report's comparison with DPLR gives 1.33.", "NASA/TM-2014-218507, section 3.4.3"),
+        .help("Correction of the convective relation itself, apart from the margin and not of heat fluxes that the case gives; the report's comparison with DPLR gives 1.33.", "NASA/TM-2014-218507, section 3.4.3"),
     Input::new(
         "heating.wall",
         "Wall for Convective Heating",

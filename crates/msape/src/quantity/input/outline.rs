@@ -27,7 +27,7 @@ pub(super) const INPUTS: &[Input] = &[
         Group::Vehicle,
         Kind::Choice(Choices::Fixed(&[("flat", "Flat disc"), ("mmeev", "Face of 15 deg and spherical lid")])),
     )
-    .help("What is behind the half-torus shoulder of a sphere-cone; flat when absent.", CONVENTION),
+    .help("Shape behind the half-torus shoulder of a sphere-cone; flat when absent.", CONVENTION),
     Input::new(
         "outline.points",
         "Outline Points",

@@ -43,7 +43,7 @@ pub(super) const INPUTS: &[Input] = &[
         Group::Mission,
         Kind::Choice(Choices::Fixed(&[("falling", "Falling"), ("rising", "Rising")])),
     )
-    .help("Whether the quantity falls or rises through its value when the phase begins; falling when absent.", CONVENTION),
+    .help("Whether the quantity falls or rises through its value when the phase begins; falling when absent. Where it did so before the turn of the phase, or jumps through it by what the phase before changes, and stands beyond it, the phase begins at once; where it has stood beyond it since the start, never, and that is told.", CONVENTION),
     Input::number("phase.mass_kg", "Mass from then on", Group::Mission, Dimension::Mass, Range::above(0.0, 1e6))
         .unit("kg")
         .help("Mass of the vehicle from the begin of the phase on, as after the heat shield is dropped; the one before when absent.", CONVENTION),

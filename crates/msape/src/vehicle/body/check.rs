@@ -22,7 +22,7 @@ use thiserror::Error;
 
 /// Ends closer than this part of the outline's size are the same point.
 pub const TOLERANCE: f64 = 1e-9;
-/// Faults are listed up to this number.
+/// Faults are listed up to this number, assumed.
 pub const MOST_FAULTS: usize = 100;
 
 /// A point in a message.

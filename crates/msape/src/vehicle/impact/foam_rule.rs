@@ -37,13 +37,14 @@ use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
 use numerics::root;
 
-/// Fraction from which a usable one is looked for: a foam as dense as its solid has 0.06.
+/// Fraction from which a usable one is looked for, assumed: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
-/// Intervals in which the softest foam is looked for.
+/// Intervals in which the softest foam is looked for: assumed.
 const STEPS: u32 = 16;
-/// Distance kept from the foam of the least thickness, a root itself at its own, as part of the range searched.
+/// Distance kept from the foam of the least thickness, a root itself at its own, as part of the range searched: assumed, far above the
+/// resolution of the search.
 const APART: f64 = 1e-6;
-/// Width of the last interval in the search for a usable fraction.
+/// Width of the last interval in the search for a usable fraction: that of rounding.
 const RESOLUTION: f64 = 1e-15;
 
 /// Impact foam as the landing asks for it.
