@@ -382,7 +382,7 @@ fn another_look_at_the_records_goes_on_as_the_first_one_does() {
     let stock = browser.stock();
     let mut ledger = Ledger::default();
     let last = Key::apart("last");
-    assert_eq!(stock.ledger.apart(), [last.clone()]);
+    assert!(stock.ledger.apart().contains(&last));
     for key in [Key::current(), last.clone()] {
         ledger.learns(&key, &stock.ledger);
     }
