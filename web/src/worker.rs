@@ -5,20 +5,22 @@
 
 mod questions;
 mod queue;
+mod start;
 mod watch;
 
 use crate::clock::now_ms;
 use crate::protocol::{self, Ask, BEGUN, Job, Told, decode, encode};
 use js_sys::{Function, Promise};
-use leptos::prelude::{document, set_interval_with_handle};
+use leptos::prelude::set_interval_with_handle;
 use msape::Case;
 pub use questions::Asker;
 use queue::{Question, Queue};
+use start::Listening;
 use std::{cell::RefCell, rc::Rc, time::Duration};
-use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use watch::{Phase, Verdict, Watch};
-use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{MessageEvent, Worker};
 
 /// What the page hears of the worker.
 pub enum News {
@@ -60,9 +62,6 @@ impl Role {
         }
     }
 }
-
-/// What hears a worker; it lives until the next one is started.
-type Listening = (Closure<dyn Fn(MessageEvent)>, Closure<dyn Fn(Event)>);
 
 struct Line {
     role: Role,
@@ -323,44 +322,6 @@ impl WorkerLink {
         }
     }
 
-    fn start_worker(&self) {
-        self.0.borrow_mut().watch.phase = Phase::Starting(now_ms());
-        match self.try_start() {
-            Ok((worker, listening)) => {
-                let line = &mut *self.0.borrow_mut();
-                (line.worker, line.listening) = (Some(worker), Some(listening));
-            }
-            Err(error) => self.fail(&format!("cannot be started: {error:?}")),
-        }
-    }
-
-    fn try_start(&self) -> Result<(Worker, Listening), JsValue> {
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        let worker = Worker::new_with_options(&script(self.0.borrow().role)?, &options)?;
-        let number = self.0.borrow().number;
-        let on_message = Closure::<dyn Fn(MessageEvent)>::new({
-            let link = self.clone();
-            move |event: MessageEvent| {
-                if link.0.borrow().number == number {
-                    link.receive(&event);
-                }
-            }
-        });
-        worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
-        let on_error = Closure::<dyn Fn(Event)>::new({
-            let link = self.clone();
-            move |_: Event| {
-                if link.0.borrow().number == number {
-                    let loads = matches!(link.0.borrow().watch.phase, Phase::Starting(_));
-                    link.fail(if loads { "cannot be loaded" } else { "stopped" });
-                }
-            }
-        });
-        worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
-        Ok((worker, (on_message, on_error)))
-    }
-
     fn receive(&self, event: &MessageEvent) {
         let data = event.data();
         if data.as_string().as_deref() == Some(BEGUN) {
@@ -410,16 +371,4 @@ fn starts_in(reason: &str, wait_ms: f64) -> String {
         "{reason}; it is started again in {:.0} s",
         (wait_ms / 1e3).ceil()
     )
-}
-
-/// Address of a worker's script, from the page.
-fn script(role: Role) -> Result<String, JsValue> {
-    let attribute = match role {
-        Role::Solver => "data-solver",
-        Role::Toolbox => "data-tools",
-    };
-    document()
-        .get_element_by_id("worker-files")
-        .and_then(|files| files.get_attribute(attribute))
-        .ok_or_else(|| "the page names no worker".into())
 }
