@@ -157,7 +157,9 @@ impl WorkerLink {
     /// Starts the worker anew, now, and asks for the newest case again.
     pub fn try_again(&self) {
         self.give_up();
-        self.0.borrow_mut().watch.failures = 0;
+        let mut line = self.0.borrow_mut();
+        (line.watch.failures, line.again) = (0, false);
+        drop(line);
         self.ask_job_again();
         self.start_worker();
     }
@@ -318,6 +320,9 @@ impl WorkerLink {
         line.number += 1;
         line.at_job = false;
         if let Some(worker) = line.worker.take() {
+            // What hears it goes with the next start.
+            worker.set_onmessage(None);
+            worker.set_onerror(None);
             worker.terminate();
         }
     }
