@@ -109,7 +109,8 @@ async function kill(name, prepare) {
       const claimed = await killAtSaved(context, page, edit, count, 1 + Math.floor(random() * count));
       between += claimed < edit + count - 1 ? 1 : 0;
       edit += count;
-      await page.close().catch(() => {});
+      // The browser may forget to say that a page whose process was killed is closed.
+      await Promise.race([page.close().catch(() => {}), new Promise((resolve) => setTimeout(resolve, 5_000))]);
       page = await context.newPage();
       await page.goto(address);
       await opened(page);

@@ -192,6 +192,161 @@ pageTest("an edit is there after a reload that follows at once", async (page) =>
   }
 }, { allowed: software });
 
+const link = "#/design?v=0.2&p=msr-eev-pica&n=From%20a%20link&entry.speed_m_s=12345";
+
+/** Puts what a closing page would hand over where the next page looks for it. */
+const handOver = (page, id, sheet) =>
+  page.evaluate(([id, text]) => localStorage.setItem(`msape-last ${id}`, text), [id, JSON.stringify(sheet)]);
+
+/** Count of what closed pages handed over and no page has taken. */
+const handedOver = (page) =>
+  page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("msape-last ")).length);
+
+/** Case and units of a name, as a page that was closed hands them over. */
+const closedSheet = (name, continues) => ({
+  case: `schema = "msape/1"\nname = "${name}"\n`,
+  units: "Report",
+  unit_of: {},
+  why: "Closed",
+  continues,
+});
+
+for (const what of ["beside stored work", "where nothing is stored"]) {
+  pageTest(`what a closed page handed over ${what} outlives a link that is opened next`, async (page) => {
+    await page.getByLabel("Name of the case").waitFor();
+    await saved(page);
+    const address = page.url().split("#")[0];
+    // a page of the same origin that runs nothing of the app
+    await page.route("**/empty", (route) => route.fulfill({ contentType: "text/html", body: "" }));
+    let current = await record(page, "things", "current");
+    await page.goto(`${address}empty`);
+    if (what === "where nothing is stored") {
+      await page.evaluate(() => new Promise((resolve) => {
+        indexedDB.deleteDatabase("msape").onsuccess = resolve;
+      }));
+      current = "";
+    }
+    await handOver(page, "1-closed", closedSheet("handed over", current));
+    await page.goto(address + link);
+    await opened(page);
+    await named(page, "From a link");
+    await region(page, "Kept apart").getByText(/handed over, .*is kept/).waitFor();
+    await name(page).fill("changed link");
+    await apart(page);
+    const next = await tab(page);
+    await named(next, "handed over");
+    await region(page, "Kept apart").getByRole("button", { name: "Return to it" }).click();
+    await named(page, "handed over");
+    await saved(page);
+    await reload(page);
+    await named(page, "handed over");
+  }, { allowed: software });
+}
+
+pageTest("a disk that is full hides no stored work, and what was handed over stays", async (page) => {
+  await name(page).fill("my work");
+  await saved(page);
+  await handOver(page, "2-closed", closedSheet("handed over", "another text"));
+  await page.addInitScript(() => {
+    const put = IDBObjectStore.prototype.put;
+    IDBObjectStore.prototype.put = function (...given) {
+      if (!sessionStorage.getItem("room")) {
+        throw new DOMException("full", "QuotaExceededError");
+      }
+      return put.apply(this, given);
+    };
+  });
+  await reload(page);
+  await named(page, "my work");
+  await region(page, "About the stored work").getByText(/closed is not stored yet: .*full/).waitFor();
+  await region(page, "Work kept apart").getByText(/^handed over/).waitFor();
+  assert.equal(await handedOver(page), 1);
+  await page.evaluate(() => sessionStorage.setItem("room", "1"));
+  await reload(page);
+  await named(page, "my work");
+  await region(page, "Work kept apart").getByText(/^handed over/).waitFor();
+  assert.equal(await region(page, "About the stored work").count(), 0);
+  assert.equal(await handedOver(page), 0);
+}, { allowed: software });
+
+pageTest("stored work that cannot be read and cannot be moved is told, and hides no run", async (page) => {
+  await page.getByLabel("Run Name", { exact: true }).fill("good");
+  await page.getByRole("button", { name: "Save run" }).click();
+  await page.getByRole("status").getByText("Run good is saved in this browser.").waitFor();
+  await record(page, "things", "current", 7);
+  await page.addInitScript(() => {
+    IDBObjectStore.prototype.put = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+  });
+  await reload(page);
+  await page.getByRole("button", { name: "Open good" }).waitFor();
+  await region(page, "About the stored work").getByText(/could not be moved: .*full/).waitFor();
+  await region(page, "Records that cannot be read").waitFor();
+}, { allowed: software });
+
+pageTest("what waits to be saved of a link is saved although the stored work is shown before", async (page) => {
+  await page.addInitScript(abortAtCommit);
+  await page.reload();
+  await opened(page);
+  await name(page).fill("my work");
+  await saved(page);
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, link);
+  await named(page, "From a link");
+  await page.evaluate(() => {
+    window.aborts = 1e9;
+  });
+  await name(page).fill("changed link");
+  await page.locator(".saved.bad").waitFor();
+  await region(page, "Kept apart").getByRole("button", { name: "Return to it" }).click();
+  await named(page, "my work");
+  await page.evaluate(() => {
+    window.aborts = 0;
+  });
+  await saved(page);
+  const next = await tab(page);
+  await named(next, "my work");
+  await region(next, "Work kept apart").getByText(/^changed link/).waitFor();
+}, { allowed: software });
+
+pageTest("the database is opened once, however many ask for it", async (page) => {
+  await page.addInitScript(() => {
+    window.opens = 0;
+    const open = IDBFactory.prototype.open;
+    IDBFactory.prototype.open = function (...given) {
+      window.opens += 1;
+      return open.apply(this, given);
+    };
+  });
+  await page.reload();
+  await opened(page);
+  await name(page).fill("my work");
+  await saved(page);
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, link);
+  await named(page, "From a link");
+  await name(page).fill("changed link");
+  await apart(page);
+  assert.equal(await page.evaluate(() => window.opens), 1);
+  // The app closes it so that it can go, and then needs it twice at once.
+  await page.evaluate(() => new Promise((resolve) => {
+    indexedDB.deleteDatabase("msape").onsuccess = resolve;
+  }));
+  await page.evaluate(() => {
+    const field = document.querySelector("#case-name");
+    field.value = "twice";
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+    [...document.querySelectorAll("button")].find((button) => button.textContent === "Keep this instead").click();
+  });
+  await saved(page);
+  assert.equal(await page.evaluate(() => window.opens), 2);
+  await reload(page);
+  await named(page, "twice");
+}, { allowed: software });
+
 const refusals = {
   "throws at put": () => {
     const full = () => {
@@ -219,8 +374,6 @@ for (const [what, script] of Object.entries(refusals)) {
     assert.equal(await page.getByText("Run r1 is saved").count(), 0);
   }, { allowed: software });
 }
-
-const link = "#/design?v=0.2&p=msr-eev-pica&n=From%20a%20link&entry.speed_m_s=12345";
 
 pageTest("a link never replaces stored work: opened and closed, the work is there", async (page) => {
   await name(page).fill("my work");
@@ -284,6 +437,10 @@ pageTest("a link that was cut or starts from nothing known says so", async (page
   await region(page, "About the link").getByText(/no-such-case.*Nothing was opened/).waitFor();
   await page.getByRole("button", { name: "Dismiss" }).first().click();
   assert.equal(await region(page, "About the link").count(), 0);
+  await page.evaluate(() => {
+    location.hash = "#/design?k";
+  });
+  await region(page, "About the link").getByText(/was cut or changed/).waitFor();
 }, { allowed: software });
 
 pageTest("two tabs do not write over each other's work; both are there and can be chosen", async (page) => {

@@ -32,9 +32,9 @@ pub enum Ask {
     /// For curves of coefficients.
     Aerodynamics(Box<Question>),
     /// For the flight of a design with its attitude.
-    Attitude(Box<Case>),
+    Attitude(Box<Designed>),
     /// For one entry of a design from a set of attitudes and rates, by its number in the set.
-    Turn(Box<Case>, u32),
+    Turn(Box<Designed>, u32),
     /// To read the rows of a file, in bytes.
     Read(FileKind, Vec<u8>),
     /// To write a model as a file.
@@ -58,11 +58,27 @@ pub enum Told {
     Written(Vec<u8>),
 }
 
+/// A case and its design, as the solver found it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Designed {
+    /// The case.
+    pub case: Case,
+    /// The design, with the flight of its point mass.
+    pub answer: Answer,
+}
+
 /// What is read from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FileKind {
-    /// A table: the key that names its file in a case, and the case that it is for.
-    Table(String, Box<Case>),
+    /// Rows for a table of a case.
+    Table {
+        /// Key of the table.
+        table: String,
+        /// Key that names its file in a case.
+        file: String,
+        /// The case that it is for.
+        case: Box<Case>,
+    },
     /// Coefficients with angles of attack.
     Coefficients,
     /// An outline: the name of its file, and the symbol of its unit where one is given.

@@ -1,10 +1,11 @@
 //! Keeps every document, and opens what was kept.
 //!
-//! One transaction is under way; of the documents that come meanwhile only the newest is written. What the browser refuses is
+//! One transaction is under way; of the documents that come meanwhile only the newest of each place is written. What the browser refuses is
 //! tried again, later each time. What another tab wrote is never written over: see [`crate::storage::ledger`].
 
 pub mod choices;
 mod closing;
+mod waiting;
 
 use crate::app::leave_link;
 use crate::state::State;
@@ -15,12 +16,13 @@ use crate::storage::ledger::{Ledger, Verdict, place_key};
 use crate::storage::record::{Found, Key, Sheet, Sort, Written, read};
 use crate::storage::stock::{Stock, StoredWork};
 use crate::storage::{self, Store};
-use closing::{own_record, remember_own};
+use closing::{handed_over, own_record, remember_own};
 use leptos::prelude::*;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Duration;
+use waiting::Waiting;
 use wasm_bindgen_futures::spawn_local;
 
 /// Wait before the first new trial, ms; it doubles each time.
@@ -37,16 +39,16 @@ struct Inner {
     store: Store,
     /// There is none before the records have been read; until then nothing is written.
     ledger: RefCell<Option<Ledger>>,
-    /// The newest document that is not committed.
-    waiting: RefCell<Option<Arc<Document>>>,
+    /// Documents that are not committed.
+    waiting: RefCell<Waiting>,
     /// The document of the transaction under way.
     under_way: RefCell<Option<Arc<Document>>>,
     failures: Cell<u32>,
     retry: Cell<Option<TimeoutHandle>>,
     /// Identifier of the record for what is not written when the page is closed.
     last: String,
-    /// Identifier under which it was handed over.
-    last_written: RefCell<Option<String>>,
+    /// Identifiers under which something was handed over.
+    last_written: RefCell<Vec<String>>,
 }
 
 impl Saver {
@@ -72,7 +74,10 @@ impl Saver {
             let saver = saver.clone();
             move |_| {
                 let document = state.document.get();
-                saver.0.waiting.replace(Some(document));
+                if let Some(ledger) = saver.0.ledger.borrow_mut().as_mut() {
+                    ledger.spares(&place_key(&document.place));
+                }
+                saver.0.waiting.borrow_mut().put(document);
                 state.keeping.save_state.set(SaveState::Saving);
                 saver.write_next();
             }
@@ -102,26 +107,41 @@ impl Saver {
         });
     }
 
-    /// Reads all records. Stored work that cannot be read is moved out of the way.
+    /// Reads all records. What closed pages handed over becomes records, and stored work that cannot be read is moved out of the
+    /// way; where the browser refuses that, it is told, and what is stored opens all the same.
     async fn take_stock(&self) -> Result<Stock, String> {
-        let is_unread = |stock: &Stock| {
-            let mut unread = stock.unreadable.iter();
-            unread.any(|record| record.key == Key::current())
-        };
-        self.take_last().await?;
-        let stock = Stock::take(self.0.store.load().await?);
-        if !is_unread(&stock) {
-            return Ok(stock);
+        let mut refused = Vec::new();
+        if let Err(reason) = self.take_last().await {
+            refused.push(format!("Work of a page that was closed is not stored yet: {reason}. It stays where it is, and is tried again when the page is loaded."));
         }
-        let aside = Key::aside(js_sys::Date::now());
-        self.0.store.set_aside(&Key::current(), &aside).await?;
-        Ok(Stock::take(self.0.store.load().await?))
+        let mut stock = self.load().await?;
+        let mut unread = stock.unreadable.iter();
+        if unread.any(|record| record.key == Key::current()) {
+            let aside = Key::aside(js_sys::Date::now());
+            match self.0.store.set_aside(&Key::current(), &aside).await {
+                Ok(()) => stock = self.load().await?,
+                Err(reason) => refused.push(format!("The stored work, which cannot be read, could not be moved: {reason}. It stays as it is, and what you change is kept apart.")),
+            }
+        }
+        stock.go_on();
+        self.0.state.keeping.refused.set(refused);
+        Ok(stock)
     }
 
-    fn restore(&self, mut stock: Stock, linked: bool) {
+    /// All records, and what could not be made one.
+    async fn load(&self) -> Result<Stock, String> {
+        let mut records = self.0.store.load().await?;
+        for (key, found) in handed_over() {
+            if records.iter().all(|(other, _)| *other != key) {
+                records.push((key, found));
+            }
+        }
+        Ok(Stock::take(records))
+    }
+
+    fn restore(&self, stock: Stock, linked: bool) {
         let state = self.0.state;
         let keeping = state.keeping;
-        stock.go_on();
         let items = Document {
             runs: Arc::new(stock.runs),
             outlines: Arc::new(stock.outlines),
@@ -169,12 +189,18 @@ impl Saver {
         });
         self.0.ledger.replace(Some(stock.ledger));
         // What waits was shown before the records had been read.
-        let shown = state.document.get_untracked();
-        self.0.waiting.replace(Some(shown));
+        self.0.waiting.replace(Waiting::default());
+        self.show_waits();
         self.write_next();
     }
 
-    /// Writes the newest document, if none is being written.
+    /// What is shown waits to be written.
+    fn show_waits(&self) {
+        let shown = self.0.state.document.get_untracked();
+        self.0.waiting.borrow_mut().put(shown);
+    }
+
+    /// Writes the next document, if none is being written.
     fn write_next(&self) {
         let inner = &self.0;
         if inner.ledger.borrow().is_none() || inner.under_way.borrow().is_some() {
@@ -183,7 +209,8 @@ impl Saver {
         if let Some(handle) = inner.retry.take() {
             handle.clear();
         }
-        let Some(document) = inner.waiting.borrow_mut().take() else {
+        let shown = inner.state.document.get_untracked();
+        let Some(document) = inner.waiting.borrow_mut().take(&shown) else {
             return;
         };
         inner.under_way.replace(Some(document.clone()));
@@ -194,13 +221,13 @@ impl Saver {
             match written {
                 Ok(()) => {
                     saver.0.failures.set(0);
-                    if saver.0.waiting.borrow().is_none() {
-                        saver.saved(&document);
+                    if saver.0.waiting.borrow().is_empty() {
+                        saver.saved();
                     }
                     saver.write_next();
                 }
                 Err(reason) => {
-                    saver.0.waiting.borrow_mut().get_or_insert(document);
+                    saver.0.waiting.borrow_mut().put_back(document);
                     let again = saver.clone();
                     saver.refused(&reason, move || again.write_next());
                 }
@@ -223,7 +250,7 @@ impl Saver {
             Written::All => with_ledger(&mut |ledger| ledger.committed(document, &changes)),
             Written::Nothing(clashes) => {
                 // After the next trial, unless what follows makes a newer document.
-                inner.waiting.borrow_mut().get_or_insert(document.clone());
+                inner.waiting.borrow_mut().put_back(document.clone());
                 for (key, found) in clashes {
                     let mut verdict = Verdict::Again;
                     with_ledger(&mut |ledger| {
@@ -266,26 +293,28 @@ impl Saver {
                 key.words()
             )),
         }
-        self.0.waiting.replace(Some(state.document.get_untracked()));
+        self.show_waits();
     }
 
     /// From now on, documents whose record this was are kept apart.
     fn part(&self, key: &Key, why: Why) {
         let place = Apart::place(why, None);
-        self.0.state.history.update(|history| {
-            history.change_all(|document| {
-                let here = place_key(&document.place) == *key;
-                here.then(|| Document {
-                    place: place.clone(),
-                    ..document.clone()
-                })
-            });
-        });
+        let parted = |document: &Document| {
+            let here = place_key(&document.place) == *key;
+            here.then(|| Document {
+                place: place.clone(),
+                ..document.clone()
+            })
+        };
+        self.0.waiting.borrow_mut().change_all(parted);
+        let history = self.0.state.history;
+        history.update(|history| history.change_all(parted));
     }
 
-    fn saved(&self, document: &Document) {
+    fn saved(&self) {
         self.forget_last();
         let state = self.0.state;
+        let document = state.document.get_untracked();
         match &document.place {
             Place::Apart(apart) if !document.is_view() => {
                 remember_own(Some(&apart.id));

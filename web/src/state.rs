@@ -9,9 +9,9 @@ pub mod preferences;
 use crate::aerodynamics::{Curves, Question};
 use crate::catalog::{self, Catalog, Names};
 use crate::clock::now_ms;
-use crate::protocol::{self, Batch, Fault, FileKind, ReadRows, Reply};
+use crate::protocol::{self, Batch, Designed, Fault, FileKind, ReadRows, Reply};
 use crate::saving::Saver;
-use crate::worker::{News, Role, WorkerLink};
+use crate::worker::{Asker, News, Role, WorkerLink};
 use cad::export::{Format, Model};
 use check::{Check, Checks, check_inputs};
 use document::Document;
@@ -36,6 +36,16 @@ pub struct Solved {
     pub answer: Answer,
     /// Time that solving took, ms.
     pub duration_ms: f64,
+}
+
+impl Solved {
+    /// What the toolbox is asked about.
+    fn designed(&self) -> Designed {
+        Designed {
+            case: (*self.case).clone(),
+            answer: self.answer.clone(),
+        }
+    }
 }
 
 impl PartialEq for Solved {
@@ -264,45 +274,58 @@ impl State {
         self.toolbox().measure(batch).await
     }
 
-    /// A flight of a vehicle as it is, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn fly(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        self.toolbox().fly(case).await
+    /// A flight of a vehicle as it is, or every fault of its case; nothing if the asker asks anew.
+    pub async fn fly(self, asker: Asker, case: Case) -> Option<Result<Answer, Vec<Fault>>> {
+        self.toolbox().fly(asker, case).await
     }
 
-    /// The flight of a design with its attitude, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn attitude(self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        self.toolbox().attitude(case).await
+    /// The flight of a design with its attitude, or every fault of its case; nothing if the asker asks anew.
+    pub async fn attitude(
+        self,
+        asker: Asker,
+        solved: &Solved,
+    ) -> Option<Result<Answer, Vec<Fault>>> {
+        self.toolbox().attitude(asker, solved.designed()).await
     }
 
     /// One entry of a design from a set of attitudes and rates, or every fault of its case.
     ///
     /// # Errors
     /// Why the worker did not answer.
-    pub async fn turn(self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
-        self.toolbox().turn(case, number).await
+    pub async fn turn(
+        self,
+        solved: &Solved,
+        number: u32,
+    ) -> Result<Result<Turn, Vec<Fault>>, String> {
+        self.toolbox().turn(solved.designed(), number).await
     }
 
-    /// Curves of coefficients, or every fault of their case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
+    /// Curves of coefficients, or every fault of their case; nothing if the asker asks anew.
     pub async fn aerodynamics(
         self,
+        asker: Asker,
         question: Question,
-    ) -> Result<Result<Curves, Vec<Fault>>, String> {
-        self.toolbox().aerodynamics(question).await
+    ) -> Option<Result<Curves, Vec<Fault>>> {
+        self.toolbox().aerodynamics(asker, question).await
     }
 
-    /// The rows of a file, or every fault of it.
+    /// The rows of a file.
+    ///
+    /// # Errors
+    /// Every fault of it, or why the worker did not answer.
     pub async fn read(self, kind: FileKind, bytes: Vec<u8>) -> Result<ReadRows, Vec<String>> {
-        let read = self.toolbox().read(kind, bytes).await;
-        read.unwrap_or_else(|message| Err(vec![message]))
+        self.toolbox().read(kind, bytes).await
+    }
+
+    /// The rows of a text that is being typed, or every fault of it; nothing if the asker asks anew.
+    pub async fn read_newest(
+        self,
+        asker: Asker,
+        kind: FileKind,
+        text: String,
+    ) -> Option<Result<ReadRows, Vec<String>>> {
+        let bytes = text.into_bytes();
+        self.toolbox().read_newest(asker, kind, bytes).await
     }
 
     /// A model as a file, in bytes.

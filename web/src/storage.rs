@@ -11,6 +11,7 @@ use idb::{
     Database, DatabaseEvent, Factory, ObjectStore, ObjectStoreParams, Query, Transaction,
     TransactionMode, TransactionResult,
 };
+use js_sys::Promise;
 use record::{Change, Clash, Found, Key, Shelf, Written};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -22,7 +23,14 @@ const VERSION: u32 = 1;
 
 /// The database. It is opened when it is first needed, and anew after a failure.
 #[derive(Clone, Default)]
-pub struct Store(Rc<RefCell<Option<Rc<Database>>>>);
+pub struct Store(Rc<RefCell<Line>>);
+
+#[derive(Default)]
+struct Line {
+    database: Option<Rc<Database>>,
+    /// Resolved when the opening that is under way has ended, well or not.
+    opening: Option<Promise>,
+}
 
 impl Store {
     /// All records.
@@ -69,15 +77,30 @@ impl Store {
     }
 
     async fn database(&self) -> Result<Rc<Database>, String> {
-        if let Some(database) = self.0.borrow().clone() {
-            return Ok(database);
+        loop {
+            if let Some(database) = self.0.borrow().database.clone() {
+                return Ok(database);
+            }
+            let Some(opening) = self.0.borrow().opening.clone() else {
+                break;
+            };
+            // It is never rejected; who waits looks again.
+            let _ = JsFuture::from(opening).await;
         }
-        let opened = open(self.clone())
-            .await
-            .map_err(|error| error.to_string())?;
-        let database = Rc::new(opened);
-        self.0.replace(Some(database.clone()));
-        Ok(database)
+        let mut end = None;
+        let opening = Promise::new(&mut |resolve, _| end = Some(resolve));
+        self.0.borrow_mut().opening = Some(opening);
+        let opened = open(self.clone()).await;
+        let opened = opened.map(Rc::new).map_err(|error| error.to_string());
+        *self.0.borrow_mut() = Line {
+            database: opened.as_ref().ok().cloned(),
+            opening: None,
+        };
+        if let Some(end) = end {
+            // Resolving a promise throws nothing.
+            let _ = end.call0(&JsValue::UNDEFINED);
+        }
+        opened
     }
 
     fn unless_failed<T>(&self, result: Result<T, Failure>) -> Result<T, String> {
@@ -88,7 +111,7 @@ impl Store {
     }
 
     fn close(&self) {
-        if let Some(database) = self.0.borrow_mut().take() {
+        if let Some(database) = self.0.borrow_mut().database.take() {
             database.close();
         }
     }

@@ -4,7 +4,7 @@ mod read;
 
 use crate::aerodynamics::{self, Kept};
 use crate::clock::now_ms;
-use crate::protocol::{Ask, Batch, Fault, Told, decode, encode};
+use crate::protocol::{Ask, Batch, Designed, Fault, Told, decode, encode};
 use benchmark::{Bench, JOBS};
 use cad::export::Info;
 use msape::design::Design;
@@ -13,8 +13,8 @@ use msape::flight::six_dof::turning::{Start, Turn, turn};
 use msape::library::DataError;
 use msape::problem::{FlightProblem, attitude_of_design, fly_designed};
 use msape::progress::Unwatched;
-use msape::{Answer, Case, InputError, Library, Request, design, fly};
-use std::cell::{OnceCell, RefCell};
+use msape::{Answer, Case, InputError, Library, Request, fly};
+use std::cell::OnceCell;
 
 /// Rows of a history of attitude: it turns several times a second for minutes.
 const ATTITUDE_ROWS: f64 = 8000.0;
@@ -24,8 +24,6 @@ pub struct Toolbox {
     library: Library,
     /// Made when it is first asked for.
     bench: OnceCell<Result<Bench, DataError>>,
-    /// The answer to the last case of a design.
-    designed: RefCell<Option<(Case, Answer)>>,
     /// The database that was last asked for.
     aerodynamics: Kept,
 }
@@ -39,7 +37,6 @@ impl Toolbox {
         Ok(Toolbox {
             library: Library::builtin()?,
             bench: OnceCell::new(),
-            designed: RefCell::default(),
             aerodynamics: Kept::default(),
         })
     }
@@ -57,54 +54,28 @@ impl Toolbox {
                 &self.library,
                 &self.aerodynamics,
             ))),
-            Ask::Attitude(case) => Told::Flown(Box::new(self.attitude(&case))),
-            Ask::Turn(case, number) => Told::Turned(Box::new(self.turn(&case, number))),
+            Ask::Attitude(designed) => Told::Flown(Box::new(self.attitude(&designed))),
+            Ask::Turn(designed, number) => Told::Turned(Box::new(self.turn(&designed, number))),
             Ask::Read(kind, bytes) => Told::Read(read::read(&kind, &bytes, &self.library)),
             Ask::Write(format, model) => Told::Written(format.write(&model, &Info::default())),
         })
     }
 
-    /// What is wanted of a design that has a vehicle, which is solved anew only for another case.
-    fn with_designed<T>(
-        &self,
-        case: &Case,
-        wanted: impl FnOnce(&Answer, &Design, &Flight) -> Result<T, Vec<InputError>>,
-    ) -> Result<T, Vec<Fault>> {
-        let faults =
-            |faults: Vec<InputError>| faults.into_iter().map(Fault::from).collect::<Vec<_>>();
-        let mut designed = self.designed.borrow_mut();
-        if designed.as_ref().is_none_or(|(of, _)| of != case) {
-            let answer = design(case, &self.library, Request::Steps).map_err(faults)?;
-            *designed = Some((case.clone(), answer));
-        }
-        let vehicle = designed.as_ref().and_then(|(_, answer)| {
-            Some((answer, answer.design.as_ref()?, answer.flight.as_ref()?))
-        });
-        match vehicle {
-            Some((answer, vehicle, flight)) => wanted(answer, vehicle, flight).map_err(faults),
-            None => Err(vec![Fault {
-                key: "vehicle.dof".to_string(),
-                message: "the design has no vehicle that could fly".to_string(),
-            }]),
-        }
-    }
-
     /// The flight of a design with its attitude.
-    fn attitude(&self, case: &Case) -> Result<Answer, Vec<Fault>> {
-        self.with_designed(case, |answer, _, flight| {
-            let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
-            fly_designed(case, &self.library, answer, Request::Uniform(step_s))
-        })
+    fn attitude(&self, designed: &Designed) -> Result<Answer, Vec<Fault>> {
+        let (_, flight) = vehicle(designed)?;
+        let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
+        let Designed { case, answer } = designed;
+        fly_designed(case, &self.library, answer, Request::Uniform(step_s)).map_err(faults)
     }
 
     /// One entry of a design from a set of attitudes and rates.
-    fn turn(&self, case: &Case, number: u32) -> Result<Turn, Vec<Fault>> {
-        let turned = self.with_designed(case, |_, vehicle, _| {
-            let FlightProblem { mission, body, .. } =
-                attitude_of_design(case, &self.library, vehicle)?;
-            let start = Start::all().get(number as usize).copied();
-            Ok(start.and_then(|start| turn(&mission, &body, start, &mut Unwatched)))
-        })?;
+    fn turn(&self, designed: &Designed, number: u32) -> Result<Turn, Vec<Fault>> {
+        let (design, _) = vehicle(designed)?;
+        let FlightProblem { mission, body, .. } =
+            attitude_of_design(&designed.case, &self.library, design).map_err(faults)?;
+        let start = Start::all().get(number as usize).copied();
+        let turned = start.and_then(|start| turn(&mission, &body, start, &mut Unwatched));
         turned.ok_or_else(|| {
             vec![Fault {
                 key: String::new(),
@@ -114,8 +85,7 @@ impl Toolbox {
     }
 
     fn fly(&self, case: &Case) -> Result<msape::Answer, Vec<Fault>> {
-        fly(case, &self.library, Request::Steps)
-            .map_err(|faults| faults.into_iter().map(Fault::from).collect())
+        fly(case, &self.library, Request::Steps).map_err(faults)
     }
 
     fn measure(&self, Batch { job, repetitions }: Batch) -> Result<f64, String> {
@@ -125,5 +95,79 @@ impl Toolbox {
         let start_ms = now_ms();
         (0..repetitions).for_each(|_| job(bench));
         Ok(now_ms() - start_ms)
+    }
+}
+
+/// What a design has that could fly, and the flight of its point mass.
+fn vehicle(designed: &Designed) -> Result<(&Design, &Flight), Vec<Fault>> {
+    let answer = &designed.answer;
+    let vehicle = answer.design.as_ref().zip(answer.flight.as_ref());
+    vehicle.ok_or_else(|| {
+        vec![Fault {
+            key: "vehicle.dof".to_string(),
+            message: "the design has no vehicle that could fly".to_string(),
+        }]
+    })
+}
+
+fn faults(faults: Vec<InputError>) -> Vec<Fault> {
+    faults.into_iter().map(Fault::from).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use msape::design;
+
+    /// A design that flies with six degrees of freedom.
+    fn designed(library: &Library) -> Designed {
+        let mut case = Case::run_page();
+        case.set("vehicle.dof", "6");
+        let answer = design(&case, library, Request::Steps).unwrap();
+        Designed { case, answer }
+    }
+
+    #[test]
+    fn the_vehicle_that_flies_is_the_one_that_the_solver_designed() {
+        let toolbox = Toolbox::new().unwrap();
+        let mut designed = designed(&toolbox.library);
+        let flown = toolbox.attitude(&designed).unwrap();
+        let own = fly(&designed.case, &toolbox.library, Request::Nothing).unwrap();
+        let peak = |answer: &Answer| answer.flight.as_ref().unwrap().peak_deceleration_earth_g;
+        assert_eq!(peak(&flown).value, peak(&own).value);
+        // A mass that no design has gives another flight: nothing is designed anew.
+        designed
+            .answer
+            .design
+            .as_mut()
+            .unwrap()
+            .vehicle
+            .mass
+            .mass_kg *= 2.0;
+        let heavier = toolbox.attitude(&designed).unwrap();
+        assert_ne!(peak(&heavier).value, peak(&own).value);
+        let said = &heavier.findings.last().unwrap().message;
+        let mass_kg = designed
+            .answer
+            .design
+            .as_ref()
+            .unwrap()
+            .vehicle
+            .mass
+            .mass_kg;
+        assert!(said.contains(&format!("{mass_kg:.3} kg")), "{said}");
+        let turned = toolbox.turn(&designed, 0).unwrap();
+        assert_eq!(turned.start, Start::all()[0]);
+    }
+
+    #[test]
+    fn a_design_without_a_vehicle_and_an_entry_that_is_not_there_are_told() {
+        let toolbox = Toolbox::new().unwrap();
+        let mut designed = designed(&toolbox.library);
+        let none = toolbox.turn(&designed, 999).unwrap_err();
+        assert_eq!(none[0].message, "there is no entry 999");
+        designed.answer.design = None;
+        let faults = toolbox.attitude(&designed).unwrap_err();
+        assert!(faults[0].message.contains("no vehicle"), "{faults:?}");
     }
 }

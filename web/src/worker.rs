@@ -1,20 +1,26 @@
 //! The page's end of the line to a worker: to the solver, or to the toolbox. Of jobs the newest wins: one is under way, at most one
-//! waits, and a worker that keeps it waiting is ended. Questions are answered one after the other. A worker that fails, or of which
-//! nothing is heard ([`watch`]), is started anew, later each time.
+//! waits, and a worker that keeps it waiting is ended. Questions are answered one after the other, and of each asker the newest wins
+//! ([`queue`]). A worker that fails, or of which nothing is heard ([`watch`]), is started anew where something waits for it, later each
+//! time, until the user asks again.
 
 mod questions;
+mod queue;
+mod start;
 mod watch;
 
 use crate::clock::now_ms;
 use crate::protocol::{self, Ask, BEGUN, Job, Told, decode, encode};
 use js_sys::{Function, Promise};
-use leptos::prelude::{document, set_interval_with_handle};
+use leptos::prelude::set_interval_with_handle;
 use msape::Case;
-use std::{cell::RefCell, collections::VecDeque, rc::Rc, time::Duration};
-use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+pub use questions::Asker;
+use queue::{Question, Queue};
+use start::Listening;
+use std::{cell::RefCell, rc::Rc, time::Duration};
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use watch::{Phase, Verdict, Watch};
-use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{MessageEvent, Worker};
 
 /// What the page hears of the worker.
 pub enum News {
@@ -31,6 +37,8 @@ const LOOK: Duration = Duration::from_millis(250);
 
 /// What is said when the user ended a run.
 const STOPPED: &str = "stopped";
+/// What is said to an older question of an asker, who does not listen any more.
+const OUTDATED: &str = "a newer question came";
 
 /// A worker and what it has to do.
 #[derive(Clone)]
@@ -45,9 +53,20 @@ pub enum Role {
     Toolbox,
 }
 
+impl Role {
+    /// What the worker is called.
+    fn name(self) -> &'static str {
+        match self {
+            Role::Solver => "the solver",
+            Role::Toolbox => "the toolbox",
+        }
+    }
+}
+
 struct Line {
     role: Role,
     worker: Option<Worker>,
+    listening: Option<Listening>,
     /// Counts the workers: what an ended one still says is not heard.
     number: u32,
     on_news: Rc<dyn Fn(News)>,
@@ -60,8 +79,20 @@ struct Line {
     again: bool,
     /// Why the last worker failed.
     reason: String,
-    /// Questions that wait, and what resolves the promise of each; the first may be under way.
-    questions: VecDeque<(Ask, Function)>,
+    /// Questions that wait, and what resolves the promise of each.
+    questions: Queue<Ask, Asker, Function>,
+}
+
+impl Line {
+    /// Whether something waits for the worker.
+    fn is_needed(&self) -> bool {
+        self.waiting.is_some() || !self.questions.is_empty()
+    }
+
+    /// Whether the first question was sent.
+    fn is_at_question(&self) -> bool {
+        !self.at_job && matches!(self.watch.phase, Phase::Sent(_) | Phase::Busy(_))
+    }
 }
 
 impl WorkerLink {
@@ -70,6 +101,7 @@ impl WorkerLink {
         let link = WorkerLink(Rc::new(RefCell::new(Line {
             role,
             worker: None,
+            listening: None,
             number: 0,
             on_news: Rc::new(on_news),
             watch: Watch::new(now_ms()),
@@ -78,7 +110,7 @@ impl WorkerLink {
             at_job: false,
             again: false,
             reason: String::new(),
-            questions: VecDeque::new(),
+            questions: Queue::default(),
         })));
         link.start_worker();
         let watched = link.clone();
@@ -92,12 +124,19 @@ impl WorkerLink {
         let mut line = self.0.borrow_mut();
         line.waiting = Some(Job { id, case });
         line.watch.edit_waits.get_or_insert(now_ms());
-        let stopped = line.watch.phase == Phase::Down(f64::INFINITY);
         drop(line);
-        if stopped {
+        self.start_if_due();
+        self.send_next();
+    }
+
+    /// Starts a worker for what waits, if there is none and one may be started now.
+    fn start_if_due(&self) {
+        let line = self.0.borrow();
+        let due = line.is_needed() && line.watch.may_start(now_ms());
+        drop(line);
+        if due {
             self.start_worker();
         }
-        self.send_next();
     }
 
     fn ask_job_again(&self) {
@@ -111,25 +150,29 @@ impl WorkerLink {
     pub fn stop(&self) {
         self.give_up();
         while self.settle(&STOPPED.into()) {}
-        self.0.borrow_mut().watch.phase = Phase::Down(f64::INFINITY);
+        self.0.borrow_mut().watch.phase = Phase::Stopped;
         self.news(News::Failed(STOPPED.to_string()));
     }
 
     /// Starts the worker anew, now, and asks for the newest case again.
     pub fn try_again(&self) {
         self.give_up();
-        self.0.borrow_mut().watch.failures = 0;
+        let mut line = self.0.borrow_mut();
+        (line.watch.failures, line.again) = (0, false);
+        drop(line);
         self.ask_job_again();
         self.start_worker();
     }
 
-    async fn ask(&self, ask: Ask) -> Result<Told, String> {
+    /// The answer to a question, or why there is none.
+    async fn ask(&self, asker: Option<Asker>, ask: Ask) -> Result<Told, String> {
         let mut ask = Some(ask);
-        let promise = Promise::new(&mut |resolve, _| {
+        let promise = Promise::new(&mut |answer, _| {
             if let Some(ask) = ask.take() {
-                self.0.borrow_mut().questions.push_back((ask, resolve));
+                self.put(Question { ask, asker, answer });
             }
         });
+        self.start_if_due();
         self.send_next();
         let told = JsFuture::from(promise).await.unwrap_or_else(|error| error);
         match told.dyn_into::<js_sys::Uint8Array>() {
@@ -138,15 +181,23 @@ impl WorkerLink {
         }
     }
 
+    fn put(&self, question: Question<Ask, Asker, Function>) {
+        let mut line = self.0.borrow_mut();
+        let under_way = line.is_at_question();
+        let dropped = line.questions.push(question, under_way);
+        if under_way && line.questions.first_is_outdated() {
+            line.watch.edit_waits.get_or_insert(now_ms());
+        }
+        drop(line);
+        dropped
+            .iter()
+            .for_each(|answer| resolve(answer, &OUTDATED.into()));
+    }
+
     /// Ends the first question with the bytes of its answer or a reason; whether there was one.
     fn settle(&self, told: &JsValue) -> bool {
-        let first = self.0.borrow_mut().questions.pop_front();
-        let Some((_, resolve)) = first else {
-            return false;
-        };
-        // Resolving a promise throws nothing.
-        let _ = resolve.call1(&JsValue::UNDEFINED, told);
-        true
+        let first = self.0.borrow_mut().questions.pop();
+        first.inspect(|answer| resolve(answer, told)).is_some()
     }
 
     fn send_next(&self) {
@@ -159,16 +210,16 @@ impl WorkerLink {
         };
         let bytes = match line.waiting.take() {
             Some(job) => {
-                line.watch.edit_waits = None;
                 line.at_job = true;
                 line.job = Some(job.clone());
                 encode(&job)
             }
-            None => match line.questions.front() {
-                Some((ask, _)) => encode(ask),
+            None => match line.questions.first() {
+                Some(ask) => encode(ask),
                 None => return,
             },
         };
+        line.watch.edit_waits = None;
         line.watch.phase = Phase::Sent(now_ms());
         drop(line);
         let sent = bytes.map_err(|error| error.to_string()).and_then(|bytes| {
@@ -177,49 +228,42 @@ impl WorkerLink {
                 .map_err(|error| format!("{error:?}"))
         });
         if let Err(error) = sent {
-            self.fail(&error);
+            self.fail(&format!("cannot be asked: {error}"));
         }
     }
 
     /// Looks whether the worker lives.
     fn look(&self) {
-        let verdict = self.0.borrow_mut().watch.look(now_ms());
-        let at_job = self.0.borrow().at_job;
+        let mut line = self.0.borrow_mut();
+        let needed = line.is_needed();
+        let verdict = line.watch.look(now_ms(), needed);
+        let (at_job, name) = (line.at_job, line.role.name());
+        let starts = matches!(line.watch.phase, Phase::Starting(_));
+        let reason = line.reason.clone();
+        drop(line);
         match verdict {
             Verdict::Wait => {}
-            Verdict::Long(so_far_ms) => {
-                let line = self.0.borrow();
-                let starts = matches!(line.watch.phase, Phase::Starting(_));
-                drop(line);
+            Verdict::Long(so_far_ms) if starts => {
                 let so_far_s = so_far_ms / 1e3;
-                if starts {
-                    self.news(News::Long(format!(
-                        "the solver is loading, {so_far_s:.0} s so far"
-                    )));
-                } else if at_job {
-                    self.news(News::Long(format!(
-                        "solving, {so_far_s:.0} s so far; a change of an input ends it"
-                    )));
-                }
+                self.news(News::Long(format!(
+                    "{name} is loading, {so_far_s:.0} s so far"
+                )));
             }
-            Verdict::Down(wait_ms) => {
-                let line = self.0.borrow();
-                let words = line
-                    .waiting
-                    .is_some()
-                    .then(|| starts_in(&line.reason, wait_ms));
-                drop(line);
-                if let Some(words) = words {
-                    self.news(News::Failed(words));
-                }
+            Verdict::Long(so_far_ms) if at_job => {
+                let so_far_s = so_far_ms / 1e3;
+                self.news(News::Long(format!(
+                    "solving, {so_far_s:.0} s so far; a change of an input ends it"
+                )));
             }
+            Verdict::Long(_) => {}
+            Verdict::Down(wait_ms) => self.news(News::Failed(starts_in(&reason, wait_ms))),
             Verdict::Start => self.start_worker(),
-            Verdict::NotLoaded => self.fail("the solver does not load"),
+            Verdict::NotLoaded => self.fail("does not load"),
             Verdict::Gone => {
                 let again = std::mem::replace(&mut self.0.borrow_mut().again, true);
                 if again {
                     self.0.borrow_mut().again = false;
-                    return self.fail("the solver does not answer");
+                    return self.fail("does not answer");
                 }
                 if at_job {
                     self.ask_job_again();
@@ -227,34 +271,47 @@ impl WorkerLink {
                 self.give_up();
                 self.start_worker();
             }
-            Verdict::Silent => self.fail("the solver gave no answer for two minutes and was ended"),
+            Verdict::Silent => self.fail("gave no answer for two minutes and was ended"),
             Verdict::Outdated => {
-                // A question that was under way stays the first, and is asked again after the edit.
+                // A question that was under way stays the first, and is asked again after the edit, unless its asker asked anew.
+                if !at_job && self.0.borrow().questions.first_is_outdated() {
+                    self.settle(&OUTDATED.into());
+                }
                 self.give_up();
                 self.start_worker();
             }
         }
     }
 
-    /// Ends the worker and starts another one after a while; what was under way is not asked again by itself.
-    fn fail(&self, reason: &str) {
-        let (phase, at_job) = (self.0.borrow().watch.phase, self.0.borrow().at_job);
-        let loads = matches!(phase, Phase::Starting(_));
-        let asked = matches!(phase, Phase::Sent(_) | Phase::Busy(_));
+    /// Ends the worker, which `did` something, and starts another one after a while if something waits; what was under way is not
+    /// asked again by itself.
+    fn fail(&self, did: &str) {
+        let line = self.0.borrow();
+        let reason = format!("{} {did}", line.role.name());
+        let (at_job, at_question) = (line.at_job, line.is_at_question());
+        let loads = matches!(line.watch.phase, Phase::Starting(_));
+        drop(line);
         self.give_up();
         if loads {
             // None can be answered now; a job waits, since a later worker may load.
-            while self.settle(&reason.into()) {}
-        } else if asked && !at_job {
-            self.settle(&reason.into());
+            while self.settle(&reason.as_str().into()) {}
+        } else if at_question {
+            self.settle(&reason.as_str().into());
         }
         let mut line = self.0.borrow_mut();
-        line.reason = reason.to_string();
         let wait_ms = line.watch.fail(now_ms());
+        let job_waits = line.waiting.is_some();
+        let words = match wait_ms {
+            Some(wait_ms) if job_waits => starts_in(&reason, wait_ms),
+            _ => reason.clone(),
+        };
+        line.reason = reason;
         drop(line);
-        self.news(News::Failed(starts_in(reason, wait_ms)));
-        if wait_ms == 0.0 {
-            self.start_worker();
+        if at_job || job_waits {
+            self.news(News::Failed(words));
+        }
+        if wait_ms.is_some() {
+            self.start_if_due();
         }
     }
 
@@ -263,49 +320,11 @@ impl WorkerLink {
         line.number += 1;
         line.at_job = false;
         if let Some(worker) = line.worker.take() {
+            // What hears it goes with the next start.
+            worker.set_onmessage(None);
+            worker.set_onerror(None);
             worker.terminate();
         }
-    }
-
-    fn start_worker(&self) {
-        self.0.borrow_mut().watch.phase = Phase::Starting(now_ms());
-        match self.try_start() {
-            Ok(worker) => self.0.borrow_mut().worker = Some(worker),
-            Err(error) => self.fail(&format!("{error:?}")),
-        }
-    }
-
-    fn try_start(&self) -> Result<Worker, JsValue> {
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        let worker = Worker::new_with_options(&script(self.0.borrow().role)?, &options)?;
-        let number = self.0.borrow().number;
-        let on_message = Closure::<dyn Fn(MessageEvent)>::new({
-            let link = self.clone();
-            move |event: MessageEvent| {
-                if link.0.borrow().number == number {
-                    link.receive(&event);
-                }
-            }
-        });
-        worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
-        on_message.forget();
-        let on_error = Closure::<dyn Fn(Event)>::new({
-            let link = self.clone();
-            move |_: Event| {
-                if link.0.borrow().number == number {
-                    let loads = matches!(link.0.borrow().watch.phase, Phase::Starting(_));
-                    link.fail(if loads {
-                        "the solver cannot be loaded"
-                    } else {
-                        "the solver stopped"
-                    });
-                }
-            }
-        });
-        worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
-        on_error.forget();
-        Ok(worker)
     }
 
     fn receive(&self, event: &MessageEvent) {
@@ -343,6 +362,12 @@ impl WorkerLink {
     }
 }
 
+/// Resolves the promise of a question.
+fn resolve(answer: &Function, told: &JsValue) {
+    // Resolving a promise throws nothing.
+    let _ = answer.call1(&JsValue::UNDEFINED, told);
+}
+
 fn starts_in(reason: &str, wait_ms: f64) -> String {
     if wait_ms == 0.0 {
         return reason.to_string();
@@ -351,16 +376,4 @@ fn starts_in(reason: &str, wait_ms: f64) -> String {
         "{reason}; it is started again in {:.0} s",
         (wait_ms / 1e3).ceil()
     )
-}
-
-/// Address of a worker's script, from the page.
-fn script(role: Role) -> Result<String, JsValue> {
-    let attribute = match role {
-        Role::Solver => "data-solver",
-        Role::Toolbox => "data-tools",
-    };
-    document()
-        .get_element_by_id("worker-files")
-        .and_then(|files| files.get_attribute(attribute))
-        .ok_or_else(|| "the page names no worker".into())
 }

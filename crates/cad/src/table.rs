@@ -282,6 +282,14 @@ pub enum TableFault {
         /// That of the row before.
         before: f64,
     },
+    /// Columns of another input than the rows are for.
+    #[error("the columns are those of {found}, must be those of {wanted}")]
+    OtherTable {
+        /// Key of the input that takes such columns.
+        found: &'static str,
+        /// Key of the input that the rows are for.
+        wanted: String,
+    },
     /// What the table itself says of its rows.
     #[error("{0}")]
     Rows(String),
@@ -315,14 +323,43 @@ pub const FILES: [&str; 8] = [
 /// # Errors
 /// Every fault of the file, up to a hundred.
 pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
+    rows_of(key, None, bytes, ground)
+}
+
+/// As [`read`], for the one input `table` that is to take the rows. It says what the columns are that no heading names, and which of
+/// several named ones count.
+///
+/// # Errors
+/// As [`read`], and columns of another input.
+pub fn read_for(
+    table: &str,
+    key: &str,
+    bytes: &[u8],
+    ground: &Ground,
+) -> Result<Table, Vec<TableFault>> {
+    let read = rows_of(key, Some(table), bytes, ground)?;
+    if read.key == table {
+        return Ok(read);
+    }
+    let (found, wanted) = (read.key, table.to_owned());
+    Err(vec![TableFault::OtherTable { found, wanted }])
+}
+
+/// The rows of a file for an input, or for whichever of its inputs the file is.
+fn rows_of(
+    key: &str,
+    input: Option<&str>,
+    bytes: &[u8],
+    ground: &Ground,
+) -> Result<Table, Vec<TableFault>> {
     let decoded = decode(bytes).map_err(|fault| vec![fault.into()])?;
     let text = with_plain_line_ends(decoded.text);
     let mut table = match key {
         "wind.file" => wind::read(&text, ground),
-        "heating.file" => heating::read(&text),
+        "heating.file" => heating::read(&text, input),
         "vehicle.drag_file" => curve::drag(&text),
         "vehicle.lift_file" => curve::lift(&text),
-        "vehicle.bank_file" => curve::bank(&text),
+        "vehicle.bank_file" => curve::bank(&text, input),
         "vehicle.aerodynamics.file" => aerodynamics::read(&text),
         "vehicle.aerodynamics.damping_file" => aerodynamics::damping(&text),
         _ => atmosphere::read(&text, ground),

@@ -13,6 +13,7 @@ use crate::components::outline::{Entry, entries};
 use crate::display::input_number;
 use crate::protocol::Fault;
 use crate::state::State;
+use crate::worker::Asker;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
@@ -258,30 +259,22 @@ impl AeroView {
     }
 
     fn ask_on_change(self, state: State) {
-        let asked = StoredValue::new(0_u32);
+        let asker = Asker::default();
         let places = Memo::new(move |_| self.typed.with(PlacesText::places));
         Effect::new(move |_| {
             let (Some(case), Some(places)) = (self.case.get(), places.get()) else {
-                return;
+                return asker.wants_nothing();
             };
-            asked.update_value(|count| *count += 1);
-            let this = asked.get_value();
             spawn_local(async move {
-                let answer = state.aerodynamics(Question { case, places }).await;
+                let question = Question { case, places };
                 // Of several answers the newest counts.
-                if asked.try_get_value() != Some(this) {
-                    return;
-                }
-                match answer {
-                    Ok(Ok(curves)) => {
+                match state.aerodynamics(asker, question).await {
+                    Some(Ok(curves)) => {
                         self.faults.set(Vec::new());
                         self.curves.set(Some(Arc::new(curves)));
                     }
-                    Ok(Err(faults)) => self.faults.set(faults),
-                    Err(message) => self.faults.set(vec![Fault {
-                        key: String::new(),
-                        message,
-                    }]),
+                    Some(Err(faults)) => self.faults.set(faults),
+                    None => {}
                 }
             });
         });

@@ -12,6 +12,7 @@ use crate::display::{number, symbol};
 use crate::protocol::Fault;
 use crate::state::{Phase, Solved, State};
 use crate::view3d::attitude::Course;
+use crate::worker::Asker;
 use inputs::Inputs;
 use leptos::prelude::*;
 use msape::answer::output;
@@ -103,32 +104,23 @@ impl AttitudeView {
 
     /// Flies each design that is solved and wants it; of several answers the newest counts.
     fn fly_on_change(self, state: State) {
-        let asked = StoredValue::new(0_u32);
+        let asker = Asker::default();
         Effect::new(move |_| {
             let solved = state.latest.get();
             let wanted =
                 solved.filter(|solved| is_rigid(&solved.case) && solved.answer.design.is_some());
             let Some(solved) = wanted else {
-                return;
+                return asker.wants_nothing();
             };
-            asked.update_value(|count| *count += 1);
-            let this = asked.get_value();
             spawn_local(async move {
-                let answer = state.attitude((*solved.case).clone()).await;
-                if asked.try_get_value() != Some(this) {
-                    return;
-                }
-                match answer {
-                    Ok(Ok(answer)) => {
+                match state.attitude(asker, &solved).await {
+                    Some(Ok(answer)) => {
                         self.faults.set(Vec::new());
                         let answer = Arc::new(answer);
                         self.flown.set(Some(Arc::new(Flown { solved, answer })));
                     }
-                    Ok(Err(faults)) => self.faults.set(faults),
-                    Err(message) => self.faults.set(vec![Fault {
-                        key: String::new(),
-                        message,
-                    }]),
+                    Some(Err(faults)) => self.faults.set(faults),
+                    None => {}
                 }
             });
         });

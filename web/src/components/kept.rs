@@ -12,8 +12,10 @@ use leptos::prelude::*;
 /// All of it; nothing where there is nothing to say.
 #[component]
 pub fn Kept() -> impl IntoView {
+    let state = State::expect();
     view! {
-        <LinkWords />
+        <Told label="About the link" words=state.keeping.link_words />
+        <Told label="About the stored work" words=state.keeping.refused />
         <ShownApart />
         <OthersApart />
         <UnreadableRecords />
@@ -28,13 +30,13 @@ fn with_saver(state: State, act: impl FnOnce(&Saver)) {
     });
 }
 
+/// Sentences that stay until they are dismissed.
 #[component]
-fn LinkWords() -> impl IntoView {
-    let words = State::expect().keeping.link_words;
+fn Told(label: &'static str, words: RwSignal<Vec<String>>) -> impl IntoView {
     view! {
         <div role="alert">
             {move || words.with(|list| (!list.is_empty()).then(|| view! {
-                <section class="kept" aria-label="About the link">
+                <section class="kept" aria-label=label>
                     {list.iter().map(|words| view! { <p>{words.clone()}</p> }).collect_view()}
                     <button type="button" class="small" on:click=move |_| words.set(Vec::new())>"Dismiss"</button>
                 </section>

@@ -6,6 +6,7 @@ use crate::components::file_input::FileInput;
 use crate::files;
 use crate::protocol::{FileKind, ReadRows};
 use crate::state::State;
+use crate::worker::Asker;
 use leptos::prelude::*;
 use msape::case::Value;
 use msape::quantity::input::{Column, Input};
@@ -48,6 +49,9 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
     let names = names.join(", ");
     let tag = StoredValue::new(format!("rows {}", input.key));
+    let asker = Asker::default();
+    // What is wrong with the text or file that was read last.
+    let faults = RwSignal::new(Vec::<String>::new());
     let put = move |value: Option<Value>| {
         state.edit(input.label, Some(&tag.get_value()), |document| {
             document.with_case(|case| {
@@ -77,8 +81,12 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                     let value = parsed(&text);
                     draft.set(Some((state.turns.get_untracked(), text)));
                     put(value.clone());
-                    if let Some(Value::Text(text)) = value && let Some(key) = file_key(input.key) {
-                        read_as_file(state, input.key, key, text, put);
+                    match (value, file_key(input.key)) {
+                        (Some(Value::Text(text)), Some(_)) => read_as_file(state, input, asker, text, faults, put),
+                        _ => {
+                            asker.wants_nothing();
+                            faults.set(Vec::new());
+                        }
                     }
                 }
                 on:blur=move |_| {
@@ -87,7 +95,7 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                 }
             ></textarea>
             <p class="field-hint">"One row a line: " {names}</p>
-            {file_key(input.key).map(|key| view! { <FromFile input key /> })}
+            {file_key(input.key).map(|_| view! { <FromFile input faults /> })}
         </Field>
     }
 }
@@ -109,14 +117,13 @@ fn written(value: Option<&Value>) -> String {
 
 /// Opens a file in the place of the rows.
 #[component]
-fn FromFile(input: &'static Input, key: &'static str) -> impl IntoView {
+fn FromFile(input: &'static Input, faults: RwSignal<Vec<String>>) -> impl IntoView {
     let state = State::expect();
-    let faults = RwSignal::new(Vec::<String>::new());
     let open = move |file: web_sys::File| {
         let name = file.name();
         spawn_local(async move {
             let read = match files::bytes(file).await {
-                Ok(bytes) => state.read(kind(state, key), bytes).await,
+                Ok(bytes) => state.read(kind(state, input), bytes).await,
                 Err(message) => Err(vec![message]),
             };
             match read {
@@ -161,29 +168,40 @@ fn file_key(table: &str) -> Option<&'static str> {
 }
 
 /// A table for the present case.
-fn kind(state: State, key: &str) -> FileKind {
+fn kind(state: State, input: &Input) -> FileKind {
     let case = state.case.get_untracked();
-    FileKind::Table(key.to_string(), Box::new((*case).clone()))
+    FileKind::Table {
+        table: input.key.to_string(),
+        file: file_key(input.key).unwrap_or_default().to_string(),
+        case: Box::new((*case).clone()),
+    }
 }
 
 /// Reads what is typed in another dialect as a file of its kind, and puts its rows in its place if it still stands there.
 fn read_as_file(
     state: State,
-    table: &'static str,
-    key: &'static str,
+    input: &'static Input,
+    asker: Asker,
     text: String,
+    faults: RwSignal<Vec<String>>,
     put: impl Fn(Option<Value>) + 'static,
 ) {
     spawn_local(async move {
-        let read = state
-            .read(kind(state, key), text.clone().into_bytes())
-            .await;
+        let kind = kind(state, input);
+        let Some(read) = state.read_newest(asker, kind, text.clone()).await else {
+            return;
+        };
         let typed = Value::Text(text);
         let stands = state
             .case
-            .with_untracked(|case| case.values.get(table) == Some(&typed));
-        if let (Ok(ReadRows { rows, .. }), true) = (read, stands) {
-            put(Some(Value::Rows(rows)));
+            .with_untracked(|case| case.values.get(input.key) == Some(&typed));
+        match read {
+            Ok(ReadRows { rows, .. }) if stands => {
+                faults.set(Vec::new());
+                put(Some(Value::Rows(rows)));
+            }
+            Err(found) if stands => faults.set(found.into_iter().take(MOST_FAULTS).collect()),
+            _ => {}
         }
     });
 }

@@ -98,6 +98,7 @@ impl Saver {
 
     fn remove(&self, key: Key) {
         let saver = self.clone();
+        saver.0.waiting.borrow_mut().forget(&key);
         spawn_local(async move {
             match saver.0.store.remove(&key).await {
                 Ok(()) => {
@@ -123,10 +124,8 @@ impl Saver {
                     keeping.unreadable.set(stock.unreadable.clone());
                     // What this tab writes itself it knows better.
                     let own = place_key(&saver.0.state.document.get_untracked().place);
-                    for key in stock.apart.iter().map(|apart| Key::apart(&apart.id)) {
-                        if key != own {
-                            saver.learn(&stock, &key);
-                        }
+                    for key in stock.ledger.apart().iter().filter(|key| **key != own) {
+                        saver.learn(&stock, key);
                     }
                     keeping.apart.set(stock.apart.clone());
                     act(&saver, stock);

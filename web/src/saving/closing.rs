@@ -2,11 +2,12 @@
 //! which record it worked on.
 
 use super::Saver;
+use super::waiting::Waiting;
 use crate::app::leave_link;
 use crate::state::document::Place;
 use crate::state::history::History;
 use crate::state::keeping::SaveState;
-use crate::storage::record::{Change, Found, Key, Written};
+use crate::storage::record::{Change, Found, Key, Sort, Written};
 use leptos::prelude::*;
 
 /// Item of the tab's own storage that names the record that it works on, when it is apart.
@@ -44,54 +45,72 @@ impl Saver {
     /// The browser's database answers too late for a page that goes; its small storage takes a text at once.
     fn write_last(&self) {
         let inner = &self.0;
-        let newest = (inner.waiting.borrow().clone()).or_else(|| inner.under_way.borrow().clone());
         let ledger = inner.ledger.borrow();
-        let (Some(document), Some(ledger)) = (newest, ledger.as_ref()) else {
+        let Some(ledger) = ledger.as_ref() else {
             return;
         };
-        if document.is_view() || ledger.changes(&document, 0.0).is_empty() {
-            return;
+        let shown = inner.state.document.get_untracked();
+        match &shown.place {
+            Place::Apart(_) if shown.is_view() => {}
+            Place::Apart(apart) => {
+                remember_own(Some(&apart.id));
+                leave_link();
+            }
+            Place::Stored => remember_own(None),
         }
-        let (id, text) = ledger.last(&document, &inner.last, js_sys::Date::now());
-        if let Place::Apart(apart) = &document.place {
-            remember_own(Some(&apart.id));
-            leave_link();
+        let mut unwritten = Waiting::default();
+        let under_way = inner.under_way.borrow();
+        for document in under_way.iter().chain(inner.waiting.borrow().iter()) {
+            unwritten.put(document.clone());
         }
-        if let Some(storage) = small() {
-            // One that refuses leaves the question whether to go.
-            let _ = storage.set_item(&format!("{LAST}{id}"), &text);
+        for document in unwritten.iter() {
+            let last = ledger.last(document, &inner.last, js_sys::Date::now());
+            if let Some((id, text)) = last {
+                if let Some(storage) = small() {
+                    // One that refuses leaves the question whether to go.
+                    let _ = storage.set_item(&format!("{LAST}{id}"), &text);
+                }
+                inner.last_written.borrow_mut().push(id);
+            }
         }
-        inner.last_written.replace(Some(id));
     }
 
     /// What was handed over is committed by now.
     pub(super) fn forget_last(&self) {
-        if let Some(id) = self.0.last_written.take() {
-            forget(&id);
+        for id in self.0.last_written.take() {
+            if let Some(storage) = small() {
+                // What stays is found equal to what is stored, and dropped.
+                let _ = storage.remove_item(&format!("{LAST}{id}"));
+            }
         }
     }
 
-    /// Makes records of what pages handed over that were closed.
+    /// Makes records of what pages handed over that were closed. What cannot be made one stays.
     ///
     /// # Errors
-    /// Why the browser refuses, in words.
+    /// Why the browser refuses one of them, in words.
     pub(super) async fn take_last(&self) -> Result<(), String> {
-        for (id, text) in handed_over() {
-            let mut change = Change {
-                key: Key::apart(&id),
-                expected: None,
-                text: Some(text),
-            };
-            // What the page itself had written there is older.
-            while let Written::Nothing(clashes) = self.0.store.write(&[change.clone()]).await? {
-                let found = clashes.into_iter().next().and_then(|(_, found)| found);
-                match found {
-                    Some(Found::Text(text)) => change.expected = Some(text),
-                    None => change.expected = None,
-                    Some(Found::Other(_)) => break,
-                }
+        let mut taken = Ok(());
+        for (key, found) in handed_over() {
+            let text = found.spelled().to_string();
+            match self.take_one(key.clone(), text.clone()).await {
+                Ok(()) => forget(&key, &text),
+                Err(reason) => taken = Err(reason),
             }
-            forget(&id);
+        }
+        taken
+    }
+
+    /// What the page itself had written there is older.
+    async fn take_one(&self, key: Key, text: String) -> Result<(), String> {
+        let (expected, text) = (None, Some(text));
+        let mut change = Change {
+            key,
+            expected,
+            text,
+        };
+        while let Written::Nothing(clashes) = self.0.store.write(&[change.clone()]).await? {
+            change = change.over(clashes.into_iter().next().and_then(|(_, found)| found));
         }
         Ok(())
     }
@@ -102,23 +121,28 @@ fn small() -> Option<web_sys::Storage> {
     window().local_storage().ok().flatten()
 }
 
-/// Identifiers and texts of what pages handed over.
-fn handed_over() -> Vec<(String, String)> {
+/// What pages handed over, with the records that are to hold it.
+pub(super) fn handed_over() -> Vec<(Key, Found)> {
     let Some(storage) = small() else {
         return Vec::new();
     };
-    let keys = (0..storage.length().unwrap_or(0)).filter_map(|i| storage.key(i).ok().flatten());
-    keys.filter_map(|key| {
-        let id = key.strip_prefix(LAST)?.to_string();
-        Some((id, storage.get_item(&key).ok().flatten()?))
-    })
-    .collect()
+    let names = (0..storage.length().unwrap_or(0)).filter_map(|i| storage.key(i).ok().flatten());
+    names
+        .filter_map(|name| {
+            let key = Key::apart(name.strip_prefix(LAST)?);
+            Some((key, Found::Text(storage.get_item(&name).ok().flatten()?)))
+        })
+        .collect()
 }
 
-fn forget(id: &str) {
-    if let Some(storage) = small() {
-        // What stays is found equal to what is stored, and dropped.
-        let _ = storage.remove_item(&format!("{LAST}{id}"));
+/// Takes away what is a record by now. What its page has handed over anew since then stays.
+fn forget(key: &Key, text: &str) {
+    if let (Some(storage), Sort::Apart(id)) = (small(), key.sort()) {
+        let name = format!("{LAST}{id}");
+        if storage.get_item(&name).ok().flatten().as_deref() == Some(text) {
+            // What stays is found equal to what is stored, and dropped.
+            let _ = storage.remove_item(&name);
+        }
     }
 }
 

@@ -36,6 +36,8 @@ pub struct Keeping {
     pub apart: RwSignal<Vec<KeptApart>>,
     /// Records that cannot be read.
     pub unreadable: RwSignal<Vec<Unreadable>>,
+    /// What the browser refused when the records were read, in sentences.
+    pub refused: RwSignal<Vec<String>>,
     /// What must be known of the link that was opened.
     pub link_words: RwSignal<Vec<String>>,
     /// Name of a run of which is to be said whether it is saved.
@@ -50,6 +52,7 @@ impl Default for Keeping {
             stored: RwSignal::new(None),
             apart: RwSignal::new(Vec::new()),
             unreadable: RwSignal::new(Vec::new()),
+            refused: RwSignal::new(Vec::new()),
             link_words: RwSignal::new(Vec::new()),
             announced: StoredValue::new(None),
         }

@@ -22,7 +22,7 @@ pub struct Ledger {
     runs: Kept<Run>,
     outlines: Kept<Rows>,
     tables: Kept<Rows>,
-    /// Records that go with the next change.
+    /// Records that go when the stored work is written, which goes on from them.
     doomed: Vec<Key>,
 }
 
@@ -69,11 +69,24 @@ impl Ledger {
         self.tables = Arc::new(tables.clone());
     }
 
-    /// A record goes with the next change.
+    /// A record goes when the stored work is written, not before: until then it alone has what it says.
     pub fn dooms(&mut self, key: Key) {
         if !self.doomed.contains(&key) {
             self.doomed.push(key);
         }
+    }
+
+    /// A record stays after all, since what is shown is kept there again.
+    pub fn spares(&mut self, key: &Key) {
+        self.doomed.retain(|doomed| doomed != key);
+    }
+
+    /// Records of work that is apart.
+    pub fn apart(&self) -> Vec<Key> {
+        let keys = self.known.keys();
+        keys.filter(|key| matches!(key.sort(), Sort::Apart(_)))
+            .cloned()
+            .collect()
     }
 
     /// Text of a record as this tab last saw it.
@@ -90,7 +103,7 @@ impl Ledger {
     pub fn forgets(&mut self, key: &Key) {
         self.known.remove(key);
         self.sheets.remove(key);
-        self.doomed.retain(|doomed| doomed != key);
+        self.spares(key);
     }
 
     /// What another look at the database says of one record.
@@ -102,15 +115,16 @@ impl Ledger {
         if let Some(sheet) = of.sheets.get(key) {
             self.sheets.insert(key.clone(), sheet.clone());
         }
+        if of.doomed.contains(key) {
+            self.dooms(key.clone());
+        }
     }
 
     /// What must be changed so that the records hold a document.
     pub fn changes(&self, document: &Document, now_ms: f64) -> Vec<Change> {
         let mut changes = Vec::new();
         let key = place_key(&document.place);
-        let is_view = document.is_view() && !self.known.contains_key(&key);
-        let sheet = self.sheet_of(document, now_ms);
-        if !is_view && !(self.sheets.get(&key)).is_some_and(|kept| kept.says_as(&sheet)) {
+        if let Some(sheet) = self.unwritten(document, now_ms) {
             changes.push(self.change(key.clone(), Some(written(&sheet))));
         }
         self.compare(&self.runs, &document.runs, Key::run, &mut changes);
@@ -121,16 +135,27 @@ impl Ledger {
             &mut changes,
         );
         self.compare(&self.tables, &document.tables, Key::table, &mut changes);
-        for doomed in self.doomed.iter().filter(|doomed| **doomed != key) {
-            changes.push(self.change(doomed.clone(), None));
+        if key == Key::current() {
+            let doomed = self.doomed.iter();
+            changes.extend(doomed.map(|key| self.change(key.clone(), None)));
         }
         changes
     }
 
+    /// Case and units of a document, if its record says something else.
+    fn unwritten(&self, document: &Document, now_ms: f64) -> Option<Sheet> {
+        let key = place_key(&document.place);
+        let is_view = document.is_view() && !self.known.contains_key(&key);
+        let sheet = self.sheet_of(document, now_ms);
+        let kept = self.sheets.get(&key);
+        let is_written = kept.is_some_and(|kept| kept.says_as(&sheet));
+        (!is_view && !is_written).then_some(sheet)
+    }
+
     /// The record that keeps case and units of a document whose page is being closed: one of its own, which is the stored work
-    /// from then on if that is still as this tab knows it.
-    pub fn last(&self, document: &Document, id: &str, now_ms: f64) -> (String, String) {
-        let mut sheet = self.sheet_of(document, now_ms);
+    /// from then on if that is still as this tab knows it. Nothing where they are written.
+    pub fn last(&self, document: &Document, id: &str, now_ms: f64) -> Option<(String, String)> {
+        let mut sheet = self.unwritten(document, now_ms)?;
         let id = match &document.place {
             Place::Stored => {
                 sheet.why = Some(Why::Closed);
@@ -139,7 +164,7 @@ impl Ledger {
             }
             Place::Apart(apart) => &apart.id,
         };
-        (id.to_string(), written(&sheet))
+        Some((id.to_string(), written(&sheet)))
     }
 
     fn sheet_of(&self, document: &Document, now_ms: f64) -> Sheet {
@@ -245,7 +270,7 @@ impl Ledger {
         };
         if self.doomed.contains(key) {
             // Another tab works on it.
-            self.doomed.retain(|doomed| doomed != key);
+            self.spares(key);
             return Verdict::Again;
         }
         let sheet: Option<Sheet> = read(&found).ok();

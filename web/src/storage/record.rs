@@ -43,6 +43,8 @@ const TABLE: &str = "table ";
 const APART: &str = "apart ";
 /// What its identifier ends with where it could not be read and was moved out of the way.
 const ASIDE: &str = "-aside";
+/// What an identifier is lengthened by where its record holds something that cannot be read.
+const BESIDE: &str = "-2";
 const CURRENT: &str = "current";
 
 /// What a record is.
@@ -154,6 +156,23 @@ pub struct Change {
     pub expected: Option<String>,
     /// Its new text; `None` removes it.
     pub text: Option<String>,
+}
+
+impl Change {
+    /// What is tried next, when the record holds something else than was expected: the same over a text, which is older; beside what
+    /// is no text.
+    #[must_use]
+    pub fn over(mut self, found: Option<Found>) -> Change {
+        self.expected = match found {
+            Some(Found::Text(text)) => Some(text),
+            Some(Found::Other(_)) => {
+                self.key.id.push_str(BESIDE);
+                None
+            }
+            None => None,
+        };
+        self
+    }
 }
 
 /// A record that is not as the tab knows it.

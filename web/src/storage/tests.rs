@@ -1,5 +1,6 @@
 //! Tabs that share records, and what a browser may do to them. What the browser itself does is in `tests/e2e/storage.mjs`.
 
+mod closed;
 mod unreadable;
 
 use super::ledger::{Ledger, Verdict, place_key};
@@ -296,44 +297,6 @@ fn a_link_writes_nothing_until_it_is_changed_and_then_beside_the_work() {
         (speed(&stock.work.unwrap().document), stock.apart.len()),
         ("17000".to_string(), 0)
     );
-}
-
-#[test]
-fn a_page_that_closes_hands_over_what_waits_and_the_next_goes_on() {
-    let closed = |between: &dyn Fn(&mut Browser)| {
-        let (mut browser, mut tab) = with_work();
-        tab.set_speed("13000");
-        let (id, text) = tab.ledger.last(&tab.document, "last", 3.0);
-        between(&mut browser);
-        browser.put(Key::apart(&id), &text);
-        browser
-    };
-    // nobody wrote since: it is the stored work
-    let mut browser = closed(&|_| {});
-    let mut next = Tab::open(&browser);
-    assert_eq!(speed(&next.document), "13000");
-    next.save(&mut browser).unwrap();
-    let stock = browser.stock();
-    assert_eq!(
-        (speed(&stock.work.unwrap().document), stock.apart.len()),
-        ("13000".to_string(), 0)
-    );
-    // another tab wrote since: both are kept
-    let browser = closed(&|browser| {
-        let mut other = Tab::open(browser);
-        other.set_speed("15000");
-        other.save(browser).unwrap();
-    });
-    let stock = browser.stock();
-    assert_eq!(speed(&stock.work.unwrap().document), "15000");
-    assert_eq!(speed(&stock.apart[0].document), "13000");
-    // it was written after all: there is nothing to say
-    let browser = closed(&|browser| {
-        let mut same = Tab::open(browser);
-        same.set_speed("13000");
-        same.save(browser).unwrap();
-    });
-    assert_eq!(browser.stock().apart, []);
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use crate::protocol::{FileKind, ReadRows};
 use cad::outline::{self, Imported, LengthUnit};
 use cad::table::{self, Ground, Table};
+use msape::Library;
 use msape::vehicle::body::from_rows;
-use msape::{Case, Library};
 
 /// Key of a file of coefficients, and of the rows in it.
 const COEFFICIENTS: (&str, &str) = ("vehicle.aerodynamics.file", "vehicle.aerodynamics.table");
@@ -14,11 +14,16 @@ const POINTS: &str = "outline.points";
 /// The rows of a file, or every fault of it with its line.
 pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows, Vec<String>> {
     match kind {
-        FileKind::Table(key, case) => table(key, bytes, case, library),
+        FileKind::Table { table, file, case } => {
+            let ground = Ground::of(case, library);
+            let read = table::read_for(table, file, bytes, &ground);
+            Ok(rows(read.map_err(words)?))
+        }
         FileKind::Coefficients => {
-            let rows = table(COEFFICIENTS.0, bytes, &Case::default(), library)?;
-            if rows.key == COEFFICIENTS.1 {
-                return Ok(rows);
+            let read = table::read(COEFFICIENTS.0, bytes, &Ground::earth(library));
+            let read = rows(read.map_err(words)?);
+            if read.key == COEFFICIENTS.1 {
+                return Ok(read);
             }
             Err(vec![
                 "the file is drag over the Mach number, as a point mass has it; a table here has angles of attack".to_string(),
@@ -34,14 +39,9 @@ pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows
     }
 }
 
-fn table(key: &str, bytes: &[u8], case: &Case, library: &Library) -> Result<ReadRows, Vec<String>> {
-    let Table { key, rows, remarks } =
-        table::read(key, bytes, &Ground::of(case, library)).map_err(words)?;
-    Ok(ReadRows {
-        key: key.to_string(),
-        rows,
-        remarks,
-    })
+fn rows(Table { key, rows, remarks }: Table) -> ReadRows {
+    let key = key.to_string();
+    ReadRows { key, rows, remarks }
 }
 
 fn words<T: ToString>(faults: Vec<T>) -> Vec<String> {
@@ -51,6 +51,15 @@ fn words<T: ToString>(faults: Vec<T>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use msape::Case;
+
+    fn air(case: &Case) -> FileKind {
+        FileKind::Table {
+            table: "atmosphere.table".to_string(),
+            file: "atmosphere.file".to_string(),
+            case: Box::new(case.clone()),
+        }
+    }
 
     fn read(kind: FileKind, text: &str) -> Result<ReadRows, Vec<String>> {
         super::read(&kind, text.as_bytes(), &Library::builtin().unwrap())
@@ -83,9 +92,8 @@ mod tests {
         let mut mars = Case::default();
         mars.set("entry.planet", "mars");
         let read = |case: &Case| {
-            let kind = FileKind::Table("atmosphere.file".to_string(), Box::new(case.clone()));
             read(
-                kind,
+                air(case),
                 "geopotential_altitude_m, density_kg_m3\n0, 0.02\n10000, 0.008\n",
             )
             .unwrap()
@@ -99,14 +107,27 @@ mod tests {
 
     #[test]
     fn a_spreadsheet_in_germany_is_read_and_thousands_are_not_guessed() {
-        let read = |text: &str| {
-            let kind = FileKind::Table("atmosphere.file".to_string(), Box::default());
-            read(kind, text).map(|table| table.rows)
-        };
+        let read = |text: &str| read(air(&Case::default()), text).map(|table| table.rows);
         let rows = vec![vec![0.0, 1.225], vec![1e3, 1.1]];
         assert_eq!(read("0\t1,2250\n1000\t1,1\n"), Ok(rows.clone()));
         assert_eq!(read("z (km);rho (kg/m3)\n0;1,225\n1;1,1\n"), Ok(rows));
         assert!(read("0 1,225\n1000 1,100\n").is_err());
         assert!(read("0 x").is_err());
+    }
+    #[test]
+    fn rows_reach_the_table_that_they_were_pasted_for_or_none() {
+        let read = |table: &str, text: &str| {
+            let kind = FileKind::Table {
+                table: table.to_string(),
+                file: "vehicle.bank_file".to_string(),
+                case: Box::default(),
+            };
+            read(kind, text)
+        };
+        let table = "vehicle.bank_speed_table_deg";
+        let rows = read(table, "7000\t0,5\n8000\t1,5\n").unwrap();
+        assert_eq!((rows.key.as_str(), rows.rows.len()), (table, 2));
+        let other = read(table, "t (s);bank (deg)\n0;0,5\n9;1,5\n").unwrap_err();
+        assert!(other[0].contains("vehicle.bank_table_deg"), "{other:?}");
     }
 }

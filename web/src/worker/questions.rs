@@ -1,87 +1,137 @@
-//! Questions to the toolbox: each waits for its own answer.
+//! Questions to the toolbox: each waits for its own answer, or for the newest of its asker.
 
 use super::WorkerLink;
 use crate::aerodynamics::{Curves, Question};
-use crate::protocol::{Ask, Batch, Fault, FileKind, ReadRows, Told};
+use crate::protocol::{Ask, Batch, Designed, Fault, FileKind, ReadRows, Told};
 use cad::export::{Format, Model};
+use leptos::prelude::{GetValue, StoredValue, UpdateValue};
 use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case};
 
 /// What is said of an answer to another question.
-const OTHER_ANSWER: &str = "the solver answered something else";
+const OTHER_ANSWER: &str = "the toolbox answered something else";
+
+/// A part of the page that asks at each change, and wants the newest answer only. Another asker is not in its way.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Asker(StoredValue<u32>);
+
+impl Default for Asker {
+    /// An asker that goes with the part of the page that makes it.
+    fn default() -> Asker {
+        Asker(StoredValue::new(0))
+    }
+}
+
+impl Asker {
+    /// Wants no answer to what it has asked, from now on.
+    pub fn wants_nothing(self) {
+        self.next();
+    }
+
+    /// Number of its next question; nothing when its part of the page is gone.
+    fn next(self) -> Option<u32> {
+        self.0.try_update_value(|count| {
+            *count += 1;
+            *count
+        })
+    }
+}
 
 impl WorkerLink {
+    /// What is taken out of the answer to a question; nothing if the asker wants another answer by then.
+    async fn newest<T>(
+        &self,
+        asker: Asker,
+        ask: Ask,
+        take: impl FnOnce(Told) -> Option<T>,
+    ) -> Option<Result<T, String>> {
+        let this = asker.next()?;
+        let told = self.ask(Some(asker), ask).await;
+        let taken = told.and_then(|told| take(told).ok_or_else(|| OTHER_ANSWER.to_string()));
+        (asker.0.try_get_value() == Some(this)).then_some(taken)
+    }
+
     /// Time that a batch takes in the worker, ms.
     ///
     /// # Errors
     /// Why it could not be measured.
     pub async fn measure(&self, batch: Batch) -> Result<f64, String> {
-        match self.ask(Ask::Measure(batch)).await? {
+        match self.ask(None, Ask::Measure(batch)).await? {
             Told::Measured(measured) => measured,
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }
 
-    /// A flight, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn fly(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        match self.ask(Ask::Fly(case)).await? {
-            Told::Flown(flown) => Ok(*flown),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    /// A flight, or every fault of its case; nothing if the asker asks anew.
+    pub async fn fly(&self, asker: Asker, case: Case) -> Option<Result<Answer, Vec<Fault>>> {
+        self.newest(asker, Ask::Fly(case), flown).await.map(at_once)
     }
 
-    /// The flight of a design with its attitude, or every fault of its case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
-    pub async fn attitude(&self, case: Case) -> Result<Result<Answer, Vec<Fault>>, String> {
-        match self.ask(Ask::Attitude(Box::new(case))).await? {
-            Told::Flown(flown) => Ok(*flown),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    /// The flight of a design with its attitude, or every fault of its case; nothing if the asker asks anew.
+    pub async fn attitude(
+        &self,
+        asker: Asker,
+        designed: Designed,
+    ) -> Option<Result<Answer, Vec<Fault>>> {
+        let ask = Ask::Attitude(Box::new(designed));
+        self.newest(asker, ask, flown).await.map(at_once)
     }
 
     /// One entry of a design from a set of attitudes and rates, or every fault of its case.
     ///
     /// # Errors
     /// Why the worker did not answer.
-    pub async fn turn(&self, case: Case, number: u32) -> Result<Result<Turn, Vec<Fault>>, String> {
-        match self.ask(Ask::Turn(Box::new(case), number)).await? {
+    pub async fn turn(
+        &self,
+        designed: Designed,
+        number: u32,
+    ) -> Result<Result<Turn, Vec<Fault>>, String> {
+        let ask = Ask::Turn(Box::new(designed), number);
+        match self.ask(None, ask).await? {
             Told::Turned(turned) => Ok(*turned),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }
 
-    /// Curves of coefficients, or every fault of their case.
-    ///
-    /// # Errors
-    /// Why the worker did not answer.
+    /// Curves of coefficients, or every fault of their case; nothing if the asker asks anew.
     pub async fn aerodynamics(
         &self,
+        asker: Asker,
         question: Question,
-    ) -> Result<Result<Curves, Vec<Fault>>, String> {
-        match self.ask(Ask::Aerodynamics(Box::new(question))).await? {
-            Told::Aerodynamics(curves) => Ok(*curves),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    ) -> Option<Result<Curves, Vec<Fault>>> {
+        let ask = Ask::Aerodynamics(Box::new(question));
+        let curves = |told| match told {
+            Told::Aerodynamics(curves) => Some(*curves),
+            _ => None,
+        };
+        self.newest(asker, ask, curves).await.map(at_once)
     }
 
     /// The rows of a file, or every fault of it.
     ///
     /// # Errors
-    /// Why the worker did not answer.
-    pub async fn read(
+    /// Every fault of the file, or why the worker did not answer.
+    pub async fn read(&self, kind: FileKind, bytes: Vec<u8>) -> Result<ReadRows, Vec<String>> {
+        let told = self.ask(None, Ask::Read(kind, bytes)).await;
+        match told.map_err(|message| vec![message])? {
+            Told::Read(rows) => rows,
+            _ => Err(vec![OTHER_ANSWER.to_string()]),
+        }
+    }
+
+    /// The rows of a text that is being typed, or every fault of it; nothing if the asker asks anew.
+    pub async fn read_newest(
         &self,
+        asker: Asker,
         kind: FileKind,
         bytes: Vec<u8>,
-    ) -> Result<Result<ReadRows, Vec<String>>, String> {
-        match self.ask(Ask::Read(kind, bytes)).await? {
-            Told::Read(rows) => Ok(rows),
-            _ => Err(OTHER_ANSWER.to_string()),
-        }
+    ) -> Option<Result<ReadRows, Vec<String>>> {
+        let rows = |told| match told {
+            Told::Read(rows) => Some(rows),
+            _ => None,
+        };
+        let read = self.newest(asker, Ask::Read(kind, bytes), rows).await?;
+        Some(read.unwrap_or_else(|message| Err(vec![message])))
     }
 
     /// A model as a file, in bytes.
@@ -89,9 +139,24 @@ impl WorkerLink {
     /// # Errors
     /// Why the worker did not answer.
     pub async fn write(&self, format: Format, model: Model) -> Result<Vec<u8>, String> {
-        match self.ask(Ask::Write(format, Box::new(model))).await? {
+        match self.ask(None, Ask::Write(format, Box::new(model))).await? {
             Told::Written(bytes) => Ok(bytes),
             _ => Err(OTHER_ANSWER.to_string()),
         }
     }
+}
+
+fn flown(told: Told) -> Option<Result<Answer, Vec<Fault>>> {
+    match told {
+        Told::Flown(flown) => Some(*flown),
+        _ => None,
+    }
+}
+
+/// Faults, with that of a worker that did not answer among them.
+fn at_once<T>(answer: Result<Result<T, Vec<Fault>>, String>) -> Result<T, Vec<Fault>> {
+    answer.unwrap_or_else(|message| {
+        let key = String::new();
+        Err(vec![Fault { key, message }])
+    })
 }

@@ -30,6 +30,11 @@ const BANK: Layout = Layout {
     bare: (&[Quantity::Time, Quantity::Bank], 2),
     whole: true,
 };
+const BANK_OVER_SPEED: Layout = Layout {
+    bare: (&[Quantity::Speed, Quantity::Bank], 2),
+    ..BANK
+};
+const BANK_SPEED_TABLE: &str = "vehicle.bank_speed_table_deg";
 
 /// Mach number and drag coefficient of a point mass; of a table over the angle of attack, the rows at 0 deg.
 pub fn drag(text: &str) -> Result<Table, Vec<TableFault>> {
@@ -51,21 +56,19 @@ pub fn lift(text: &str) -> Result<Table, Vec<TableFault>> {
     )
 }
 
-/// Bank over time, or over speed where the file has it.
-pub fn bank(text: &str) -> Result<Table, Vec<TableFault>> {
-    let sheet = sheet(text, &BANK)?;
-    if sheet.has(Quantity::Time) || !sheet.has(Quantity::Speed) {
+/// Bank over time, or over speed where the file has it or the input asks for it.
+pub fn bank(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
+    let over_speed = input == Some(BANK_SPEED_TABLE);
+    let sheet = sheet(text, if over_speed { &BANK_OVER_SPEED } else { &BANK })?;
+    let has_time = sheet.has(Quantity::Time) && !over_speed;
+    if has_time || !sheet.has(Quantity::Speed) {
         curve(
             sheet,
             "vehicle.bank_table_deg",
             [Quantity::Time, Quantity::Bank],
         )
     } else {
-        curve(
-            sheet,
-            "vehicle.bank_speed_table_deg",
-            [Quantity::Speed, Quantity::Bank],
-        )
+        curve(sheet, BANK_SPEED_TABLE, [Quantity::Speed, Quantity::Bank])
     }
 }
 

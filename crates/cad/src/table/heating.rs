@@ -41,9 +41,29 @@ const HEATING: Layout = Layout {
     whole: true,
 };
 
-/// Rows of speed, density and heat fluxes; before them the fraction, where the file has one.
-pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
-    let mut sheet = sheet(text, &HEATING)?;
+const BARE_OVER_RADIUS: [Quantity; 5] = bare_along(Quantity::RadiusFraction);
+const BARE_OVER_ARC: [Quantity; 5] = bare_along(Quantity::ArcFraction);
+const RADIUS_TABLE: &str = "heating.radius_table";
+const ARC_TABLE: &str = "heating.arc_table";
+
+const fn bare_along(fraction: Quantity) -> [Quantity; 5] {
+    [
+        fraction,
+        Quantity::Speed,
+        Quantity::Density,
+        Quantity::Convective,
+        Quantity::Radiative,
+    ]
+}
+
+/// Rows of speed, density and heat fluxes; before them the fraction, where the file has one or the input asks for it.
+pub fn read(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
+    let bare: (&'static [Quantity], usize) = match input {
+        Some(RADIUS_TABLE) => (&BARE_OVER_RADIUS, 5),
+        Some(ARC_TABLE) => (&BARE_OVER_ARC, 5),
+        _ => HEATING.bare,
+    };
+    let mut sheet = sheet(text, &Layout { bare, ..HEATING })?;
     let needed = [Quantity::Speed, Quantity::Density];
     let mut faults: Vec<TableFault> = needed
         .into_iter()
@@ -64,12 +84,8 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
             faults.push(TableFault::Rows(fault.to_owned()));
             None
         }
-        (true, false) => Some((
-            Quantity::RadiusFraction,
-            Along::Radius,
-            "heating.radius_table",
-        )),
-        (false, true) => Some((Quantity::ArcFraction, Along::Arc, "heating.arc_table")),
+        (true, false) => Some((Quantity::RadiusFraction, Along::Radius, RADIUS_TABLE)),
+        (false, true) => Some((Quantity::ArcFraction, Along::Arc, ARC_TABLE)),
         (false, false) => None,
     };
     let by_parts = convective && (radiative || along.is_none());
@@ -136,7 +152,7 @@ mod tests {
     use super::*;
 
     fn faults(text: &str) -> String {
-        let faults = read(text).unwrap_err();
+        let faults = read(text, None).unwrap_err();
         let said: Vec<String> = faults.iter().map(ToString::to_string).collect();
         said.join("\n")
     }
@@ -144,12 +160,14 @@ mod tests {
     #[test]
     fn units_columns_and_separators_are_read_as_of_other_tables() {
         let text = "V [km/s];rho [kg/m3];q_conv [W/cm2];q_rad [W/cm2]\n8;1e-4;50,5;0\n8;1e-3;160;0\n12;1e-4;170;20\n12;1e-3;540;300\n";
-        let table = read(text).unwrap();
+        let table = read(text, None).unwrap();
         assert_eq!(table.key, "heating.table");
         assert_eq!(table.rows[0], [8e3, 1e-4, 5.05e5, 0.0]);
         assert_eq!(table.rows[3], [12e3, 1e-3, 5.4e6, 3e6]);
-        let bare =
-            read("8000,1e-4,1e5,2e4\n8000,1e-3,3e5,6e4\n9000,1e-4,2e5,4e4\n9000,1e-3,6e5,9e4\n");
+        let bare = read(
+            "8000,1e-4,1e5,2e4\n8000,1e-3,3e5,6e4\n9000,1e-4,2e5,4e4\n9000,1e-3,6e5,9e4\n",
+            None,
+        );
         let bare = bare.unwrap();
         assert_eq!(bare.key, "heating.table");
         assert_eq!(bare.rows[0], [8e3, 1e-4, 1e5, 2e4]);
@@ -176,7 +194,7 @@ mod tests {
             let text = format!(
                 "speed_m_s,density_kg_m3,{name}\n8e3,1e-4,1\n8e3,1e-3,2\n9e3,1e-4,3\n9e3,1e-3,4\n"
             );
-            read(&text).unwrap()
+            read(&text, None).unwrap()
         };
         let total = of("q_MW_m2");
         assert_eq!(total.rows[0], [8e3, 1e-4, 1e6, 0.0]);
@@ -207,10 +225,13 @@ mod tests {
             }
             text
         };
-        let by_radius = read(&of("r/R", "q")).unwrap();
+        let by_radius = read(&of("r/R", "q"), None).unwrap();
         assert_eq!(by_radius.key, "heating.radius_table");
         assert_eq!(by_radius.rows[4], [0.5, 8e3, 1e-4, 2e5, 0.0]);
-        assert_eq!(read(&of("s", "total")).unwrap().key, "heating.arc_table");
+        assert_eq!(
+            read(&of("s", "total"), None).unwrap().key,
+            "heating.arc_table"
+        );
         let half = faults(&of("s", "convective"));
         assert!(
             half.contains("give convective and radiative heat flux, or total"),

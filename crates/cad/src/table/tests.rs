@@ -301,3 +301,44 @@ fn a_heading_that_does_not_fit_its_columns_is_not_passed_over() {
         assert!(found[0].starts_with("line 1: got "), "{found:?}");
     }
 }
+
+#[test]
+fn rows_for_one_input_are_read_as_its_columns_or_refused() {
+    let read = |table: &str, key: &str, text: &str| {
+        read_for(table, key, text.as_bytes(), &earth()).map(|read| read.rows)
+    };
+    let (by_time, by_speed) = ("vehicle.bank_table_deg", "vehicle.bank_speed_table_deg");
+    let bank = |table: &str, text: &str| read(table, "vehicle.bank_file", text);
+    // without heading, as a spreadsheet in Germany copies them
+    for table in [by_time, by_speed] {
+        let rows = bank(table, "10\t0,5\n20\t1,5\n").unwrap();
+        same(&rows, &[&[10.0, 0.5], &[20.0, 1.5]]);
+    }
+    let both = "time_s,speed_m_s,bank_deg\n0,7000,10\n5,8000,20\n";
+    same(&bank(by_time, both).unwrap(), &[&[0.0, 10.0], &[5.0, 20.0]]);
+    let rows = bank(by_speed, both).unwrap();
+    same(&rows, &[&[7000.0, 10.0], &[8000.0, 20.0]]);
+    let refused = |faults: Vec<TableFault>| faults[0].to_string();
+    let over_time = bank(by_speed, "time_s,bank_deg\n0,10\n5,20\n").unwrap_err();
+    assert_eq!(
+        refused(over_time),
+        format!("the columns are those of {by_time}, must be those of {by_speed}")
+    );
+    let over_speed = bank(by_time, "speed_m_s,bank_deg\n7000,10\n8000,20\n").unwrap_err();
+    assert!(refused(over_speed).contains(by_speed));
+
+    let mut body = String::new();
+    for point in ["0", "0,5", "1"] {
+        for place in ["8000;0,0001", "8000;0,001", "9000;0,0001", "9000;0,001"] {
+            body.push_str(&format!("{point};{place};200000;0\n"));
+        }
+    }
+    for table in ["heating.radius_table", "heating.arc_table"] {
+        let rows = read(table, "heating.file", &body).unwrap();
+        assert_eq!(rows[4], [0.5, 8e3, 1e-4, 2e5, 0.0]);
+    }
+    let drag = "mach,cd\n1,1.2\n5,1.4\n";
+    let table = "vehicle.aerodynamics.table";
+    let faults = read(table, "vehicle.aerodynamics.file", drag).unwrap_err();
+    assert!(refused(faults).contains("those of vehicle.drag_table"));
+}

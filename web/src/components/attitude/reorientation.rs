@@ -48,7 +48,7 @@ impl View {
         }));
         spawn_local(async move {
             for entry in 0..ENTRIES as u32 {
-                let told = state.turn((*solved.case).clone(), entry).await;
+                let told = state.turn(&solved, entry).await;
                 // The card may be gone, or the run stopped or started anew.
                 if self.run.try_get_value() != Some(this) {
                     return;

@@ -8,6 +8,7 @@ use crate::display::{number, symbol};
 use crate::files::{self, file_name};
 use crate::protocol::Fault;
 use crate::state::State;
+use crate::worker::Asker;
 use leptos::prelude::*;
 use msape::answer::output;
 use msape::quantity::input::{self, Input, Kind, Preset};
@@ -84,7 +85,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     });
     let flown = RwSignal::new(None::<(Arc<Answer>, String)>);
     let faults = RwSignal::new(Vec::<Fault>::new());
-    let asked = StoredValue::new(0_u32);
+    let asker = Asker::default();
     let case = Memo::new(move |_| {
         let entry = entry.get()?;
         let design = state.case.get();
@@ -93,26 +94,17 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     // Flown at each change; of several answers the newest counts.
     Effect::new(move |_| {
         let Some(case) = case.get() else {
-            return;
+            return asker.wants_nothing();
         };
-        asked.update_value(|count| *count += 1);
-        let this = asked.get_value();
         spawn_local(async move {
             let name = case.name.clone();
-            let answer = state.fly(case).await;
-            if asked.try_get_value() != Some(this) {
-                return;
-            }
-            match answer {
-                Ok(Ok(answer)) => {
+            match state.fly(asker, case).await {
+                Some(Ok(answer)) => {
                     faults.set(Vec::new());
                     flown.set(Some((Arc::new(answer), name)));
                 }
-                Ok(Err(list)) => faults.set(list),
-                Err(message) => faults.set(vec![Fault {
-                    key: String::new(),
-                    message,
-                }]),
+                Some(Err(list)) => faults.set(list),
+                None => {}
             }
         });
     });
