@@ -3,6 +3,7 @@
 //!
 //! - [`texts`]: cases with letters, numbers and lines that somebody changed.
 //! - [`files`]: tables, outlines and drawings likewise, in text and binary.
+//! - [`links`]: links to a design, as sent and changed on their way.
 //! - [`entries`]: entries of vehicles at all planets, with three and six degrees of freedom.
 //! - [`vehicles`]: designs, outlines, what is exported of them.
 //! - [`edits`], [`samples`]: how a file is changed, and the files; [`truths`]: what holds for each answer.
@@ -10,6 +11,7 @@
 mod edits;
 mod entries;
 mod files;
+mod links;
 mod samples;
 mod texts;
 pub(crate) mod truths;

@@ -6,7 +6,8 @@ use crate::protocol::Fault;
 use msape::aero::database::{Coefficients, Database, Regime};
 use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
 use msape::aero::standard::AeroBody;
-use msape::problem::aero;
+use msape::finding::Finding;
+use msape::problem::remarked_aero;
 use msape::{Case, Library};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -102,6 +103,8 @@ pub struct Curves {
     pub damping: DampingOrigin,
     /// What must be known of the damping's placeholder, where it is used.
     pub placeholder: Option<String>,
+    /// What must be known of the case, such as a table that was made in another gas.
+    pub remarks: Vec<Finding>,
 }
 
 /// Where damping comes from.
@@ -119,7 +122,7 @@ pub enum DampingOrigin {
 #[derive(Default)]
 pub struct Kept(RefCell<Option<(Case, Prepared)>>);
 
-type Prepared = (AeroBody, Database);
+type Prepared = ((AeroBody, Database), Vec<Finding>);
 
 /// The curves of a case, or every fault of it.
 ///
@@ -128,18 +131,19 @@ type Prepared = (AeroBody, Database);
 pub fn curves(question: &Question, library: &Library, kept: &Kept) -> Result<Curves, Vec<Fault>> {
     let mut kept = kept.0.borrow_mut();
     let of_case = kept.take().filter(|(case, _)| *case == question.case);
-    let (mut body, database) = match of_case {
+    let ((mut body, database), remarks) = match of_case {
         Some((_, prepared)) => prepared,
-        None => aero(&question.case, library)
+        None => remarked_aero(&question.case, library)
             .map_err(|faults| faults.into_iter().map(Fault::from).collect::<Vec<_>>())?,
     };
     let own_cg_m = body.cg_m;
     if let Some(x) = question.places.cg_over_diameter {
         body.cg_m = Some([x * body.surface.diameter_m(), 0.0, 0.0]);
     }
-    let drawn = drawn(&body, &database, &question.places);
+    let mut drawn = drawn(&body, &database, &question.places);
+    drawn.remarks.clone_from(&remarks);
     body.cg_m = own_cg_m;
-    *kept = Some((question.case.clone(), (body, database)));
+    *kept = Some((question.case.clone(), ((body, database), remarks)));
     Ok(drawn)
 }
 
@@ -204,6 +208,7 @@ fn drawn(body: &AeroBody, database: &Database, places: &Places) -> Curves {
             Damping::Report { data, .. } => Some(data.placeholder_note().to_string()),
             _ => None,
         },
+        remarks: Vec::new(),
     }
 }
 
@@ -252,6 +257,21 @@ mod tests {
     }
 
     #[test]
+    fn what_was_made_in_another_gas_is_told_with_the_curves() {
+        let library = Library::builtin().unwrap();
+        let told = |planet: &str| {
+            let mut question = question("stardust");
+            question.case.set("entry.planet", planet);
+            let curves = curves(&question, &library, &Kept::default()).unwrap();
+            curves
+                .remarks
+                .iter()
+                .any(|remark| remark.key == "heat_capacity_ratio")
+        };
+        assert!(told("mars") && !told("earth"));
+    }
+
+    #[test]
     fn curves_are_those_of_the_database_and_meet_where_they_cross() {
         let library = Library::builtin().unwrap();
         let kept = Kept::default();
@@ -259,7 +279,7 @@ mod tests {
         let found = curves(&question, &library, &kept).unwrap();
         assert_eq!((found.over_alpha.len(), found.over_mach.len()), (2, 2));
         // At Mach 50 the curve over Mach ends; over the angle at Mach 20 and 20 deg it is between its neighbours.
-        let (_, database) = aero(&question.case, &library).unwrap();
+        let (_, database) = msape::problem::aero(&question.case, &library).unwrap();
         let want = database.coefficients(50.0, 0.0, 20.0_f64.to_radians());
         assert_eq!(found.over_mach[1].rows.last().unwrap().cn, want.cn);
         assert_eq!(found.over_alpha[0].polar.rows[20].alpha_deg, 20.0);

@@ -8,12 +8,13 @@ use crate::project::{Project, announce, run};
 const SECONDS: u64 = 60;
 
 /// The kinds: tests below `hostile` that draw by the seed.
-const KINDS: [&str; 8] = [
+const KINDS: [&str; 9] = [
     "entries::entries_of_a_point_mass",
     "entries::entries_of_a_rigid_body",
     "files::bytes_without_sense_as_files",
     "files::changed_outlines_and_drawings",
     "files::changed_tables",
+    "links::links_as_sent_and_changed_on_their_way",
     "texts::changed_texts_of_cases",
     "vehicles::designs_with_and_without_an_impact_sphere",
     "vehicles::outlines_their_coefficients_and_files",

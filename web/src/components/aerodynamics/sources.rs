@@ -73,7 +73,14 @@ pub fn Sources() -> impl IntoView {
             REGIMES.to_vec()
         }
     };
+    let remarks = move || {
+        let curves = view.curves.get();
+        curves.map_or_else(Vec::new, |curves| curves.remarks.clone())
+    };
     view! {
+        {move || remarks().into_iter().map(|remark| view! {
+            <p class="quiet"><span class="mark mark-extrapolated">"note"</span> " " {remark.message}</p>
+        }).collect_view()}
         <table class="facts regimes">
             <caption>"Where static coefficients come from"</caption>
             <tbody>

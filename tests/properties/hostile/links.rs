@@ -1,0 +1,66 @@
+//! Links to a design: what is sent arrives, and a link that was changed on its way says so.
+
+use super::edits::{after, edits};
+use super::samples::cases;
+use super::{Tally, hold};
+use msape::Case;
+use msape_web::link::{fragment, read};
+use msape_web::presets::{Start, starts};
+use proptest::prelude::*;
+use proptest::sample::Index;
+
+/// A case as the page holds it, from a file that somebody changed; what it has of no input is left out, since links leave it out.
+fn case_of(text: &str) -> Option<Case> {
+    let mut case = Case::from_text(text).ok()?;
+    let known = |key: &str| msape::quantity::input::find(key).is_some();
+    case.values.retain(|key, _| known(key));
+    Some(case)
+}
+
+fn arrives(case: &Case, starts: &[Start], tally: &Tally) -> Result<String, TestCaseError> {
+    let link = fragment(case, starts);
+    let linked = read(&link, starts);
+    prop_assert!(linked.is_some(), "{}", link);
+    let linked = linked.unwrap_or_default();
+    prop_assert!(linked.words.is_empty(), "{:?}\n{}", linked.words, link);
+    let got = linked.case.map(|brought| brought.case);
+    // as text, in which a number that is none is itself
+    prop_assert_eq!(format!("{got:?}"), format!("{:?}", Some(case)), "{}", link);
+    tally.one("arrived");
+    Ok(link)
+}
+
+#[test]
+fn links_as_sent_and_changed_on_their_way() {
+    let (cases, starts) = (cases(), starts());
+    let drawn = (any::<Index>(), any::<Index>(), edits(), edits());
+    hold(
+        "links",
+        1_500,
+        &drawn,
+        |(one, other, of_case, of_link), tally| {
+            let file = |index: &Index| cases[index.index(cases.len())].as_bytes();
+            let bytes = after(file(one), of_case, file(other));
+            let Some(case) = case_of(&String::from_utf8_lossy(&bytes)) else {
+                return Ok(());
+            };
+            let link = arrives(&case, &starts, tally)?;
+            let changed = after(link.as_bytes(), of_link, file(other));
+            let changed = String::from_utf8_lossy(&changed);
+            let Some(linked) = read(&changed, &starts) else {
+                tally.one("no link any more");
+                return Ok(());
+            };
+            let same = linked.case.is_some_and(|brought| brought.case == case);
+            let has_sum = changed.contains("?k=");
+            prop_assert!(
+                same || !linked.words.is_empty() || !has_sum,
+                "changed without a word:\n{}\n{}",
+                link,
+                changed
+            );
+            tally.one(if same { "the same" } else { "told" });
+            Ok(())
+        },
+    );
+}
