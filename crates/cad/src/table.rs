@@ -15,10 +15,12 @@ mod heading;
 mod heating;
 pub(crate) mod layout;
 mod number;
+mod places;
 pub(crate) mod quantity;
 mod separator;
 pub(crate) mod sheet;
 mod squeezed;
+mod units;
 mod wind;
 
 use crate::text::{NotText, decode};
@@ -220,13 +222,32 @@ pub enum TableFault {
         /// The quantity.
         name: &'static str,
     },
+    /// One quantity in two units that do not say the same.
+    #[error(
+        "line {line}: {name} is {} in column {} and {} in column {}, both in SI; take the wrong one of the two columns out",
+        values[0], columns[0], values[1], columns[1]
+    )]
+    Disagree {
+        /// Line of the file.
+        line: u64,
+        /// The quantity.
+        name: &'static str,
+        /// The two columns, from 1.
+        columns: [usize; 2],
+        /// What they say, in SI.
+        values: [f64; 2],
+    },
     /// A unit that is not known for its column.
-    #[error("header: column {column}: got the unit \"{unit}\", must be one of {expected}")]
+    #[error(
+        "header: column {column}: got the unit \"{unit}\", must be one of {expected}; if the column is no {name}, give it another name"
+    )]
     UnknownUnit {
         /// Column, from 1.
         column: usize,
         /// The unit, shortened.
         unit: String,
+        /// The quantity.
+        name: &'static str,
         /// Units that are understood.
         expected: &'static str,
     },
@@ -246,7 +267,7 @@ pub enum TableFault {
     },
     /// Angles in radians under a heading that does not say so.
     #[error(
-        "header: the largest angle is {0}, which is pi or a part of it; name its unit, alpha_deg or alpha_rad"
+        "header: the largest angle is {0}, which is pi or a part of it, or a whole number of deg in rad; name its unit, alpha_deg or alpha_rad"
     )]
     Radians(f64),
     /// A plain H on the Earth.
@@ -261,6 +282,69 @@ pub enum TableFault {
     NotADensity {
         /// Line of the file.
         line: u64,
+    },
+    /// The same of one that is denser than any air.
+    #[error(
+        "line {line}: the second column is {value}, which is no density in kg/m3; name the columns in a heading"
+    )]
+    TooDense {
+        /// Line of the file.
+        line: u64,
+        /// What stands there.
+        value: f64,
+    },
+    /// A quantity without unit that is not in the one taken.
+    #[error(
+        "line {line}: the heading names no unit for {name}, and {value} is no {name} there in {taken}; name its unit, {such}"
+    )]
+    NoUnit {
+        /// Line of the file.
+        line: u64,
+        /// The quantity.
+        name: &'static str,
+        /// What stands there.
+        value: f64,
+        /// The unit taken.
+        taken: &'static str,
+        /// A heading that may be meant.
+        such: &'static str,
+    },
+    /// An altitude without unit that is not in m.
+    #[error(
+        "header: the altitude has no unit and is no m: density would be {fall:.1} times less {rise} m higher; name it with its unit, altitude_km"
+    )]
+    Steep {
+        /// From the lowest row to the highest, m.
+        rise: f64,
+        /// Density of the one in that of the other.
+        fall: f64,
+    },
+    /// Rows of one Mach number that belong to several curves.
+    #[error(
+        "line {line}: at mach {mach} {name} goes from {} to {}, and the columns left out tell its rows apart: {others}; keep the rows of one curve",
+        range[0], range[1]
+    )]
+    Curves {
+        /// Line of the file.
+        line: u64,
+        /// Mach number.
+        mach: f64,
+        /// The quantity.
+        name: &'static str,
+        /// Least and largest value.
+        range: [f64; 2],
+        /// The columns.
+        others: String,
+    },
+    /// Mach numbers that rise and fall, as along a flight.
+    #[error(
+        "line {line}: mach falls here and in {more} more lines, as along a flight; keep one row a Mach number, or the rows of one branch, in ascending order"
+    )]
+    Branches {
+        /// Line of the file.
+        line: u64,
+        /// Other lines in which it does.
+        more: usize,
     },
     /// A pressure that gives no density, as the gas is not known.
     #[error(
