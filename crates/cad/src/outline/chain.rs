@@ -337,7 +337,7 @@ mod tests {
             line(6.0, 1.0, 6.0, 2.0),
             line(6.0, 2.0, 5.0, 1.0),
         ]);
-        assert!(island.contains("3 of 5 pieces"), "{island}");
+        assert!(island.contains("line 7: 3 of 5 pieces"), "{island}");
     }
 
     #[test]

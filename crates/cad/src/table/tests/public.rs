@@ -1,4 +1,4 @@
-//! Layouts of public files, each with a few lines of our own; `docs/files.md` names the files.
+//! Layouts of public files, each with a few lines of our own; `docs/faults.md` names the files.
 
 use super::*;
 
@@ -28,6 +28,24 @@ fn blanks_in_fixed_columns_leave_the_other_cells_in_their_places() {
     let left =
         "z_m    x     rho_kgm3\n0      1     1.225\n5000         0.7361\n10000        0.4135\n";
     same(&air(left).rows, &AIR);
+}
+
+/// A tab too many in the first row, a heading of commas, tabs and blanks, static values beside dynamic ones, falling altitudes.
+#[test]
+fn atmospheres_in_the_headings_of_public_files() {
+    let whole: [&[f64]; 3] = [
+        &[0.0, 1.225, 288.15, 101_325.0],
+        &[5e3, 0.7361, 255.65, 54_048.0],
+        &[1e4, 0.4135, 223.15, 26_499.0],
+    ];
+    for text in [
+        "#Z(m)\tTemp(K)\tPres (Nm2)\trho(kgm3)\ta (m/s)\n0\t\t288.15\t1.01325E+05\t1.225E+00\t340.3\n5000\t255.65\t5.4048E+04\t7.361E-01\t320.5\n10000\t223.15\t2.6499E+04\t4.135E-01\t299.5\n",
+        "#h,m\tT, k    P, N/m2\t\trho, kg/m3\t\ta, m/s\n0\t\t288.15\t1.01325E+05\t1.225E+00\t340.3\n5000\t255.65\t5.4048E+04\t7.361E-01\t320.5\n10000\t223.15\t2.6499E+04\t4.135E-01\t299.5\n",
+        "Altitude [m];Velocity [m/s];Temperature [K];Static Pressure [Pa];Static Density [kg/m^3];Dynamic Pressure [Pa];\n0;1;288.15;101325;1.225;0.6;\n5000;2;255.65;54048;0.7361;2.4;\n10000;3;223.15;26499;0.4135;5.5;\n",
+        "# from a probe\n#Z(km)\tT(K)\tP (N/m2)\trho(kg/m3)\ta (m/s)\n10.00\t223.15\t2.6499E+04\t4.135E-01\t299.5\n5.00\t255.65\t5.4048E+04\t7.361E-01\t320.5\n0.00\t288.15\t1.01325E+05\t1.225E+00\t340.3",
+    ] {
+        same(&air(text).rows, &whole);
+    }
 }
 
 /// Altitude in km and in ft, temperature in R and in K.
