@@ -11,22 +11,26 @@ mod atmosphere;
 mod cells;
 mod columns;
 mod curve;
+mod fault;
 mod heading;
 mod heating;
 pub(crate) mod layout;
 mod number;
+mod places;
 pub(crate) mod quantity;
 mod separator;
 pub(crate) mod sheet;
 mod squeezed;
+mod units;
 mod wind;
 
-use crate::text::{NotText, decode};
+use crate::text::decode;
 use msape::case::Reader;
 use msape::library::named;
 use msape::planet::atmosphere::Atmosphere;
 use msape::{Case, Library};
-use thiserror::Error;
+
+pub use fault::TableFault;
 
 /// Faults are listed up to this number.
 pub(crate) const MOST_FAULTS: usize = 100;
@@ -107,192 +111,6 @@ pub struct Table {
     pub rows: Vec<Vec<f64>>,
     /// What the reader decided or left out, one sentence each without its full stop.
     pub remarks: Vec<String>,
-}
-
-/// One thing wrong with a file; lines are counted from 1.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum TableFault {
-    /// Bytes that are no text.
-    #[error("{0}")]
-    NotText(#[from] NotText),
-    /// No line of numbers.
-    #[error("the file holds no row of numbers")]
-    Empty,
-    /// A cell that is not a number.
-    #[error("line {line}: column {column}: got \"{text}\", must be a number")]
-    NotANumber {
-        /// Line of the file.
-        line: u64,
-        /// Column, from 1.
-        column: usize,
-        /// The cell, shortened.
-        text: String,
-    },
-    /// A blank cell where every number counts.
-    #[error(
-        "line {line}: column {column}: got \"{text}\", must be a number; the table has a hole there"
-    )]
-    Hole {
-        /// Line of the file.
-        line: u64,
-        /// Column, from 1.
-        column: usize,
-        /// The cell, shortened.
-        text: String,
-    },
-    /// A number beyond what can be reckoned with once it stands in SI.
-    #[error("line {line}: column {column}: got \"{text}\", which is no finite number in SI")]
-    TooLarge {
-        /// Line of the file.
-        line: u64,
-        /// Column, from 1.
-        column: usize,
-        /// The cell, shortened.
-        text: String,
-    },
-    /// A row of which something derived is no finite number.
-    #[error("row {row}: got {value} where the columns give the rest, must be a finite number")]
-    NotFinite {
-        /// Row of the table, from 1.
-        row: usize,
-        /// What came out.
-        value: f64,
-    },
-    /// Too few or too many cells.
-    #[error("line {line}: got {found} fields, must be {wanted}")]
-    Fields {
-        /// Line of the file.
-        line: u64,
-        /// Cells in it.
-        found: usize,
-        /// Cells of the other lines.
-        wanted: usize,
-    },
-    /// Decimal points and decimal commas in one file.
-    #[error("both signs stand for the decimal sign: \"{}\" (line {}) and \"{}\" (line {}); use one of them", texts[0], lines[0], texts[1], lines[1])]
-    TwoDecimalSigns {
-        /// Lines of the two.
-        lines: [u64; 2],
-        /// The cells, shortened.
-        texts: [String; 2],
-    },
-    /// A sign that groups thousands, or stands for decimals.
-    #[error(
-        "line {line}: got \"{text}\", which may be thousands or decimals; write it without the sign, or with other decimals"
-    )]
-    Thousands {
-        /// Line of the file.
-        line: u64,
-        /// The cell, shortened.
-        text: String,
-    },
-    /// A heading of which nothing is known.
-    #[error("line {line}: header: got {names}; must be of {expected}, with their units")]
-    UnknownHeading {
-        /// Line of the file.
-        line: u64,
-        /// Its cells, shortened.
-        names: String,
-        /// Names that are understood.
-        expected: String,
-    },
-    /// Rows that no heading names, and that may not go without.
-    #[error(
-        "the rows have {columns} columns and no heading names them; name {expected} above them"
-    )]
-    NoHeading {
-        /// Columns of the rows.
-        columns: usize,
-        /// Names that are understood.
-        expected: String,
-    },
-    /// A column that is named twice.
-    #[error(
-        "line {line}: header: column {column}: \"{text}\" is {name} a second time; take one of the two out"
-    )]
-    TwiceNamed {
-        /// Line of the file.
-        line: u64,
-        /// Column, from 1.
-        column: usize,
-        /// The heading, shortened.
-        text: String,
-        /// The quantity.
-        name: &'static str,
-    },
-    /// A unit that is not known for its column.
-    #[error("header: column {column}: got the unit \"{unit}\", must be one of {expected}")]
-    UnknownUnit {
-        /// Column, from 1.
-        column: usize,
-        /// The unit, shortened.
-        unit: String,
-        /// Units that are understood.
-        expected: &'static str,
-    },
-    /// A needed column is missing.
-    #[error("header: no column for {name}{}", if others.is_empty() { String::new() } else { format!("; the others are {others}") })]
-    MissingColumn {
-        /// The quantity.
-        name: &'static str,
-        /// Columns that are not understood.
-        others: String,
-    },
-    /// A line between heading and numbers that is neither.
-    #[error("line {line}: neither units of the heading above nor numbers")]
-    NeitherUnitsNorNumbers {
-        /// Line of the file.
-        line: u64,
-    },
-    /// Angles in radians under a heading that does not say so.
-    #[error(
-        "header: the largest angle is {0}, which is pi or a part of it; name its unit, alpha_deg or alpha_rad"
-    )]
-    Radians(f64),
-    /// A plain H on the Earth.
-    #[error(
-        "header: H is geopotential altitude in standard atmospheres and height elsewhere; name it geopotential_altitude or altitude"
-    )]
-    CapitalH,
-    /// A table without heading whose second column is no density.
-    #[error(
-        "line {line}: the second column grows with height, as no density does; name the columns in a heading"
-    )]
-    NotADensity {
-        /// Line of the file.
-        line: u64,
-    },
-    /// A pressure that gives no density, as the gas is not known.
-    #[error(
-        "header: no column for density; it is not found from pressure and temperature, as the gas of this planet is not known"
-    )]
-    UnknownGas,
-    /// Pressure altitudes off the Earth, or without temperature and density.
-    #[error("header: pressure altitude is a pressure; {0}")]
-    PressureAltitude(&'static str),
-    /// Rows that are in no order.
-    #[error("line {line}: {name} {value} after {before}; rows must ascend in it, or descend")]
-    Order {
-        /// Line of the file.
-        line: u64,
-        /// The quantity.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// That of the row before.
-        before: f64,
-    },
-    /// Columns of another input than the rows are for.
-    #[error("the columns are those of {found}, must be those of {wanted}")]
-    OtherTable {
-        /// Key of the input that takes such columns.
-        found: &'static str,
-        /// Key of the input that the rows are for.
-        wanted: String,
-    },
-    /// What the table itself says of its rows.
-    #[error("{0}")]
-    Rows(String),
 }
 
 /// The keys that name a file.

@@ -227,10 +227,12 @@ fn gap(end: &End, loose: &[End], paths: &[Path], tolerance_m: f64) -> ImportFaul
 fn walk(first: End, ends: &Ends, paths: &[Path]) -> Result<Path, Vec<ImportFault>> {
     let mut points: Vec<[f64; 3]> = Vec::new();
     let mut place = Place::Line(0);
-    let mut used = 0;
+    let mut used = vec![false; paths.len()];
     let mut end = first;
-    while let Some(path) = paths.get(end.path).filter(|_| used < paths.len()) {
-        used += 1;
+    while let Some(path) = paths.get(end.path).filter(|_| used.contains(&false)) {
+        if let Some(used) = used.get_mut(end.path) {
+            *used = true;
+        }
         place = path.place;
         let path = match end.second {
             0 => path.clone(),
@@ -257,10 +259,12 @@ fn walk(first: End, ends: &Ends, paths: &[Path]) -> Result<Path, Vec<ImportFault
             None => break,
         }
     }
-    if used < paths.len() {
+    let mut loose = paths.iter().zip(&used).filter(|(_, used)| !**used);
+    if let Some((path, _)) = loose.next() {
         let message = format!(
-            "{} of {} pieces are not connected with the chain from axis to axis",
-            paths.len() - used,
+            "{}: {} of {} pieces are not connected with the chain from axis to axis, this one the first; leave in the drawing what belongs to the outline",
+            path.place,
+            loose.count() + 1,
             paths.len()
         );
         return Err(vec![ImportFault::Chain(message)]);
@@ -333,7 +337,7 @@ mod tests {
             line(6.0, 1.0, 6.0, 2.0),
             line(6.0, 2.0, 5.0, 1.0),
         ]);
-        assert!(island.contains("3 of 5 pieces"), "{island}");
+        assert!(island.contains("line 7: 3 of 5 pieces"), "{island}");
     }
 
     #[test]

@@ -17,6 +17,7 @@ use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Table, TableFault};
 use msape::aero::table::{Extrapolation, Grid, Row, in_radians};
+use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 const COEFFICIENTS: Layout = Layout {
     quantities: &[
@@ -34,6 +35,15 @@ const COEFFICIENTS: Layout = Layout {
     bare: (&[Quantity::Mach, Quantity::Drag], 2),
     whole: true,
 };
+/// What is left of a whole angle in deg that is printed in rad with four decimals or more, deg: 0.00005 rad are 0.003 deg.
+const WHOLE_DEG: f64 = 3e-3;
+/// Largest Mach number of a table.
+const MOST_MACH: f64 = 1000.0;
+/// Largest difference of mirrored coefficients: tables are printed to three or four decimals.
+const ALIKE: f64 = 2e-3;
+/// Angles that are one, deg.
+const SAME_DEG: f64 = 1e-9;
+
 const DAMPING: Layout = Layout {
     quantities: &[
         Quantity::Mach,
@@ -67,10 +77,11 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
         );
     }
     let mut faults = Vec::new();
-    for quantity in [Quantity::Mach, Quantity::Alpha] {
-        if !sheet.has(quantity) {
-            faults.push(sheet.missing(quantity.names().0));
+    if !sheet.has(Quantity::Alpha) {
+        if !sheet.has(Quantity::Mach) {
+            faults.push(sheet.missing(Quantity::Mach.names().0));
         }
+        faults.push(sheet.missing(Quantity::Alpha.names().0));
     }
     let forces = sheet.has(Quantity::AxialForce) && sheet.has(Quantity::NormalForce);
     let lift = !forces && sheet.has(Quantity::Drag) && sheet.has(Quantity::Lift);
@@ -106,8 +117,55 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
         .iter()
         .map(|(line, cells)| row(&sheet, *line, cells, lift))
         .collect();
+    if !sheet.has(Quantity::Mach) {
+        sheet
+            .remarks
+            .push("without a Mach number its coefficients count at every one".to_owned());
+        rows = of_every_mach(&rows);
+    }
     sorted(&mut rows, &mut sheet.remarks);
+    without_mirrored(&mut rows, &mut sheet.remarks);
     table(sheet, "vehicle.aerodynamics.table", &rows, Row::cells)
+}
+
+/// The rows at both ends of the Mach numbers that a table may have.
+fn of_every_mach(rows: &[Row]) -> Vec<Row> {
+    let at = |mach: f64| rows.iter().map(move |row| Row { mach, ..*row });
+    at(0.0).chain(at(MOST_MACH)).collect()
+}
+
+/// Leaves out the rows below 0 deg where each is the mirror image of one above, which may go on to larger angles.
+fn without_mirrored(rows: &mut Vec<Row>, remarks: &mut Vec<String>) {
+    let above: Vec<Row> = rows
+        .iter()
+        .filter(|r| r.alpha_deg >= 0.0)
+        .copied()
+        .collect();
+    let mirrors = |row: &Row, other: &Row| {
+        let place = |r: &Row| [r.mach, r.knudsen.or(r.altitude_m).unwrap_or(0.0)];
+        let same = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            (Some(a), Some(b)) => (a - b).abs() <= ALIKE,
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let turned = |value: Option<f64>| value.map(|value| -value);
+        place(row) == place(other)
+            && (row.alpha_deg + other.alpha_deg).abs() < SAME_DEG
+            && same(row.ca, other.ca)
+            && same(row.cd, other.cd)
+            && same(row.cmq, other.cmq)
+            && same(row.cn, turned(other.cn))
+            && same(row.cl, turned(other.cl))
+            && same(row.cm, turned(other.cm))
+    };
+    let below = rows.len() - above.len();
+    let all = rows
+        .iter()
+        .filter(|row| row.alpha_deg < 0.0)
+        .all(|row| above.iter().any(|other| mirrors(row, other)));
+    if below > 0 && all {
+        remarks.push("the angles below 0 deg mirror those above and are left out".to_owned());
+        *rows = above;
+    }
 }
 
 /// Rows of mach, alpha_deg, cmq and knudsen.
@@ -203,6 +261,13 @@ fn radians(sheet: &Sheet) -> Option<TableFault> {
         .rows
         .iter()
         .filter_map(|(_, row)| row.get(place).map(|alpha| alpha.abs()));
-    let largest = angles.fold(0.0, f64::max);
-    (!named && in_radians(largest)).then_some(TableFault::Radians(largest))
+    let largest = angles.clone().fold(0.0, f64::max);
+    // every angle is a whole number of degrees in radians, and none is one as it stands
+    let whole = |angle: f64| {
+        let deg = angle / RADIANS_PER_DEGREE;
+        deg >= 0.5 && (deg - deg.round()).abs() < WHOLE_DEG
+    };
+    let all =
+        angles.filter(|angle| *angle > 0.0).all(whole) && largest > 0.0 && largest <= 2.0 * PI;
+    (!named && (all || in_radians(largest))).then_some(TableFault::Radians(largest))
 }

@@ -22,7 +22,7 @@ use numerics::math::ln;
 /// Standard gravity, m/s²; \[coesa-1976\].
 pub(super) const G_0_M_S2: f64 = 9.80665;
 /// Top of the air of one composition, m; \[coesa-1976\].
-const MIXED_TO_M: f64 = 86e3;
+pub(super) const MIXED_TO_M: f64 = 86e3;
 /// Least share by which the two altitudes must differ to be told apart by figures of three or four digits; assumed.
 const LEAST_DIFFERENCE: f64 = 0.004;
 /// How near to one of the two the figures must be, of the distance between them; assumed.

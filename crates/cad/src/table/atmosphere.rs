@@ -15,14 +15,23 @@
 //! # References
 //! - \[coesa-1976\] for geopotential altitude, constants and pressure; \[wmo-8\] for soundings.
 
-use super::altitude::{G_0_M_S2, Heights, geometric_m};
+use super::altitude::{G_0_M_S2, Heights, MIXED_TO_M, geometric_m};
 use super::columns::without_unit;
 use super::curve::{ascending, in_order};
-use super::layout::Layout;
+use super::layout::{Layout, Sheet};
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
 use numerics::math::ln;
+
+/// Density above which there is no air, kg/m³; 65 at the surface of Venus in the atmosphere shipped; assumed.
+const DENSEST_KG_M3: f64 = 100.0;
+/// Scale height below which there is none, m: a tenth of the lowest of the planets shipped; assumed.
+const THINNEST_M: f64 = 300.0;
+/// Part of the standard pressure of the Earth below which a pressure without unit is none in Pa; assumed.
+const LOW: f64 = 0.05;
+/// Density falls by more than this where the scale height is judged; assumed.
+const TELLING: f64 = 2.0;
 
 const ATMOSPHERE: Layout = Layout {
     quantities: &[
@@ -96,8 +105,14 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
         }
         rows.push((*line, cells));
     }
-    if !sheet.headed {
+    if sheet.headed {
+        has_its_unit(&sheet, &rows, ground)?;
+    } else {
         falls_with_height(&rows)?;
+        is_density(&rows)?;
+    }
+    if !sheet.has_unit(Quantity::Altitude) {
+        is_in_metres(&rows)?;
     }
     sheet.remarks.extend(without_unit(&sheet));
     sheet.remarks.extend(heights.remark(ground));
@@ -146,6 +161,60 @@ pub(super) fn without_repeats(rows: &mut Vec<(u64, Vec<f64>)>, remarks: &mut Vec
             before - rows.len()
         ));
     }
+}
+
+/// A fault where temperatures without unit are none in K, or pressures of the Earth none in Pa.
+fn has_its_unit(
+    sheet: &Sheet,
+    rows: &[(u64, Vec<f64>)],
+    ground: &Ground,
+) -> Result<(), Vec<TableFault>> {
+    let fault = |line: u64, name, value, taken, such| TableFault::NoUnit {
+        line,
+        name,
+        value,
+        taken,
+        such,
+    };
+    for ((line, cells), (_, row)) in sheet.rows.iter().zip(rows) {
+        let of = |q: Quantity| sheet.value(cells, q).filter(|_| !sheet.has_unit(q));
+        if let Some(value) = of(Quantity::Temperature).filter(|t| *t <= 0.0) {
+            let found = fault(*line, "temperature", value, "K", "temperature_C");
+            return Err(vec![found]);
+        }
+        let standard = ground.standard.as_ref().filter(|_| row[0] <= MIXED_TO_M);
+        if let (Some(value), Some(air)) = (of(Quantity::Pressure), standard)
+            && value < LOW * air.air(row[0]).pressure_pa
+        {
+            let found = fault(*line, "pressure", value, "Pa", "pressure_hPa");
+            return Err(vec![found]);
+        }
+    }
+    Ok(())
+}
+
+/// A fault where a table without heading has temperatures or pressures in its second column.
+fn is_density(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
+    let density = |(line, row): &(u64, Vec<f64>)| Some((*line, *row.get(1)?));
+    let found = rows.iter().filter_map(density);
+    match found.into_iter().find(|(_, value)| *value > DENSEST_KG_M3) {
+        Some((line, value)) => Err(vec![TableFault::TooDense { line, value }]),
+        None => Ok(()),
+    }
+}
+
+/// A fault where altitudes without unit, taken in m, make an atmosphere thinner than any.
+fn is_in_metres(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
+    let ends = rows.first().zip(rows.last());
+    let Some(((_, first), (_, last))) = ends else {
+        return Ok(());
+    };
+    let rise = (last[0] - first[0]).abs();
+    let fall = (first[1] / last[1]).max(last[1] / first[1]);
+    if fall.is_finite() && fall > TELLING && rise < ln(fall) * THINNEST_M {
+        return Err(vec![TableFault::Steep { rise, fall }]);
+    }
+    Ok(())
 }
 
 /// A fault where a table without heading has a second column that no density is.

@@ -28,6 +28,8 @@ pub struct Line<'t> {
     pub number: u64,
     /// What stands in it, without the sign of a comment.
     pub text: &'t str,
+    /// Characters before that.
+    pub indent: usize,
     /// Whether it is a comment.
     pub comment: bool,
 }
@@ -55,9 +57,13 @@ pub fn lines(text: &str) -> (Vec<Line<'_>>, Option<Separator>) {
                 // tabs at the ends separate cells, blanks do not
                 line.trim_matches(['\n', ' '])
             };
+            let before = text.as_ptr().addr() - line.as_ptr().addr();
             lines.push(Line {
                 number,
                 text,
+                indent: line
+                    .get(..before)
+                    .map_or(0, |blanks| blanks.chars().count()),
                 comment,
             });
         }

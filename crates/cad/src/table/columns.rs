@@ -174,9 +174,10 @@ fn named(
         rows: Vec::new(),
         headed: true,
         unknown: Vec::new(),
+        twice: Vec::new(),
         remarks: Vec::new(),
     };
-    let mut faults = Vec::new();
+    let (mut faults, mut odd) = (Vec::new(), Vec::new());
     for (place, name) in names.iter().enumerate() {
         let of_row = units.and_then(|units| units.get(place)).map(String::as_str);
         match heading(name, layout.quantities) {
@@ -184,34 +185,39 @@ fn named(
                 let unit = unit
                     .or(of_row.filter(|unit| *unit != "-"))
                     .unwrap_or_default();
-                if sheet.has(quantity) {
-                    faults.push(TableFault::TwiceNamed {
-                        line,
-                        column: place + 1,
-                        text: shown(name),
-                        name: quantity.names().0,
-                    });
-                } else if let Some((factor, offset)) = quantity.unit(unit) {
+                if let Some((factor, offset)) = quantity.unit(unit) {
                     sheet.columns.push(Column {
                         quantity,
                         place,
                         named_unit: !unit.is_empty(),
+                        spare: false,
                         factor,
                         offset,
                     });
                 }
             }
-            Heading::OddUnit(quantity, unit) => faults.push(TableFault::UnknownUnit {
-                column: place + 1,
-                unit: shown(unit),
-                expected: quantity.units().0,
-            }),
+            Heading::OddUnit(quantity, unit) => odd.push((quantity, place, unit)),
             Heading::Unknown => sheet.unknown.push(shown(name)),
         }
-        if faults.len() >= MOST_FAULTS {
-            break;
-        }
     }
+    super::units::chosen(&mut sheet, names, line, &mut faults);
+    for (quantity, place, unit) in odd {
+        // the same in a unit that is known is enough
+        let other = sheet.columns.iter().find(|c| c.quantity == quantity);
+        if other.is_some_and(|column| column.named_unit) {
+            sheet
+                .unknown
+                .extend(names.get(place).map(|name| shown(name)));
+            continue;
+        }
+        faults.push(TableFault::UnknownUnit {
+            column: place + 1,
+            unit: shown(unit),
+            name: quantity.names().0,
+            expected: quantity.units().0,
+        });
+    }
+    faults.truncate(MOST_FAULTS);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -278,6 +284,7 @@ fn bare(
             quantity: *quantity,
             place,
             named_unit: false,
+            spare: false,
             factor: 1.0,
             offset: 0.0,
         });
@@ -291,6 +298,7 @@ fn bare(
         rows: Vec::new(),
         headed: false,
         unknown: Vec::new(),
+        twice: Vec::new(),
         remarks: vec![format!(
             "the file names no columns; they are taken as {}",
             names.join(", ")

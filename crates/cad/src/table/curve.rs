@@ -10,10 +10,15 @@
 //! # References
 //! - Own convention.
 
-use super::layout::{Layout, Sheet};
+use super::layout::{Layout, Sheet, listed};
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{MOST_FAULTS, Table, TableFault};
+
+/// Part by which rows of one Mach number and one curve may differ: rounded Mach numbers of an export; assumed.
+const ONE_CURVE: f64 = 0.1;
+/// Lines in which the Mach number falls that are told one by one.
+const MOST_FALLS: usize = 3;
 
 const DRAG: Layout = Layout {
     quantities: &[Quantity::Mach, Quantity::Drag, Quantity::Alpha],
@@ -108,7 +113,9 @@ pub(super) fn curve(
     }
     ascending(&mut rows, x.names().0, &mut sheet.remarks);
     let mut rows = if x == Quantity::Mach {
-        means(rows, &mut sheet.remarks)
+        let rows = means(rows, &mut sheet, y)?;
+        one_branch(&rows)?;
+        rows
     } else {
         rows
     };
@@ -120,8 +127,24 @@ pub(super) fn curve(
     })
 }
 
-/// Rows of the same first number as their mean.
-fn means(rows: Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) -> Vec<(u64, Vec<f64>)> {
+/// One fault in the place of many where Mach numbers fall again and again.
+fn one_branch(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
+    let mut falls = rows.windows(2).filter_map(|pair| match pair {
+        [(_, a), (line, b)] => (b.first() <= a.first()).then_some(*line),
+        _ => None,
+    });
+    match (falls.next(), falls.count()) {
+        (Some(line), more) if more > MOST_FALLS => Err(vec![TableFault::Branches { line, more }]),
+        _ => Ok(()),
+    }
+}
+
+/// Rows of the same first number as their mean; a fault where they belong to several curves.
+fn means(
+    rows: Vec<(u64, Vec<f64>)>,
+    sheet: &mut Sheet,
+    y: Quantity,
+) -> Result<Vec<(u64, Vec<f64>)>, Vec<TableFault>> {
     let mut joined: Vec<(u64, Vec<f64>)> = Vec::with_capacity(rows.len());
     let (mut groups, mut widest) = (0, (0, 0.0));
     for same in rows.chunk_by(|(_, a), (_, b)| a.first() == b.first()) {
@@ -138,6 +161,15 @@ fn means(rows: Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) -> Vec<(u64, Vec
             if high - low > widest.1 {
                 widest = (*line, high - low);
             }
+            if !sheet.unknown.is_empty() && high - low > ONE_CURVE * high.abs().max(low.abs()) {
+                return Err(vec![TableFault::Curves {
+                    line: *line,
+                    mach: row.first().copied().unwrap_or_default(),
+                    name: y.names().0,
+                    range: [low, high],
+                    others: listed(&sheet.unknown),
+                }]);
+            }
             if let Some(value) = row.get_mut(1) {
                 *value = values().sum::<f64>() / same.len() as f64;
             }
@@ -150,11 +182,11 @@ fn means(rows: Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) -> Vec<(u64, Vec
         } else {
             String::new()
         };
-        remarks.push(format!(
+        sheet.remarks.push(format!(
             "at {groups} Mach numbers stands more than one row, of which the mean is taken{apart}"
         ));
     }
-    joined
+    Ok(joined)
 }
 
 /// Turns rows round that descend.

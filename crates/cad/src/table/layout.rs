@@ -34,6 +34,8 @@ pub struct Column {
     pub place: usize,
     /// Whether the file names its unit.
     pub named_unit: bool,
+    /// Whether another column has the same quantity in another unit and is the one that is read.
+    pub spare: bool,
     /// SI units, or deg, in its unit.
     pub factor: f64,
     /// What is added to it.
@@ -51,6 +53,8 @@ pub struct Sheet {
     pub headed: bool,
     /// Columns that were left out.
     pub unknown: Vec<String>,
+    /// Faults of the spare columns, in their order, where no number tells that they agree with those that are read.
+    pub twice: Vec<TableFault>,
     /// What was decided on the way.
     pub remarks: Vec<String>,
 }
@@ -66,6 +70,12 @@ impl Sheet {
         self.columns
             .iter()
             .position(|column| column.quantity == quantity)
+    }
+
+    /// Whether the file names the unit of a quantity; of one that it has not, too.
+    pub fn has_unit(&self, quantity: Quantity) -> bool {
+        let column = self.place(quantity).and_then(|n| self.columns.get(n));
+        column.is_none_or(|column| column.named_unit)
     }
 
     /// The number of a quantity in a row.
@@ -90,6 +100,8 @@ pub(super) struct Cut<'t> {
     pub cells: Cells<'t>,
     /// Whether most of it are numbers.
     pub data: bool,
+    /// Whether its cells stand where the heading says, blanks among them.
+    pub placed: bool,
 }
 
 /// Whether a line only divides others.

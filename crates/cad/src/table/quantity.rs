@@ -80,6 +80,9 @@ impl Quantity {
                     "höhe",
                     "hoehe",
                     "hauteur",
+                    "quota",
+                    "altura",
+                    "altitud",
                 ],
             ),
             Self::Geopotential => (
@@ -122,8 +125,11 @@ impl Quantity {
                     "dens",
                     "airdensity",
                     "massdensity",
+                    "staticdensity",
                     "dichte",
                     "densité",
+                    "densità",
+                    "densidad",
                 ],
             ),
             Self::Temperature => (
@@ -135,8 +141,10 @@ impl Quantity {
                     "tmp",
                     "tmpc",
                     "airtemperature",
+                    "statictemperature",
                     "temperatur",
                     "température",
+                    "temperatura",
                 ],
             ),
             Self::Pressure => (
@@ -150,6 +158,8 @@ impl Quantity {
                     "staticpressure",
                     "druck",
                     "pression",
+                    "pressione",
+                    "presión",
                 ],
             ),
             Self::Eastward => (
@@ -213,10 +223,22 @@ impl Quantity {
             Self::Mach => ("mach", &["mach", "m", "ma", "machnumber", "machzahl"]),
             Self::Alpha => (
                 "alpha_deg",
-                &["alpha", "aoa", "angleofattack", "totalangleofattack", "α"],
+                &[
+                    "alpha",
+                    "aoa",
+                    "angleofattack",
+                    "totalangleofattack",
+                    "totalaoa",
+                    "totalalpha",
+                    "alfa",
+                    "α",
+                ],
             ),
             Self::Knudsen => ("knudsen", &["kn", "knudsen", "knudsennumber"]),
-            Self::AxialForce => ("ca", &["ca", "caxial", "axialforcecoefficient"]),
+            Self::AxialForce => (
+                "ca",
+                &["ca", "caxial", "axialforcecoefficient", "capoweroff"],
+            ),
             Self::NormalForce => ("cn", &["cn", "cnormal", "normalforcecoefficient"]),
             Self::Drag => (
                 "cd",

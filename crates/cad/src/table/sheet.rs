@@ -15,15 +15,17 @@ use super::cells;
 use super::columns::columns;
 use super::layout::{Column, Cut, Layout, Sheet, is_rule};
 use super::number::{Cell, Spelling, is_number};
+use super::places::place;
 use super::quantity::Quantity;
 use super::separator::Separator;
+use super::units;
 use super::{MOST_FAULTS, TableFault, shown};
 
 /// The columns and numbers of a text.
 pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
     let (lines, named) = cells::lines(text);
     let separator = named.unwrap_or_else(|| cells::separator(&lines));
-    let cuts: Vec<Cut> = lines
+    let mut cuts: Vec<Cut> = lines
         .into_iter()
         .map(|line| {
             let cells = cells::split(line.text, separator);
@@ -33,10 +35,14 @@ pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
                 data: !line.comment && numbers > 0 && 2 * numbers >= filled,
                 line,
                 cells,
+                placed: false,
             }
         })
         .collect();
-    let first = cuts.iter().position(|cut| cut.data);
+    if separator == Separator::Blanks {
+        place(&mut cuts, layout.quantities);
+    }
+    let first = first_row(&cuts);
     let last = cuts.iter().rposition(|cut| cut.data);
     let (Some(first), Some(last)) = (first, last) else {
         return Err(vec![TableFault::Empty]);
@@ -61,7 +67,23 @@ pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
         }
     }
     numbers(&mut sheet, body, (width, separator), layout)?;
+    units::agree(&sheet)?;
     Ok(sheet)
+}
+
+/// The first row of numbers; a title that ends in a number, with words between it and the rows, is none.
+fn first_row(cuts: &[Cut]) -> Option<usize> {
+    let first = cuts.iter().position(|cut| cut.data)?;
+    let whole = cuts
+        .iter()
+        .position(|cut| cut.data && cut.cells.len() == width(cuts))?;
+    let words = |cut: &Cut| !cut.data && !cut.line.comment && !is_rule(&cut.cells);
+    let between = cuts.get(first..whole).unwrap_or_default();
+    Some(if between.iter().any(words) {
+        whole
+    } else {
+        first
+    })
 }
 
 /// Cells of most lines.
@@ -111,7 +133,8 @@ fn numbers(
             break;
         }
         let (line, found) = (cut.line.number, cut.cells.len());
-        let misses = found < width && (layout.whole || separator == Separator::Blanks);
+        let blanks = separator == Separator::Blanks && !cut.placed;
+        let misses = found < width && (layout.whole || blanks);
         if found > width || misses && (layout.whole || !cut.data) {
             faults.push(TableFault::Fields {
                 line,
@@ -141,6 +164,7 @@ fn numbers(
                         });
                     }
                 }
+                Cell::Hole | Cell::Words if column.spare => row.push(f64::NAN),
                 Cell::Hole if !layout.whole => hole = true,
                 Cell::Hole => faults.push(TableFault::Hole {
                     line,
@@ -154,7 +178,9 @@ fn numbers(
                 }),
             }
         }
-        if hole {
+        if hole && cut.placed && found < width {
+            short.push(line);
+        } else if hole {
             holes.push(line);
         } else if row.len() == columns.len() {
             sheet.rows.push((line, row));

@@ -6,9 +6,11 @@
 /// A name without blanks and signs, in small letters.
 pub(super) fn squeezed(name: &str) -> String {
     name.chars()
-        .filter(|c| c.is_alphanumeric())
+        .filter(|c| c.is_alphanumeric() || *c == '®')
         .flat_map(char::to_lowercase)
         .map(|c| match c {
+            // what spreadsheets make of (R)
+            '®' => 'r',
             '³' => '3',
             '²' => '2',
             c => c,

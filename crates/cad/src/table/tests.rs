@@ -2,6 +2,7 @@ use super::*;
 use std::sync::LazyLock;
 
 mod kinds;
+mod public;
 
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 

@@ -284,6 +284,10 @@ fn of_outline(
         ),
         Outline::Faulty => None,
         Outline::Absent if reader.given("vehicle.aerodynamics.table") => {
+            let key = "vehicle.diameter_m";
+            if !reader.given(key) {
+                reader.fault(key, "missing; with vehicle.dof = 6 the moments of a table have it as their length, in m");
+            }
             table_database(reader, library, medium?, diameter_m?)
         }
         Outline::Absent => {

@@ -419,6 +419,27 @@ nose_radius_m = 0.25
         assert_eq!(said(SOUND), "");
     }
 
+    /// Without a word the command would end with code 2 and nobody would know why.
+    #[test]
+    fn a_table_without_the_length_of_its_moments_is_refused_with_its_key() {
+        let table = "cg_m = [0.2, 0.0, 0.0]\n[vehicle.aerodynamics]\ntable = [[1.0, 0.0, 1.5, 0.0], [1.0, 10.0, 1.4, 0.1]]\n";
+        let area = "reference_area_m2 = 0.7854\nreference_length_m = 1.0";
+        let case = format!("{FREE}{SOUND}{table}").replace("diameter_m = 1.0", area);
+        let faults = FlightProblem::check(
+            &Case::from_text(&case).unwrap(),
+            &Library::builtin().unwrap(),
+        );
+        let said: Vec<String> = faults
+            .unwrap_err()
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert!(
+            said.concat().contains("vehicle.diameter_m: missing"),
+            "{said:?}"
+        );
+    }
+
     #[test]
     fn every_fault_of_a_rigid_body_is_said_at_once() {
         let said = said(

@@ -65,12 +65,16 @@ impl Quantity {
             Self::Density => (
                 "kg/m3, g/m3, g/cm3, kg/km3, slug/ft3, lb/ft3",
                 &[
-                    (&["kgm3"], 1.0, 0.0),
+                    (&["kgm3", "kgcum"], 1.0, 0.0),
                     (&["gm3"], 1e-3, 0.0),
                     (&["gcm3", "gcc", "kgl", "kgdm3"], 1e3, 0.0),
                     (&["kgkm3"], 1e-9, 0.0),
-                    (&["slugft3", "slugsft3"], 515.378818393195, 0.0),
-                    (&["lbft3", "lbmft3"], 16.0184633739601, 0.0),
+                    (
+                        &["slugft3", "slugsft3", "slugcuft", "slugscuft"],
+                        515.378818393195,
+                        0.0,
+                    ),
+                    (&["lbft3", "lbmft3", "lbcuft"], 16.0184633739601, 0.0),
                 ],
             ),
             Self::Temperature => (
