@@ -21,10 +21,8 @@ use numerics::root;
 
 /// Nearest that the axis and the plane normal to it are approached, rad.
 const NUDGE_RAD: f64 = 1e-9;
-/// A sample as far as this beyond 1 may hide an extremum within.
-const STEEP: f64 = 1.0;
 /// Accuracy of the place of an extremum, of the chord between the samples beside it.
-const CLOSE: f64 = 4e-5;
+const CLOSE: f64 = 1e-6;
 /// From the circle itself as far as this, of the same chord, no extremum is sought.
 const APART: f64 = 1e-4;
 /// Nearer than this to the circle itself, diameters, the ray leaves along the surface.
@@ -335,12 +333,12 @@ impl Eye {
                 most = (n, value);
             }
         }
-        // Only an extremum among the lit cosines moves a shadow.
-        let near_lit = [
-            (least.1 > low && least.1 < high + STEEP).then_some(least.0),
-            (most.1 < high && most.1 > low - STEEP).then_some(most.0),
+        // A lower minimum or a higher maximum matters only where something lit is left beyond the sample.
+        let sought = [
+            (least.1 > low).then_some(least.0),
+            (most.1 < high).then_some(most.0),
         ];
-        for n in near_lit.into_iter().flatten() {
+        for n in sought.into_iter().flatten() {
             let last = points.len() - 1;
             let ends = [n.saturating_sub(1), (n + 1).min(last)].map(|n| points[n]);
             // on the circle itself the slope is 0 / 0
@@ -436,6 +434,32 @@ mod tests {
         assert!(reached(&at(0.42), -1.0));
         // far behind, the whole windward half is lit
         assert!(reached(&at(1.5), -0.01) && !reached(&at(1.5), 0.01));
+    }
+
+    #[test]
+    fn a_ball_shades_the_ring_behind_it_however_close_to_90_deg_the_air_comes() {
+        // a ball of radius 0.33 about the axis at x = 0.32, whose aft half stands in a ring that opens aft, as of an entry vehicle
+        let ball = |n: f64| Piece::Arc {
+            center: [0.32, 0.0],
+            radius: 0.33,
+            start_rad: (0.5 - 0.25 * n) * numerics::math::PI,
+            sweep_rad: -0.25 * numerics::math::PI,
+        };
+        let ring = line([0.345, 0.44], [0.32, 0.4]);
+        let body = Surface::of_pieces(
+            vec![ring, line([0.32, 0.4], [0.32, 0.33]), ball(0.0), ball(1.0)],
+            1.0,
+        );
+        for degrees in [90.3, 91.0, 92.0, 95.0] {
+            let wind = Wind::new(degrees * RADIANS_PER_DEGREE);
+            let station = ring.at(0.3);
+            let mut lit = windward(&station, wind);
+            cast(&mut lit, &body, 0, 0.3, wind);
+            // across the axis every ray meets the ball, whose half at this x is 0.3295 wide: sin φ < 0.3295/0.428
+            for cos in [0.66, 0.8, 1.0] {
+                assert!(!reached(&lit, cos), "{degrees} deg, {cos}: {lit:?}");
+            }
+        }
     }
 
     #[test]
