@@ -41,17 +41,24 @@ fn plain_file(key: &str, rows: &[Vec<f64>]) -> String {
         panic!("{key} takes no rows");
     };
     let width = rows.iter().map(Vec::len).max().unwrap_or_default();
-    let line = |cells: Vec<String>| cells.join(",") + "\n";
-    let head = line(
-        columns
-            .iter()
-            .take(width)
-            .map(|column| column.name.to_string())
-            .collect(),
-    );
+    // a table over altitude has a column of Knudsen numbers that nobody gave, and a file may name one of them
+    let by_altitude = columns.iter().take(width).any(|c| c.name == "altitude_m");
+    let kept = |place: usize| {
+        let name = columns.get(place).map_or("", |column| column.name);
+        !(by_altitude && name == "knudsen")
+    };
+    let line = |cells: &mut dyn Iterator<Item = (usize, String)>| {
+        let cells: Vec<String> = cells
+            .filter(|(place, _)| kept(*place))
+            .map(|(_, cell)| cell)
+            .collect();
+        cells.join(",") + "\n"
+    };
+    let names = columns.iter().take(width).map(|c| c.name.to_string());
+    let head = line(&mut names.enumerate());
     let body: String = rows
         .iter()
-        .map(|row| line(row.iter().map(f64::to_string).collect()))
+        .map(|row| line(&mut row.iter().map(f64::to_string).enumerate()))
         .collect();
     head + &body
 }
