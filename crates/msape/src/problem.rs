@@ -9,6 +9,7 @@ mod center;
 mod design;
 mod entering;
 mod flight;
+mod forms;
 mod freedom;
 mod heating;
 mod materials;

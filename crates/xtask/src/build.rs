@@ -47,6 +47,13 @@ pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     Ok(sizes)
 }
 
+/// Builds the command as the README does: `target/release/msape`.
+pub fn command(project: &Project) -> Result<()> {
+    announce("Building the command");
+    let package = ["build", "--locked", "--release", "--package", "msape-cli"];
+    run(project.command("cargo").args(package))
+}
+
 /// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.
 fn compile(project: &Project) -> Result<()> {
     announce("Building the app for the browser");

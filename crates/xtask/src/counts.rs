@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
 use crate::project::Project;
-use crate::{project::run, setup};
+use crate::{build, setup};
 
 /// Commands and their counts, in the release build of the README.
 const FILE: &str = "tests/counts.json";
@@ -16,13 +16,7 @@ const ROOM_PERCENT: u64 = 20;
 
 /// Counts each command of the file and compares.
 pub fn check(project: &Project) -> Result<()> {
-    run(project.command("cargo").args([
-        "build",
-        "--locked",
-        "--release",
-        "--package",
-        "msape-cli",
-    ]))?;
+    build::command(project)?;
     let text = fs::read_to_string(project.root.join(FILE))
         .with_context(|| format!("cannot read {FILE}"))?;
     let counts: Value =

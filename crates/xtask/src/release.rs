@@ -33,14 +33,7 @@ pub fn run_all(project: &Project) -> Result<()> {
     let command = format!("msape-{version}-{}-{}", env::consts::ARCH, env::consts::OS);
     build::dist(project)?;
     copy_files(&project.dist, &folder.join(&app))?;
-    announce("Building the command");
-    run(project.command("cargo").args([
-        "build",
-        "--locked",
-        "--release",
-        "--package",
-        "msape-cli",
-    ]))?;
+    build::command(project)?;
     let unpacked = folder.join(&command);
     fs::create_dir_all(&unpacked)?;
     let program = format!("msape{}", env::consts::EXE_SUFFIX);

@@ -7,7 +7,7 @@
 //!
 //! with lengths in diameters, φ the azimuth and α the angle of attack in rad. A piece of the meridian upstream of the circle therefore shades
 //! the azimuths whose cosines h takes on it, from its smallest to its largest value. On a line
-//! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is searched beside the extreme samples.
+//! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is the zero of dh beside the extreme samples.
 //! What is left of the windward side is a few intervals of cos φ.
 //!
 //! # Valid
@@ -21,11 +21,11 @@ use numerics::root;
 
 /// Nearest that the axis and the plane normal to it are approached, rad.
 const NUDGE_RAD: f64 = 1e-9;
-/// Accuracy of the place of an extremum, of the chord between the samples beside it.
+/// Accuracy of the place of an extremum, of the chord between the samples beside it, assumed.
 const CLOSE: f64 = 1e-6;
-/// From the circle itself as far as this, of the same chord, no extremum is sought.
+/// From the circle itself as far as this, of the same chord, no extremum is sought, assumed.
 const APART: f64 = 1e-4;
-/// Nearer than this to the circle itself, diameters, the ray leaves along the surface.
+/// Nearer than this to the circle itself, diameters, assumed, the ray leaves along the surface.
 const BESIDE: f64 = 1e-8;
 /// Most intervals that are kept.
 const MOST: usize = 6;

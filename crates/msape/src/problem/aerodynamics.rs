@@ -1,8 +1,7 @@
 //! Checks what a case says about coefficients over the angle of attack.
 
 use super::DesignProblem;
-use super::freedom::one_row;
-use super::heating::choice;
+use super::forms::{choice, extrapolation, one_row};
 use super::outline::rigid_body;
 use super::planet::{atmosphere, planet};
 use crate::aero::bridging::Bridging;
@@ -276,20 +275,6 @@ pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64, table
         source,
         field: Some("entry.planet".to_string()),
     });
-}
-
-/// What holds beyond the ends of the tables of coefficients.
-pub(super) fn extrapolation(reader: &mut Reader) -> Extrapolation {
-    beyond(reader, "vehicle.aerodynamics.extrapolation")
-}
-
-/// The rule of a key beyond the ends of a table.
-pub(super) fn beyond(reader: &mut Reader, key: &str) -> Extrapolation {
-    match choice(reader, key) {
-        Some("extend") => Extrapolation::Extend,
-        Some("refuse") => Extrapolation::Refuse,
-        _ => Extrapolation::Hold,
-    }
 }
 
 /// The table of static coefficients of the case.

@@ -1,6 +1,6 @@
 //! Checks the attitude of the start.
 
-use super::freedom::one_row;
+use super::forms::one_row;
 use crate::case::Reader;
 use crate::flight::six_dof::attitude::Given;
 use crate::flight::six_dof::quaternion::Quaternion;

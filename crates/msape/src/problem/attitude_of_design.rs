@@ -1,7 +1,8 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
 use super::aerodynamics::{Medium, database};
-use super::freedom::{TOLERANCE_DATABASE, one_row};
+use super::forms::one_row;
+use super::freedom::TOLERANCE_DATABASE;
 use super::phases::{Flown, phases};
 use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;

@@ -1,6 +1,6 @@
 //! Checks the centre of gravity against the outline.
 
-use super::freedom::one_row;
+use super::forms::one_row;
 use super::outline::Outline;
 use crate::case::Reader;
 use crate::vehicle::profile::Profile;

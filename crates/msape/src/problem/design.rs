@@ -2,7 +2,7 @@
 
 use super::aerodynamics::fitted_in_air;
 use super::flight::{Angle, mission};
-use super::heating::choice as fixed;
+use super::forms::choice as fixed;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;

@@ -1,7 +1,7 @@
 //! Checks that a start comes down where only a descent can be flown, and remarks on the closed form.
 
-use super::aerodynamics::beyond;
 use super::flight::Angle;
+use super::forms::beyond;
 use super::planet::remark;
 use crate::aero::table::Extrapolation;
 use crate::case::Reader;

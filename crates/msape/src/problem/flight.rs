@@ -1,11 +1,10 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{
-    Medium, beyond, database, extrapolation, fitted_in_air, table_database, table_drag,
-};
+use super::aerodynamics::{Medium, database, fitted_in_air, table_database, table_drag};
 use super::entering::{above_end, altitude_at, descends, goes_on};
+use super::forms::{beyond, choice, extrapolation};
 use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
-use super::heating::{choice, heating};
+use super::heating::heating;
 use super::outline::Outline;
 use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;

@@ -1,6 +1,6 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
-use super::aerodynamics::{beyond, extrapolation};
+use super::forms::{beyond, extrapolation, one_row};
 use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
@@ -206,23 +206,6 @@ fn inertia(reader: &mut Reader) -> Option<Inertia> {
             None
         }
     }
-}
-
-/// The numbers of an input of one row; `Some(None)` when it is absent, `None` when it is at fault.
-pub(super) fn one_row<const N: usize>(reader: &mut Reader, key: &str) -> Option<Option<[f64; N]>> {
-    if !reader.given(key) {
-        return Some(None);
-    }
-    let rows = reader.rows(key)?;
-    let row = match rows.as_slice() {
-        [row] => <[f64; N]>::try_from(row.as_slice()).ok(),
-        _ => None,
-    };
-    if row.is_none() {
-        let message = format!("got {} rows, must be one row of {N} numbers", rows.len());
-        reader.fault(key, message);
-    }
-    row.map(Some)
 }
 
 /// The one of several keys that is given; `Err` when there are more, which is noted.

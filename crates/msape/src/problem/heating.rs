@@ -1,6 +1,6 @@
 //! Checks the choice of heating models.
 
-use super::aerodynamics::beyond;
+use super::forms::{beyond, choice};
 use super::planet::{SAME_GAS, remark};
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
@@ -13,7 +13,6 @@ use crate::heating::radiative::Radiative;
 use crate::heating::stagnation::ConvectiveOptions;
 use crate::heating::wall::{Wall, WallGas};
 use crate::library::{Library, World};
-use crate::quantity::input::{self, Choices, Kind};
 use std::sync::Arc;
 
 /// Heating at the stagnation point on a planet, and the emissivity of the wall.
@@ -173,15 +172,6 @@ fn brandis_johnston<'l>(
 fn unknown<T>(reader: &mut Reader, key: &str, name: &str) -> Option<T> {
     reader.fault(key, format!("got \"{name}\", a model that is not there"));
     None
-}
-
-/// One of the fixed choices of an input.
-pub(super) fn choice(reader: &mut Reader, key: &str) -> Option<&'static str> {
-    let Some(Kind::Choice(Choices::Fixed(fixed))) = input::find(key).map(|input| input.kind) else {
-        return None;
-    };
-    let names: Vec<&'static str> = fixed.iter().map(|(name, _)| *name).collect();
-    reader.choice(key, &names)
 }
 
 #[cfg(test)]

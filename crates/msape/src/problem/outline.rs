@@ -1,6 +1,6 @@
 //! Checks the outline of a rigid body: a preset, dimensions of a sphere-cone, or points.
 
-use super::heating::choice;
+use super::forms::choice;
 use crate::case::{Case, InputError, Reader};
 use crate::library::{Library, named};
 use crate::quantity::input::inputs;

@@ -1,7 +1,6 @@
 //! Checks the phases of a flight.
 
-use super::freedom::one_row;
-use super::heating::choice;
+use super::forms::{choice, one_row};
 use crate::case::Reader;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
