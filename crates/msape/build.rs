@@ -12,6 +12,9 @@ use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+use us1976::definition::Definition;
+use us1976::heterosphere::Heterosphere;
+use us1976::temperature::Upper;
 
 /// A path below `data`, and the file.
 type Listed = (String, String);
@@ -42,6 +45,7 @@ fn main() -> io::Result<()> {
     if env::var_os("CARGO_FEATURE_VALIDATION").is_none() {
         validation.clear();
     }
+    write_gases(&here.join("data/atmospheres/us-1976.toml"))?;
     let included = |file: &str| Ok(format!("include_str!({file:?})"));
     write("shipped_files.rs", &library, |file| {
         Ok(format!("{:?}", shipped(file)?.to_string()))
@@ -77,6 +81,30 @@ fn shipped(file: &str) -> io::Result<Value> {
     Ok(Value::Object(keys))
 }
 
+/// Integrates the gases of the U.S. Standard Atmosphere 1976 above 86 km: density, molar mass and their slopes at the knots of each span.
+fn write_gases(file: &Path) -> io::Result<()> {
+    let fault = |message: String| io::Error::other(format!("{}: {message}", file.display()));
+    let text = fs::read_to_string(file)?;
+    let definition: Definition = toml::from_str(&text).map_err(|error| fault(error.to_string()))?;
+    let definition = definition.checked().map_err(fault)?;
+    let upper = Upper::new(&definition);
+    let mut text = String::from("&[\n");
+    for span in Heterosphere::new(&definition, &upper).knots() {
+        let knots = span.density.iter().zip(&span.molar_mass);
+        let rows: Vec<[f64; 4]> = knots
+            .map(|(rho, m)| [rho.value, rho.slope_per_m, m.value, m.slope_per_m])
+            .collect();
+        writeln!(text, "    &{rows:?},").map_err(io::Error::other)?;
+    }
+    text.push_str("]\n");
+    write_out("us_1976.rs", &text)
+}
+
+fn write_out(name: &str, text: &str) -> io::Result<()> {
+    let folder = env::var("OUT_DIR").map_err(io::Error::other)?;
+    fs::write(PathBuf::from(folder).join(name), text)
+}
+
 /// Writes a list as an expression of Rust, with what `embedded` says of each file.
 fn write(
     name: &str,
@@ -89,8 +117,7 @@ fn write(
         writeln!(text, "    ({name:?}, {content}),").map_err(io::Error::other)?;
     }
     text.push_str("]\n");
-    let out = PathBuf::from(env::var("OUT_DIR").map_err(io::Error::other)?).join(name);
-    fs::write(out, text)
+    write_out(name, &text)
 }
 
 /// Lists the files of a folder by the name under which the core finds them.

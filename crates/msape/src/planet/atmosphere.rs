@@ -27,8 +27,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use table::Table;
 use us_1976::UsStandard1976;
-use us_1976::definition::Definition;
-use us_1976::temperature::StandardTemperature;
+use us1976::temperature::StandardTemperature;
 
 /// The air at one altitude.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -94,9 +93,8 @@ impl Atmosphere {
             let (title, table) = Table::parse(data)?;
             return Ok((title, Self::Table(Arc::new(table))));
         }
-        let definition = Definition::parse(data)?;
-        let standard = UsStandard1976::new(&definition);
-        Ok((definition.title, Self::UsStandard1976(Arc::new(standard))))
+        let (title, standard) = UsStandard1976::parse(data)?;
+        Ok((title, Self::UsStandard1976(Arc::new(standard))))
     }
 
     /// What it lends to models of the same planet that bring less.

@@ -374,6 +374,7 @@ mod tests {
     fn standard() -> PlanetAir {
         UsStandard1976::parse(include_str!("../../../data/atmospheres/us-1976.toml").into())
             .unwrap()
+            .1
             .planet_air()
     }
 

@@ -20,23 +20,38 @@
 //! # References
 //! - \[coesa-1976\].
 
-pub mod definition;
 pub mod hermite;
-pub mod heterosphere;
-pub mod lower;
 mod stratum;
-pub mod temperature;
 
 use super::{Air, Piece};
 use crate::data::Data;
 use crate::planet::gas::{FreePath, HeatCapacityRatio};
-use definition::Definition;
 use hermite::Cubic;
-use heterosphere::{Heterosphere, SPANS};
-use lower::Lower;
 use numerics::scalar::{Dual, Mask, Scalar};
 use stratum::{Cells, State, Stratum};
-use temperature::{StandardTemperature, Upper};
+use us1976::Knot;
+use us1976::definition::Definition;
+use us1976::heterosphere::{SPANS, SpanKnots};
+use us1976::lower::{self, Lower};
+use us1976::temperature::{StandardTemperature, Upper};
+
+/// What the build integrated of the shipped definition, for each of [`SPANS`]: at each knot density, kg/m³, and its slope,
+/// molar mass, kg/kmol, and its slope.
+static SHIPPED_GASES: &[&[[f64; 4]]] = include!(concat!(env!("OUT_DIR"), "/us_1976.rs"));
+
+fn of_build(knots: &[[f64; 4]]) -> SpanKnots {
+    let knot = |value, slope_per_m| Knot { value, slope_per_m };
+    SpanKnots {
+        density: knots
+            .iter()
+            .map(|[rho, slope, ..]| knot(*rho, *slope))
+            .collect(),
+        molar_mass: knots
+            .iter()
+            .map(|[.., m, slope]| knot(*m, *slope))
+            .collect(),
+    }
+}
 
 /// Distance of the knots below 86 km, m.
 const LOWER_CELL_M: f64 = 100.0;
@@ -78,18 +93,28 @@ impl UsStandard1976 {
     /// Lowest and highest altitude of the definition, m.
     pub const VALID_M: (f64, f64) = (-5_000.0, 1_000_000.0);
 
-    /// The atmosphere of the data file `us-1976.toml`.
-    pub fn parse(data: Data) -> Result<Self, String> {
-        Ok(Self::new(&Definition::parse(data)?))
+    /// Title and atmosphere of a data file such as `us-1976.toml`.
+    ///
+    /// # Errors
+    /// Place and key of what cannot be read, lists that do not fit each other.
+    pub fn parse(data: Data) -> Result<(String, Self), String> {
+        let definition: Definition = data.read()?;
+        let definition = definition.checked()?;
+        let upper = Upper::new(&definition);
+        let gases = match data {
+            #[cfg(feature = "own-data")]
+            Data::Own(_) => us1976::heterosphere::Heterosphere::new(&definition, &upper).knots(),
+            Data::Shipped(_) => SHIPPED_GASES.iter().map(|knots| of_build(knots)).collect(),
+        };
+        let atmosphere = Self::new(&definition, upper, gases);
+        Ok((definition.title, atmosphere))
     }
 
-    /// The atmosphere of a definition; integrates the heterosphere.
-    pub fn new(definition: &Definition) -> Self {
+    /// The atmosphere of a definition and of its gases above 86 km, one list of knots for each of [`SPANS`].
+    fn new(definition: &Definition, upper: Upper, gases: Vec<SpanKnots>) -> Self {
         let c = &definition.constants;
-        let temperature = StandardTemperature {
-            lower: Lower::new(definition),
-            upper: Upper::new(definition),
-        };
+        let lower = Lower::new(definition);
+        let temperature = StandardTemperature { lower, upper };
         let gas = Gas {
             heat_capacity_ratio: c.heat_capacity_ratio,
             gas_constant_j_kmol_k: c.gas_constant_j_kmol_k,
@@ -109,10 +134,7 @@ impl UsStandard1976 {
             strata.push(Stratum::lower(layer, from_m, *top_m));
             boundaries_m.push(*top_m);
         }
-        for (span, knots) in SPANS
-            .iter()
-            .zip(Heterosphere::new(definition, &temperature.upper).knots())
-        {
+        for (span, knots) in SPANS.iter().zip(gases) {
             strata.extend(Stratum::upper(span, knots));
             boundaries_m.push(span.to_m);
         }

@@ -15,15 +15,7 @@
 //! - \[dlmf\] section 3.3(i).
 
 use numerics::scalar::Scalar;
-
-/// A value and its slope.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Knot {
-    /// Value in the unit of the curve.
-    pub value: f64,
-    /// Slope, that unit per m.
-    pub slope_per_m: f64,
-}
+use us1976::Knot;
 
 /// z₀, c₀, c₁, c₂, c₃ of one cell.
 pub type Cubic = [f64; 5];

@@ -14,14 +14,15 @@
 //! # References
 //! - \[coesa-1976\].
 
-use super::hermite::{self, Cubic, Curve, Knot};
-use super::heterosphere::{Span, SpanKnots};
-use super::lower::Layer;
-use super::temperature::{Segment, StandardTemperature};
+use super::hermite::{self, Cubic, Curve};
 use super::{Gas, LOWER_CELL_M};
 use crate::planet::atmosphere::Piece;
 use numerics::math;
 use numerics::scalar::{Dual, Single};
+use us1976::Knot;
+use us1976::heterosphere::{Span, SpanKnots};
+use us1976::lower::Layer;
+use us1976::temperature::{Segment, StandardTemperature};
 
 /// Rows beyond each end of a piece, for the stages of a step that look across.
 const ROWS_BEYOND: usize = 16;

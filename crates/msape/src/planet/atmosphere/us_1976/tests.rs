@@ -5,9 +5,25 @@ use crate::planet::atmosphere::Atmosphere;
 const COMPUTED: &str = include_str!("../../../../../../tests/data/us_1976_0_200_km.csv");
 const PRINTED: &str = include_str!("../../../../../../tests/data/us_1976_printed.csv");
 
+const DEFINITION: &str = include_str!("../../../../data/atmospheres/us-1976.toml");
+
 fn us_1976() -> Atmosphere {
-    let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-    Atmosphere::parse(text.into()).unwrap().1
+    Atmosphere::parse(DEFINITION.into()).unwrap().1
+}
+
+fn definition() -> us1976::definition::Definition {
+    toml::from_str(DEFINITION).unwrap()
+}
+
+#[test]
+fn the_gases_that_the_build_integrated_are_those_of_the_definition() {
+    let shipped = crate::library::Library::builtin().unwrap();
+    let (_, shipped) = shipped
+        .atmospheres
+        .iter()
+        .find(|(name, _)| name == "us-1976")
+        .unwrap();
+    assert_eq!(shipped.1, us_1976());
 }
 
 fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
@@ -112,9 +128,7 @@ fn pieces_meet_at_their_boundaries() {
 #[test]
 fn below_86_km_the_cells_meet_the_closed_form() {
     // (w/H)⁴/384 with w = 100 m and H above 5.4 km: 3e-10
-    use super::{definition::Definition, lower::Lower};
-    let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-    let lower = Lower::new(&Definition::parse(text.into()).unwrap());
+    let lower = us1976::lower::Lower::new(&definition());
     let air = us_1976();
     let mut z = -4_987.0;
     while z < 86e3 {
@@ -186,10 +200,8 @@ fn a_piece_goes_on_smoothly_beyond_its_ends() {
 fn interpolation_between_knots_meets_the_definition() {
     // Halving the cells is the reference: knots of the fine grid lie in the middle of our cells. The fourth
     // derivative is largest at the lower ends of the spans.
-    use super::{definition::Definition, heterosphere::*, temperature::Upper};
-    let definition =
-        Definition::parse(include_str!("../../../../data/atmospheres/us-1976.toml").into())
-            .unwrap();
+    use us1976::{heterosphere::*, temperature::Upper};
+    let definition = definition();
     let upper = Upper::new(&definition);
     let air = us_1976();
     for (i, span) in SPANS.iter().enumerate() {

@@ -1,6 +1,5 @@
 //! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
 
-use crate::data::Data;
 use serde::Deserialize;
 
 /// The whole file.
@@ -107,7 +106,7 @@ pub struct Diffusion {
     pub h_at_500_km_per_m3: f64,
 }
 
-/// One gas above 86 km; what a gas has not got is nought.
+/// One gas above 86 km; what a gas has not got is zero.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Species {
@@ -138,16 +137,18 @@ pub struct Species {
 }
 
 impl Definition {
-    /// Reads the file and checks what the code relies on.
-    pub fn parse(data: Data) -> Result<Self, String> {
-        let definition: Self = data.read()?;
+    /// The definition, after a check of everything that the code relies on.
+    ///
+    /// # Errors
+    /// Which list does not fit which.
+    pub fn checked(self) -> Result<Self, String> {
         let Lower {
             base_geopotential_km: bases,
             gradient_k_km,
             ratio_altitude_km,
             molar_mass_ratio,
             ..
-        } = &definition.lower;
+        } = &self.lower;
         if bases.is_empty() || bases.len() != gradient_k_km.len() {
             return Err("lower: one gradient_k_km for each base_geopotential_km".into());
         }
@@ -156,12 +157,12 @@ impl Definition {
                 "lower: one molar_mass_ratio for each ratio_altitude_km, at least two".into(),
             );
         }
-        let names: Vec<&str> = definition.species.iter().map(|s| s.name.as_str()).collect();
+        let names: Vec<&str> = self.species.iter().map(|s| s.name.as_str()).collect();
         if names != ["N2", "O", "O2", "Ar", "He", "H"] {
             return Err(format!(
                 "species: {names:?}, must be N2, O, O2, Ar, He, H in this order"
             ));
         }
-        Ok(definition)
+        Ok(self)
     }
 }

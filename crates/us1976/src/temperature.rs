@@ -15,8 +15,8 @@
 //! # References
 //! - \[coesa-1976\] equations 25, 27, 29, 31.
 
-use super::definition::Definition;
-use super::lower::Lower;
+use crate::definition::Definition;
+use crate::lower::Lower;
 use numerics::scalar::Scalar;
 
 /// z₇, upper end of the homosphere, m.
@@ -158,8 +158,7 @@ mod tests {
     use super::*;
 
     fn standard() -> StandardTemperature {
-        let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-        let definition = Definition::parse(text.into()).unwrap();
+        let definition = crate::sample::definition();
         StandardTemperature {
             lower: Lower::new(&definition),
             upper: Upper::new(&definition),

@@ -28,9 +28,9 @@ mod flux;
 mod hydrogen;
 mod sums;
 
-use super::definition::Definition;
-use super::hermite::Knot;
-use super::temperature::{Segment, Upper, Z10_M};
+use crate::Knot;
+use crate::definition::Definition;
+use crate::temperature::{Segment, Upper, Z10_M};
 use flux::{FLUX_TOP_KM, FluxIntegral, flux_per_m};
 use numerics::math;
 use sums::Sums;

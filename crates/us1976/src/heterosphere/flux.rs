@@ -13,7 +13,7 @@
 //! # References
 //! - \[coesa-1976\] equation 37 and Table 7.
 
-use super::super::definition::Species;
+use crate::definition::Species;
 use numerics::math;
 
 /// Above this v is nought, km.
@@ -109,9 +109,7 @@ mod tests {
 
     #[test]
     fn the_integral_has_the_flux_as_its_slope() {
-        let text = include_str!("../../../../../data/atmospheres/us-1976.toml");
-        let definition = super::super::super::definition::Definition::parse(text.into()).unwrap();
-        for species in &definition.species {
+        for species in &crate::sample::definition().species {
             let integral = FluxIntegral::new(species);
             for z in [88e3, 96e3, 110e3, 149e3, 200e3] {
                 let slope = (integral.at(z + 10.0) - integral.at(z - 10.0)) / 20.0;

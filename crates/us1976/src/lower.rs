@@ -18,8 +18,8 @@
 //! # References
 //! - \[coesa-1976\] equations 18, 23, 33a, 33b, 42 and Tables 4 and 8.
 
-use super::definition::Definition;
-use super::hermite::Knot;
+use crate::Knot;
+use crate::definition::Definition;
 use numerics::math;
 use numerics::scalar::Scalar;
 
@@ -220,8 +220,7 @@ mod tests {
     use super::*;
 
     fn lower() -> Lower {
-        let text = include_str!("../../../../data/atmospheres/us-1976.toml");
-        Lower::new(&Definition::parse(text.into()).unwrap())
+        Lower::new(&crate::sample::definition())
     }
 
     #[test]

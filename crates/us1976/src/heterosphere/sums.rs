@@ -13,7 +13,7 @@
 //! - \[coesa-1976\].
 
 use super::SpanKnots;
-use crate::planet::atmosphere::us_1976::hermite::Knot;
+use crate::Knot;
 
 /// Sums over the gases: n, n M and their slopes.
 #[derive(Default)]

@@ -14,9 +14,9 @@
 //! # References
 //! - \[coesa-1976\] equation 39.
 
-use super::super::definition::Definition;
-use super::super::temperature::Segment;
 use super::{FLUX_TOP_KM, HEAVY, Heterosphere, Span, Z11_M};
+use crate::definition::Definition;
+use crate::temperature::Segment;
 use numerics::math;
 
 impl Heterosphere<'_> {
