@@ -7,67 +7,43 @@
 //!
 //! with x_b forward, y_b right, z_b down, χ₀ the azimuth of the flight's start.
 
-use super::camera::{Ball, Camera, Matrix};
+use super::camera::{Ball, Camera};
 use msape::flight::Trajectory;
-
-/// Three rows of a turn.
-type Turn = [[f64; 3]; 3];
-
-/// A turn as scalar and vector.
-type Quaternion = [f64; 4];
+use nalgebra::{Matrix3, Matrix4, Rotation3, UnitQuaternion, Vector3};
 
 /// A vehicle that is turned: where its axes point, from the model to the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Attitude(pub Turn);
+pub struct Attitude(pub UnitQuaternion<f64>);
 
 impl Attitude {
     /// As the model stands.
-    pub const UPRIGHT: Attitude = Attitude([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    pub fn upright() -> Attitude {
+        Attitude(UnitQuaternion::identity())
+    }
 
     /// A view of the model that is turned about the centre of its ball.
-    pub fn seen(&self, view: Matrix, ball: Ball) -> Matrix {
-        let Attitude(turn) = self;
-        let c = f64::from(ball.center_m);
-        let mut model = [0.0; 16];
-        for (i, row) in turn.iter().enumerate() {
-            for (j, part) in row.iter().enumerate() {
-                model[4 * j + i] = *part as f32;
-            }
-            let back = if i == 1 { c } else { 0.0 };
-            model[12 + i] = (back - row[1] * c) as f32;
-        }
-        model[15] = 1.0;
-        product(&view, &model)
+    pub fn seen(&self, view: Matrix4<f32>, ball: Ball) -> Matrix4<f32> {
+        let center_m = Vector3::y() * ball.center_m;
+        let turn: Matrix4<f32> = self.0.to_homogeneous().map(|part| part as f32);
+        view * Matrix4::new_translation(&center_m) * turn * Matrix4::new_translation(&-center_m)
     }
-}
-
-/// The product of two matrices of four columns.
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    let mut c = [0.0; 16];
-    for column in 0..4 {
-        for row in 0..4 {
-            c[4 * column + row] = (0..4).map(|k| a[4 * k + row] * b[4 * column + k]).sum();
-        }
-    }
-    c
 }
 
 /// Where a direction of the view points on the screen: to the right, up, and towards the viewer.
 pub fn on_screen(camera: &Camera, direction: [f64; 3]) -> [f64; 3] {
-    let view = camera.view(Ball::default(), 1.0);
-    let part = |row: usize| {
-        let sum = (0..3).map(|k| f64::from(view[4 * k + row]) * direction[k]);
-        sum.sum()
-    };
-    [part(0), part(1), part(2)]
+    let turn: Matrix3<f32> = camera
+        .view(Ball::default(), 1.0)
+        .fixed_view::<3, 3>(0, 0)
+        .into();
+    (turn.map(f64::from) * Vector3::from(direction)).into()
 }
 
 /// Attitude and velocity along a flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Course {
     time_s: Vec<f64>,
-    turns: Vec<Quaternion>,
-    velocity_m_s: Vec<[f64; 3]>,
+    turns: Vec<UnitQuaternion<f64>>,
+    velocity_m_s: Vec<Vector3<f64>>,
 }
 
 impl Course {
@@ -85,27 +61,21 @@ impl Course {
         let (north, east, down) = (north?, east?, down?);
         let heading = column("azimuth_deg")?.first()?.to_radians();
         let horizon = horizon(heading);
+        let model = model();
         let mut course = Course {
             time_s: column("time_s")?.to_vec(),
             ..Course::default()
         };
         let angles = yaw.iter().zip(pitch).zip(roll);
         for ((yaw, pitch), roll) in angles {
-            let body = [yaw, pitch, roll].map(|angle| angle.to_radians());
-            let turn = times(&times(&horizon, &of_yaw_pitch_roll(body)), &MODEL);
-            let mut turn = quaternion(&turn);
-            // The shorter of the two ways to the next attitude.
-            if let Some(before) = course.turns.last()
-                && dot(before, &turn) < 0.0
-            {
-                turn = turn.map(|part| -part);
-            }
+            let [roll, pitch, yaw] = [roll, pitch, yaw].map(|angle| angle.to_radians());
+            let body = Rotation3::from_euler_angles(roll, pitch, yaw);
+            let turn = UnitQuaternion::from_rotation_matrix(&(horizon * body * model));
             course.turns.push(turn);
         }
         for ((north, east), down) in north.iter().zip(east).zip(down) {
-            course
-                .velocity_m_s
-                .push(turned(&horizon, [*north, *east, *down]));
+            let velocity_m_s = horizon * Vector3::new(*north, *east, *down);
+            course.velocity_m_s.push(velocity_m_s);
         }
         Some(course)
     }
@@ -134,11 +104,10 @@ impl Course {
     pub fn attitude(&self, time_s: f64) -> Attitude {
         let (i, j, part) = self.place(time_s);
         let (Some(a), Some(b)) = (self.turns.get(i), self.turns.get(j)) else {
-            return Attitude::UPRIGHT;
+            return Attitude::upright();
         };
-        let mixed: Quaternion = std::array::from_fn(|k| a[k] + part * (b[k] - a[k]));
-        let length = dot(&mixed, &mixed).sqrt();
-        Attitude(matrix(&mixed.map(|part| part / length)))
+        // The shorter of the two ways to the next attitude.
+        Attitude(a.try_slerp(b, part, 1e-9).unwrap_or(*a))
     }
 
     /// Direction of the velocity at a time.
@@ -147,12 +116,8 @@ impl Course {
         let (Some(a), Some(b)) = (self.velocity_m_s.get(i), self.velocity_m_s.get(j)) else {
             return [0.0; 3];
         };
-        let mixed: [f64; 3] = std::array::from_fn(|k| a[k] + part * (b[k] - a[k]));
-        let length = mixed.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length == 0.0 {
-            return [0.0; 3];
-        }
-        mixed.map(|x| x / length)
+        let direction = a.lerp(b, part).try_normalize(0.0);
+        direction.unwrap_or_default().into()
     }
 
     /// Rows before and after a time, and the part of the way between them.
@@ -173,83 +138,25 @@ impl Course {
 }
 
 /// From the model to the axes of the body.
-const MODEL: Turn = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]];
+fn model() -> Rotation3<f64> {
+    turn([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
+}
 
 /// From north, east, down to the view that looks along a heading from its right, rad.
-fn horizon(heading_rad: f64) -> Turn {
+fn horizon(heading_rad: f64) -> Rotation3<f64> {
     let (s, c) = heading_rad.sin_cos();
-    [[c, s, 0.0], [0.0, 0.0, -1.0], [-s, c, 0.0]]
+    turn([[c, s, 0.0], [0.0, 0.0, -1.0], [-s, c, 0.0]])
 }
 
-/// From axes of the body to north, east, down.
-fn of_yaw_pitch_roll([yaw, pitch, roll]: [f64; 3]) -> Turn {
-    let ((sy, cy), (sp, cp), (sr, cr)) = (yaw.sin_cos(), pitch.sin_cos(), roll.sin_cos());
-    [
-        [cp * cy, sr * sp * cy - cr * sy, cr * sp * cy + sr * sy],
-        [cp * sy, sr * sp * sy + cr * cy, cr * sp * sy - sr * cy],
-        [-sp, sr * cp, cr * cp],
-    ]
-}
-
-fn times(a: &Turn, b: &Turn) -> Turn {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
-}
-
-fn turned(turn: &Turn, v: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| (0..3).map(|k| turn[i][k] * v[k]).sum())
-}
-
-fn dot(a: &Quaternion, b: &Quaternion) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The turn of a matrix, by the largest of its four parts.
-fn quaternion(m: &Turn) -> Quaternion {
-    let squares = [
-        1.0 + m[0][0] + m[1][1] + m[2][2],
-        1.0 + m[0][0] - m[1][1] - m[2][2],
-        1.0 - m[0][0] + m[1][1] - m[2][2],
-        1.0 - m[0][0] - m[1][1] + m[2][2],
-    ];
-    let largest = (0..4).max_by(|a, b| squares[*a].total_cmp(&squares[*b]));
-    let largest = largest.unwrap_or(0);
-    let half = 0.5 * squares[largest].max(0.0).sqrt();
-    let [x, y, z] = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]];
-    let [xy, xz, yz] = [m[1][0] + m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2]];
-    let fourfold = match largest {
-        0 => [4.0 * half * half, x, y, z],
-        1 => [x, 4.0 * half * half, xy, xz],
-        2 => [y, xy, 4.0 * half * half, yz],
-        _ => [z, xz, yz, 4.0 * half * half],
-    };
-    fourfold.map(|part| part / (4.0 * half))
-}
-
-fn matrix([w, x, y, z]: &Quaternion) -> Turn {
-    [
-        [
-            1.0 - 2.0 * (y * y + z * z),
-            2.0 * (x * y - w * z),
-            2.0 * (x * z + w * y),
-        ],
-        [
-            2.0 * (x * y + w * z),
-            1.0 - 2.0 * (x * x + z * z),
-            2.0 * (y * z - w * x),
-        ],
-        [
-            2.0 * (x * z - w * y),
-            2.0 * (y * z + w * x),
-            1.0 - 2.0 * (x * x + y * y),
-        ],
-    ]
+/// The turn of three rows.
+fn turn(rows: [[f64; 3]; 3]) -> Rotation3<f64> {
+    Rotation3::from_matrix_unchecked(Matrix3::from(rows).transpose())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use msape::quantity::trajectory::columns;
-    use std::f64::consts::{FRAC_PI_2, PI};
 
     /// A history of these columns, the others nothing.
     fn history(rows: usize, given: &[(&str, &[f64])]) -> Trajectory {
@@ -272,7 +179,7 @@ mod tests {
 
     /// Where the nose points.
     fn nose(Attitude(turn): Attitude) -> [f64; 3] {
-        turned(&turn, [0.0, -1.0, 0.0])
+        (turn * -Vector3::y()).into()
     }
 
     #[test]
@@ -291,7 +198,7 @@ mod tests {
         near(nose(course.attitude(0.5)), [1.0, 0.0, 0.0]);
         near(course.direction(0.5), [1.0, 0.0, 0.0]);
         let Attitude(turn) = course.attitude(0.0);
-        near(turned(&turn, [0.0, 0.0, 1.0]), [0.0, 0.0, 1.0]);
+        near((turn * Vector3::z()).into(), [0.0, 0.0, 1.0]);
     }
 
     #[test]
@@ -318,25 +225,9 @@ mod tests {
         );
         let course = Course::of(&course).unwrap();
         let Attitude(turn) = course.attitude(1.0);
-        near(turned(&turn, [0.0, 0.0, 1.0]), [0.0, 0.0, -1.0]);
+        near((turn * Vector3::z()).into(), [0.0, 0.0, -1.0]);
         assert_eq!((course.row(0.9), course.row(1.1)), (0, 1));
         assert_eq!(course.ends_s(), (0.0, 2.0));
-    }
-
-    #[test]
-    fn any_turn_survives_the_way_through_its_four_parts() {
-        for angles in [
-            [0.3, -0.7, 2.9],
-            [PI, 0.0, 0.0],
-            [0.0, FRAC_PI_2, PI],
-            [-3.0, 1.2, -1.5],
-        ] {
-            let turn = of_yaw_pitch_roll(angles);
-            let back = matrix(&quaternion(&turn));
-            for (a, b) in turn.iter().zip(back) {
-                near(b, *a);
-            }
-        }
     }
 
     #[test]
@@ -346,9 +237,12 @@ mod tests {
             radius_m: 0.5,
         };
         let still = Camera::SIDE.view(ball, 1.0);
-        let over = Attitude([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let over = Attitude(UnitQuaternion::from_axis_angle(
+            &Vector3::z_axis(),
+            std::f64::consts::PI,
+        ));
         let seen = over.seen(still, ball);
-        let y = |m: &Matrix, y: f32| m[5] * y + m[13];
+        let y = |m: &Matrix4<f32>, y: f32| m.m22 * y + m.m24;
         // The centre stays, the end half a metre behind it comes to half a metre below.
         assert!((y(&seen, 0.2) - y(&still, 0.2)).abs() < 1e-6);
         assert!((y(&seen, 0.7) - y(&still, -0.3)).abs() < 1e-6);

@@ -2,15 +2,13 @@
 //!
 //! The axis of the vehicle stands upright, nose down. Azimuth turns about it, elevation tilts it.
 
+use nalgebra::{Matrix4, Rotation3, Vector3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// Half the angle of view, rad.
 const HALF_VIEW_RAD: f32 = 0.26;
 /// How far the zoom goes.
 const ZOOM: (f32, f32) = (0.5, 8.0);
-
-/// A matrix of four columns.
-pub type Matrix = [f32; 16];
 
 /// A place to look from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,61 +85,39 @@ impl Camera {
         }
     }
 
-    /// Place of a point of the vehicle before the eye, columns first.
-    pub fn view(&self, ball: Ball, aspect: f32) -> Matrix {
-        let (sa, ca) = self.azimuth_rad.sin_cos();
-        let (se, ce) = self.elevation_rad.sin_cos();
-        let distance = self.distance_m(ball, aspect);
-        let c = ball.center_m;
-        // Moved to the centre, turned about y by −azimuth, about x by elevation, moved away.
-        [
-            ca,
-            -se * sa,
-            ce * sa,
-            0.0,
-            0.0,
-            ce,
-            se,
-            0.0,
-            -sa,
-            -se * ca,
-            ce * ca,
-            0.0,
-            0.0,
-            -ce * c,
-            -se * c - distance,
-            1.0,
-        ]
+    /// Place of a point of the vehicle before the eye.
+    pub fn view(&self, ball: Ball, aspect: f32) -> Matrix4<f32> {
+        let center_m = Vector3::y() * ball.center_m;
+        let away_m = Vector3::z() * -self.distance_m(ball, aspect);
+        Matrix4::new_translation(&away_m)
+            * self.turn().to_homogeneous()
+            * Matrix4::new_translation(&-center_m)
+    }
+
+    /// Turned about y by −azimuth, then about x by elevation.
+    fn turn(&self) -> Rotation3<f32> {
+        Rotation3::from_axis_angle(&Vector3::x_axis(), self.elevation_rad)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.azimuth_rad)
     }
 
     /// From before the eye to the screen; everything within `reach_m` of the centre has a depth.
-    pub fn projection(&self, ball: Ball, aspect: f32, reach_m: f32) -> Matrix {
+    pub fn projection(&self, ball: Ball, aspect: f32, reach_m: f32) -> Matrix4<f32> {
         let distance = self.distance_m(ball, aspect);
         let near = (distance - 1.1 * reach_m).max(0.02 * distance);
         let far = distance + 1.1 * reach_m;
-        let f = 1.0 / HALF_VIEW_RAD.tan();
-        let mut m = [0.0; 16];
-        m[0] = f / aspect;
-        m[5] = f;
-        m[10] = (far + near) / (near - far);
-        m[11] = -1.0;
-        m[14] = 2.0 * far * near / (near - far);
-        m
+        Matrix4::new_perspective(aspect, 2.0 * HALF_VIEW_RAD, near, far)
     }
 
     /// The line of sight through a place of the view, each coordinate from −1 to 1, upwards positive.
     pub fn sight(&self, ball: Ball, aspect: f32, place: [f32; 2]) -> Sight {
-        let view = self.view(ball, aspect);
+        let turn = self.turn();
         let tan = HALF_VIEW_RAD.tan();
-        let seen = [place[0] * aspect * tan, place[1] * tan, -1.0];
-        // The inverse of a turn is its transpose.
-        let turned_back = |p: [f32; 3]| {
-            let part = |i: usize| (0..3).map(|j| f64::from(view[4 * i + j] * p[j])).sum();
-            [part(0), part(1), part(2)]
-        };
+        let seen = Vector3::new(place[0] * aspect * tan, place[1] * tan, -1.0);
+        let away_m = Vector3::z() * self.distance_m(ball, aspect);
+        let eye_m = turn.inverse_transform_vector(&away_m) + Vector3::y() * ball.center_m;
         Sight {
-            eye_m: turned_back([-view[12], -view[13], -view[14]]),
-            direction: turned_back(seen),
+            eye_m: eye_m.map(f64::from).into(),
+            direction: turn.inverse_transform_vector(&seen).map(f64::from).into(),
         }
     }
 
@@ -151,21 +127,19 @@ impl Camera {
     }
 }
 
-/// A point as a matrix moves it.
-#[cfg(test)]
-fn apply(m: &Matrix, p: [f32; 3]) -> [f32; 4] {
-    let row = |i: usize| m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
-    [row(0), row(1), row(2), row(3)]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Vector4;
 
     const BALL: Ball = Ball {
         center_m: 0.2,
         radius_m: 0.5,
     };
+
+    fn apply(m: &Matrix4<f32>, [x, y, z]: [f32; 3]) -> [f32; 4] {
+        (m * Vector4::new(x, y, z, 1.0)).into()
+    }
 
     fn near(got: f32, want: f32) {
         assert!((got - want).abs() < 1e-5, "{got} against {want}");

@@ -184,8 +184,12 @@ impl Renderer {
         // What has grown beyond the view is not cut off in depth.
         let reach_m = self.ball.radius_m + (self.ball.center_m - frame.ball.center_m).abs();
         let projection = frame.camera.projection(frame.ball, aspect, reach_m);
-        gl.uniform_matrix4fv_with_f32_array(self.at.view.as_ref(), false, &view);
-        gl.uniform_matrix4fv_with_f32_array(self.at.projection.as_ref(), false, &projection);
+        gl.uniform_matrix4fv_with_f32_array(self.at.view.as_ref(), false, view.as_slice());
+        gl.uniform_matrix4fv_with_f32_array(
+            self.at.projection.as_ref(),
+            false,
+            projection.as_slice(),
+        );
         gl.uniform3fv_with_f32_array(self.at.stops.as_ref(), SCALE.as_flattened());
         gl.uniform1f(self.at.nearer.as_ref(), 0.0);
     }

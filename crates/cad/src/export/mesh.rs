@@ -19,6 +19,7 @@ use crate::export::chain::{Chain, Ends, chains};
 use msape::vehicle::ComponentKind;
 use msape::vehicle::Vehicle;
 use msape::vehicle::profile::Profile;
+use nalgebra::Vector3;
 use numerics::math::PI;
 
 /// Triangles in the frame of the vehicle.
@@ -125,7 +126,9 @@ impl Mesh {
 
     /// Volume enclosed, m³.
     pub fn volume_m3(&self) -> f64 {
-        let sum: f64 = self.corners_m().map(|[a, b, c]| dot(a, cross(b, c))).sum();
+        let sum: f64 = { self.corners_m() }
+            .map(|[a, b, c]| a.dot(&b.cross(&c)))
+            .sum();
         sum / 6.0
     }
 
@@ -133,40 +136,22 @@ impl Mesh {
     pub fn area_m2(&self) -> f64 {
         let twice: f64 = self
             .corners_m()
-            .map(|[a, b, c]| {
-                let n = cross(minus(b, a), minus(c, a));
-                dot(n, n).sqrt()
-            })
+            .map(|[a, b, c]| (b - a).cross(&(c - a)).norm_squared().sqrt())
             .sum();
         twice / 2.0
     }
 
     /// Corners of each triangle, m.
-    pub fn corners_m(&self) -> impl Iterator<Item = [[f64; 3]; 3]> + '_ {
+    pub fn corners_m(&self) -> impl Iterator<Item = [Vector3<f64>; 3]> + '_ {
         let at = |i: u32| {
             self.positions_m
                 .get(i as usize)
                 .copied()
                 .unwrap_or_default()
-                .map(f64::from)
         };
+        let at = move |i: u32| Vector3::from(at(i)).map(f64::from);
         self.triangles.iter().map(move |t| t.map(at))
     }
-}
-
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let ([ax, ay, az], [bx, by, bz]) = (a, b);
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-}
-
-pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let ([ax, ay, az], [bx, by, bz]) = (a, b);
-    [ax - bx, ay - by, az - bz]
-}
-
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let ([ax, ay, az], [bx, by, bz]) = (a, b);
-    ax * bx + ay * by + az * bz
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! The format has no unit; millimetres are what programs for printing expect, and the header says so.
 
-use crate::export::mesh::{self, MeshOptions, cross, dot, minus};
+use crate::export::mesh::{self, MeshOptions};
 use crate::export::model::Model;
 
 /// Distance of a chord from its circle over the diameter.
@@ -27,15 +27,16 @@ pub fn stl(model: &Model) -> Vec<u8> {
     bytes.extend(header.bytes().chain(std::iter::repeat(b' ')).take(80));
     bytes.extend((mesh.triangles.len() as u32).to_le_bytes());
     for (t, [a, b, c]) in mesh.triangles.iter().zip(mesh.corners_m()) {
-        let normal = cross(minus(b, a), minus(c, a));
-        let length = dot(normal, normal).sqrt();
-        let unit = normal.map(|v| {
+        let normal = (b - a).cross(&(c - a));
+        let length = normal.norm_squared().sqrt();
+        let part = |v: f64| {
             if length > 0.0 {
                 (v / length) as f32
             } else {
                 0.0
             }
-        });
+        };
+        let unit = <[f64; 3]>::from(normal).map(part);
         let corners = t.map(|i| {
             mesh.positions_m
                 .get(i as usize)
@@ -56,6 +57,7 @@ mod tests {
     use crate::export::model::Measures;
     use msape::vehicle::profile::Profile;
     use msape::vehicle::segment::{Point, Segment};
+    use nalgebra::Vector3;
     use numerics::math::PI;
     use std::collections::BTreeMap;
 
@@ -78,8 +80,8 @@ mod tests {
                 |i: usize| f32::from_le_bytes(triangle[4 * i..4 * i + 4].try_into().unwrap());
             let corner = |k: usize| [number(3 * k), number(3 * k + 1), number(3 * k + 2)];
             let [a, b, c] = [1, 2, 3].map(corner);
-            let [x, y, z] = [a, b, c].map(|p| p.map(f64::from));
-            volume += dot(x, cross(y, z)) / 6.0;
+            let [x, y, z] = [a, b, c].map(|p| Vector3::from(p).map(f64::from));
+            volume += x.dot(&y.cross(&z)) / 6.0;
             for (from, to) in [(a, b), (b, c), (c, a)] {
                 *edges
                     .entry([from, to].map(|p| p.map(f32::to_bits)))

@@ -43,9 +43,10 @@ use rigid::Rigid;
 /// State at the start.
 pub fn start(mission: &Mission, rigid: &Rigid) -> [f64; RIGID_STATES] {
     let point = three_dof::start(&mission.start);
+    let attitude = quaternion::parts(&rigid.attitude);
     core::array::from_fn(|i| match i {
         0..ATTITUDE => point[i],
-        ATTITUDE..RATES => rigid.attitude.0[i - ATTITUDE],
+        ATTITUDE..RATES => attitude[i - ATTITUDE],
         _ => rigid.rates_rad_s[i - RATES],
     })
 }

@@ -3,7 +3,7 @@
 use super::forms::one_row;
 use crate::case::Reader;
 use crate::flight::six_dof::attitude::Given;
-use crate::flight::six_dof::quaternion::Quaternion;
+use crate::flight::six_dof::quaternion;
 use numerics::math::RADIANS_PER_DEGREE;
 
 const AGAINST_HORIZON: [&str; 3] = [
@@ -58,8 +58,8 @@ pub(super) fn given(reader: &mut Reader) -> Option<Given> {
         Some(key) if AGAINST_HORIZON.contains(key) => against_horizon.map(Given::YawPitchRoll),
         Some(key) if *key == QUATERNION => {
             let parts = quaternion??;
-            let quaternion = Quaternion(parts);
-            let squared = quaternion.length_squared();
+            let quaternion = quaternion::of_parts(parts);
+            let squared = quaternion.norm_squared();
             if !(squared > 0.0 && squared.is_finite()) {
                 let message = format!(
                     "got {parts:?}, whose length is {}; must have a length above 0",
@@ -68,7 +68,7 @@ pub(super) fn given(reader: &mut Reader) -> Option<Given> {
                 reader.fault(QUATERNION, message);
                 return None;
             }
-            Some(Given::Quaternion(quaternion.unit()))
+            Some(Given::Quaternion(quaternion::unit(quaternion)))
         }
         _ => against_velocity.map(Given::AlphaBetaBank),
     }

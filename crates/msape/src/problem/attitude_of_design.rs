@@ -103,7 +103,8 @@ pub fn attitude_of_design(
         attitude: at_start(&given, &mission.start, &mission),
         rates_rad_s: rates
             .unwrap_or_default()
-            .map(|rate| rate * RADIANS_PER_DEGREE),
+            .map(|rate| rate * RADIANS_PER_DEGREE)
+            .into(),
     }));
     Ok(FlightProblem {
         mission,

@@ -171,7 +171,10 @@ fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
         },
         damping: Damping { clp, cmq, cnr },
         attitude: crate::flight::six_dof::attitude::at_start(&given?, &mission.start, mission),
-        rates_rad_s: rates?.unwrap_or_default().map(|p| p * RADIANS_PER_DEGREE),
+        rates_rad_s: rates?
+            .unwrap_or_default()
+            .map(|p| p * RADIANS_PER_DEGREE)
+            .into(),
     })
 }
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! with n in 1/m³, φ in 1/(m² s), D in m²/s, T in K, z in m, M in kg/kmol, N the sum of the other gases in 1/m³.
-//! Above 500 km φ is nought.
+//! Above 500 km φ is zero.
 //!
 //! # Valid
 //! 150 to 1000 km.
@@ -18,6 +18,7 @@ use super::{FLUX_TOP_KM, HEAVY, Heterosphere, Span, Z11_M};
 use crate::definition::Definition;
 use crate::temperature::Segment;
 use numerics::math;
+use numerics::quadrature::Rule;
 
 impl Heterosphere<'_> {
     /// Number density of atomic hydrogen, 1/m³, and its slope, 1/m⁴, at the knots; nothing below 150 km.
@@ -63,7 +64,7 @@ impl Heterosphere<'_> {
         for i in (0..=cells).rev() {
             let z = span.from_m + i as f64 * span.cell_m;
             if flux > 0.0 && i < cells {
-                from_above += gauss_3(integrand, z, span.cell_m);
+                from_above += Rule::Gauss5.integral(integrand, [z, z + span.cell_m]);
             }
             let t = temperature(z);
             let n = if flux > 0.0 {
@@ -79,23 +80,5 @@ impl Heterosphere<'_> {
         }
         knots.reverse();
         knots
-    }
-}
-
-/// Gauss-Legendre of three points over one cell.
-fn gauss_3(f: impl Fn(f64) -> f64, from: f64, width: f64) -> f64 {
-    let (middle, half) = (from + width / 2.0, width / 2.0);
-    let x = 0.6_f64.sqrt() * half;
-    half / 9.0 * (5.0 * f(middle - x) + 8.0 * f(middle) + 5.0 * f(middle + x))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn three_points_integrate_a_quintic_exactly() {
-        // ∫₁³ x⁵ dx = (729 − 1)/6
-        assert!((gauss_3(|x| x * x * x * x * x, 1.0, 2.0) - 728.0 / 6.0).abs() < 1e-12);
     }
 }

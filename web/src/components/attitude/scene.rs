@@ -44,7 +44,7 @@ pub fn Scene() -> impl IntoView {
         let time_s = view.time_s.get();
         view.course.with(|course| {
             let course = course.as_ref();
-            course.map_or(Attitude::UPRIGHT, |course| course.attitude(time_s))
+            course.map_or(Attitude::upright(), |course| course.attitude(time_s))
         })
     });
     let at = move |key: &str| {

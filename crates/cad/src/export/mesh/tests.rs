@@ -97,11 +97,11 @@ fn normals_point_out_of_each_triangle() {
     for body in [ball(0.0, 1.0), hollow_ball(), ring(), pencil()] {
         let mesh = mesh(&[body], &options(4.0));
         for (t, [a, b, c]) in mesh.triangles.iter().zip(mesh.corners_m()) {
-            let flat = cross(minus(b, a), minus(c, a));
+            let flat = (b - a).cross(&(c - a));
             for &i in t {
-                let n = mesh.normals[i as usize].map(f64::from);
-                assert!((dot(n, n) - 1.0).abs() < 1e-6);
-                assert!(dot(n, flat) >= 0.0);
+                let n = Vector3::from(mesh.normals[i as usize]).map(f64::from);
+                assert!((n.norm_squared() - 1.0).abs() < 1e-6);
+                assert!(n.dot(&flat) >= 0.0);
             }
         }
     }

@@ -22,6 +22,7 @@
 use super::rigid::Rigid;
 use crate::aero::DragTable;
 use crate::aero::database::{Coefficients, Database};
+use nalgebra::Vector3;
 use numerics::math;
 
 /// Where force and moment come from.
@@ -81,7 +82,7 @@ pub struct Reference {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stream {
     /// Velocity relative to the air, axes of the body, m/s.
-    pub velocity_m_s: [f64; 3],
+    pub velocity_m_s: Vector3<f64>,
     /// Speed relative to the air, m/s.
     pub speed_m_s: f64,
     /// Density, kg/m³.
@@ -89,7 +90,7 @@ pub struct Stream {
     /// Drag coefficient by the drag of the body.
     pub drag_coefficient: f64,
     /// Inertial rates, axes of the body, rad/s.
-    pub rates_rad_s: [f64; 3],
+    pub rates_rad_s: Vector3<f64>,
     /// Mach and Knudsen number, where the coefficients depend on them.
     pub mach_knudsen: [f64; 2],
 }
@@ -98,17 +99,17 @@ pub struct Stream {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
     /// Force, N.
-    pub force_n: [f64; 3],
+    pub force_n: Vector3<f64>,
     /// Moment, N·m.
-    pub moment_n_m: [f64; 3],
+    pub moment_n_m: Vector3<f64>,
 }
 
 impl Load {
     /// As many times the load.
     pub fn times(self, factor: f64) -> Load {
         Load {
-            force_n: self.force_n.map(|x| factor * x),
-            moment_n_m: self.moment_n_m.map(|x| factor * x),
+            force_n: self.force_n * factor,
+            moment_n_m: self.moment_n_m * factor,
         }
     }
 
@@ -126,19 +127,14 @@ impl Load {
         cg_m: [f64; 3],
     ) -> Load {
         // x aft, y right, z down become forward, right, down from the centre of gravity.
-        let arm_m = [
-            cg_m[0] - attachment_m[0],
-            attachment_m[1] - cg_m[1],
-            attachment_m[2] - cg_m[2],
-        ];
-        let swing = cross(stream.rates_rad_s, arm_m);
-        let [u, v, w] = core::array::from_fn(|i| stream.velocity_m_s[i] + swing[i]);
-        let pull = -0.5 * stream.density_kg_m3 * (u * u + v * v + w * w).sqrt() * drag_area_m2;
-        let force = [pull * u, pull * v, pull * w];
-        let moment = cross(arm_m, force);
+        let (cg_m, attachment_m) = (Vector3::from(cg_m), Vector3::from(attachment_m));
+        let arm_m = (attachment_m - cg_m).component_mul(&Vector3::new(-1.0, 1.0, 1.0));
+        let velocity_m_s = stream.velocity_m_s + stream.rates_rad_s.cross(&arm_m);
+        let speed_m_s = velocity_m_s.norm_squared().sqrt();
+        let force_n = velocity_m_s * (-0.5 * stream.density_kg_m3 * speed_m_s * drag_area_m2);
         Load {
-            force_n: core::array::from_fn(|i| self.force_n[i] + force[i]),
-            moment_n_m: core::array::from_fn(|i| self.moment_n_m[i] + moment[i]),
+            force_n: self.force_n + force_n,
+            moment_n_m: self.moment_n_m + arm_m.cross(&force_n),
         }
     }
 }
@@ -154,12 +150,13 @@ struct Static {
     /// Length of `cm` and `cmq`, m.
     length_m: f64,
     /// From the centre of gravity to the point of `cm`, axes of the body, m.
-    arm_m: [f64; 3],
+    arm_m: Vector3<f64>,
 }
 
 /// Angle between the axis and the velocity, rad; nothing at rest.
 #[inline]
-pub fn total_alpha_rad([u, v, w]: [f64; 3]) -> f64 {
+pub fn total_alpha_rad(velocity_m_s: &Vector3<f64>) -> f64 {
+    let [u, v, w] = (*velocity_m_s).into();
     math::atan2((v * v + w * w).sqrt(), u)
 }
 
@@ -174,12 +171,13 @@ impl Aerodynamics {
             ..
         } = body;
         let Stream {
-            velocity_m_s: [u, v, w],
+            velocity_m_s,
             speed_m_s,
             density_kg_m3: rho,
-            rates_rad_s: [p, q, r],
+            rates_rad_s,
             ..
         } = *stream;
+        let ([_, v, w], [p, q, r]) = (velocity_m_s.into(), rates_rad_s.into());
         let Reference {
             area_m2: s,
             length_m: d,
@@ -188,33 +186,33 @@ impl Aerodynamics {
         let pressure_area = 0.5 * rho * speed_m_s * speed_m_s * s;
         // q S/(2 V): the damping does not divide by a speed that may be nothing.
         let rate_area = 0.25 * rho * speed_m_s * s;
-        let damped = [
+        let damped = Vector3::new(
             rate_area * b * b * damping.clp * p,
             rate_area * d * d * damping.cmq * q,
             rate_area * b * b * damping.cnr * r,
-        ];
+        );
         let coefficients = match self {
             Aerodynamics::Drag => {
                 let along = -0.5 * rho * speed_m_s * s * stream.drag_coefficient;
                 return Load {
-                    force_n: [along * u, along * v, along * w],
+                    force_n: velocity_m_s * along,
                     moment_n_m: damped,
                 };
             }
             Aerodynamics::Constants(constants) => {
-                let alpha = total_alpha_rad(stream.velocity_m_s);
+                let alpha = total_alpha_rad(&stream.velocity_m_s);
                 Static {
                     ca: constants.ca,
                     cn: constants.cn_alpha_per_rad * alpha,
                     cm: constants.cm_alpha_per_rad * alpha,
                     cmq: 0.0,
                     length_m: d,
-                    arm_m: [0.0; 3],
+                    arm_m: Vector3::zeros(),
                 }
             }
             Aerodynamics::Database(of_outline) => {
                 let database = &of_outline.database;
-                let alpha = total_alpha_rad(stream.velocity_m_s);
+                let alpha = total_alpha_rad(&stream.velocity_m_s);
                 let [mach, knudsen] = stream.mach_knudsen;
                 let Coefficients {
                     ca, cn, cm, cmq, ..
@@ -225,7 +223,7 @@ impl Aerodynamics {
                     cm,
                     cmq,
                     length_m: database.diameter_m,
-                    arm_m: [*x, -y, -z],
+                    arm_m: Vector3::new(*x, -y, -z),
                 }
             }
         };
@@ -239,39 +237,22 @@ impl Aerodynamics {
             length_m,
             arm_m,
         } = coefficients;
-        let force_n = [
-            -pressure_area * ca,
-            -pressure_area * cn * cv,
-            -pressure_area * cn * cw,
-        ];
+        let force_n = Vector3::new(ca, cn * cv, cn * cw) * -pressure_area;
         let moment = pressure_area * length_m * cm;
         let damping = rate_area * length_m * length_m * cmq;
-        let [l, m, n] = cross(arm_m, force_n);
+        let turning = Vector3::new(0.0, moment * cw + damping * q, damping * r - moment * cv);
         Load {
             force_n,
-            moment_n_m: [
-                l + damped[0],
-                m + moment * cw + damped[1] + damping * q,
-                n - moment * cv + damped[2] + damping * r,
-            ],
+            moment_n_m: arm_m.cross(&force_n) + turning + damped,
         }
     }
-}
-
-#[inline]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::flight::six_dof::inertia::Inertia;
-    use crate::flight::six_dof::quaternion::Quaternion;
+    use nalgebra::UnitQuaternion;
 
     fn body(aerodynamics: Aerodynamics, damping: Damping) -> Rigid {
         let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -285,8 +266,8 @@ mod tests {
             },
             aerodynamics,
             damping,
-            attitude: Quaternion([1.0, 0.0, 0.0, 0.0]),
-            rates_rad_s: [0.0; 3],
+            attitude: UnitQuaternion::identity(),
+            rates_rad_s: Vector3::zeros(),
         }
     }
 
@@ -301,13 +282,13 @@ mod tests {
     });
 
     fn stream(velocity_m_s: [f64; 3]) -> Stream {
-        let [u, v, w] = velocity_m_s;
+        let velocity_m_s = Vector3::from(velocity_m_s);
         Stream {
             velocity_m_s,
-            speed_m_s: (u * u + v * v + w * w).sqrt(),
+            speed_m_s: velocity_m_s.norm_squared().sqrt(),
             density_kg_m3: 0.01,
             drag_coefficient: 0.7,
-            rates_rad_s: [0.0; 3],
+            rates_rad_s: Vector3::zeros(),
             mach_knudsen: [0.0; 2],
         }
     }
@@ -335,7 +316,7 @@ mod tests {
         for (force, part) in load.force_n.iter().zip([0.6, 0.0, -0.8]) {
             assert!((force - 0.175 * part).abs() < 1e-16);
         }
-        assert_eq!(load.moment_n_m, [0.0; 3]);
+        assert_eq!(load.moment_n_m, Vector3::zeros());
     }
 
     #[test]
@@ -346,7 +327,7 @@ mod tests {
             cnr: -1.0,
         };
         let turning = Stream {
-            rates_rad_s: [1.0, 1.0, 1.0],
+            rates_rad_s: Vector3::repeat(1.0),
             ..stream([5.0, 0.0, 0.0])
         };
         let load = load_on(&body(Aerodynamics::Drag, damping), &turning);
@@ -374,8 +355,8 @@ mod tests {
         assert_eq!(
             load,
             Load {
-                force_n: [-0.0; 3],
-                moment_n_m: [0.0; 3]
+                force_n: Vector3::zeros(),
+                moment_n_m: Vector3::zeros()
             }
         );
     }

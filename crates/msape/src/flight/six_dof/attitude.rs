@@ -18,9 +18,10 @@
 //! # References
 //! - \[stevens-lewis-2016\] sections 1.4 and 2.3.
 
-use super::quaternion::{Matrix, Quaternion, turned_back, yaw_pitch_roll_rad};
+use super::quaternion::{of_yaw_pitch_roll, yaw_pitch_roll_rad};
 use crate::flight::mission::{Mission, Start};
 use crate::planet::horizon::Horizon;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use numerics::math;
 
 /// How a case gives the attitude of the start.
@@ -31,16 +32,16 @@ pub enum Given {
     /// Angle of attack, of sideslip and of bank against the velocity relative to the air, rad.
     AlphaBetaBank([f64; 3]),
     /// From axes of the body to local north, east and down, unit length.
-    Quaternion(Quaternion),
+    Quaternion(UnitQuaternion<f64>),
 }
 
 /// From axes of the body to planet-fixed axes at the start of a mission.
-pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
+pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> UnitQuaternion<f64> {
     let local = mission.planet.local(start.position_m);
     let horizon = Horizon::new(local.up);
     let to_planet = of_horizon(&horizon);
     let level = match given {
-        Given::YawPitchRoll(angles) => Quaternion::of_yaw_pitch_roll(*angles),
+        Given::YawPitchRoll(angles) => of_yaw_pitch_roll(*angles),
         Given::Quaternion(quaternion) => *quaternion,
         Given::AlphaBetaBank([alpha, beta, bank]) => {
             let [east_m_s, north_m_s] = mission.wind.east_north_m_s(local.altitude_m);
@@ -55,52 +56,43 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
             } else {
                 (math::atan2(east, north), math::atan2(up, along))
             };
-            let stream = Quaternion::of_yaw_pitch_roll([psi, gamma, *bank]);
-            stream.after(&of_stream(*alpha, *beta))
+            let stream = of_yaw_pitch_roll([psi, gamma, *bank]);
+            stream * of_stream(*alpha, *beta)
         }
     };
-    Quaternion::of_matrix(&to_planet).after(&level).unit()
+    UnitQuaternion::from_rotation_matrix(&to_planet) * level
 }
 
 /// Tangent of the angle to the vertical within which a velocity has no azimuth of its own.
 const UPRIGHT: f64 = 1e-9;
 
 /// From local north, east and down to planet-fixed axes.
-fn of_horizon(horizon: &Horizon<f64>) -> Matrix {
-    let Horizon { north, east, up } = horizon;
-    core::array::from_fn(|i| [north[i], east[i], -up[i]])
+fn of_horizon(horizon: &Horizon<f64>) -> Rotation3<f64> {
+    let [north, east, up] = [horizon.north, horizon.east, horizon.up].map(Vector3::from);
+    Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[north, east, -up]))
 }
 
 /// From axes of the body to those of the stream.
-fn of_stream(alpha: f64, beta: f64) -> Quaternion {
-    let ((sa, ca), (sb, cb)) = (math::sin_cos(alpha), math::sin_cos(beta));
-    Quaternion::of_matrix(&[
-        [ca * cb, sb, sa * cb],
-        [-ca * sb, cb, -sa * sb],
-        [-sa, 0.0, ca],
-    ])
+fn of_stream(alpha: f64, beta: f64) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -beta)
+        * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), alpha)
 }
 
 /// Yaw, pitch and roll against local north, east and down of an attitude against planet-fixed axes, rad.
-pub fn angles_rad(attitude: &Matrix, up: [f64; 3]) -> [f64; 3] {
+pub fn angles_rad(attitude: &Rotation3<f64>, up: [f64; 3]) -> [f64; 3] {
     let to_planet = of_horizon(&Horizon::new(up));
-    let columns: [[f64; 3]; 3] =
-        core::array::from_fn(|j| turned_back(&to_planet, core::array::from_fn(|i| attitude[i][j])));
-    yaw_pitch_roll_rad(&core::array::from_fn(|i| {
-        core::array::from_fn(|j| columns[j][i])
-    }))
+    yaw_pitch_roll_rad(&(to_planet.inverse() * attitude))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::flight::six_dof::quaternion::turned;
 
     #[test]
     fn the_velocity_of_the_stream_has_its_alpha_and_beta() {
         // u = V cα cβ, v = V sβ, w = V sα cβ
         let (alpha, beta) = (0.3, -0.2);
-        let [u, v, w] = turned_back(&of_stream(alpha, beta).matrix(), [1.0, 0.0, 0.0]);
+        let [u, v, w] = (of_stream(alpha, beta).inverse() * Vector3::x()).into();
         assert!((u - math::cos(alpha) * math::cos(beta)).abs() < 1e-15);
         assert!((v - math::sin(beta)).abs() < 1e-15);
         assert!((w - math::sin(alpha) * math::cos(beta)).abs() < 1e-15);
@@ -109,17 +101,14 @@ mod tests {
     #[test]
     fn angles_come_back_over_any_place() {
         let up = [0.48, 0.6, 0.64];
-        let to_planet = Quaternion::of_matrix(&of_horizon(&Horizon::new(up)));
+        let to_planet = of_horizon(&Horizon::new(up));
         let angles = [1.0, -0.5, 2.0];
-        let attitude = to_planet
-            .after(&Quaternion::of_yaw_pitch_roll(angles))
-            .matrix();
+        let attitude = to_planet * of_yaw_pitch_roll(angles).to_rotation_matrix();
         for (given, back) in angles.iter().zip(angles_rad(&attitude, up)) {
             assert!((given - back).abs() < 1e-14);
         }
         // The third axis of the level body points down.
-        let level = to_planet.matrix();
-        let down = turned(&level, [0.0, 0.0, 1.0]);
-        assert!((down[2] + 0.64).abs() < 1e-15);
+        let down = to_planet * Vector3::z();
+        assert!((down.z + 0.64).abs() < 1e-15);
     }
 }

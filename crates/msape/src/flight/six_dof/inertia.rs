@@ -13,9 +13,7 @@
 //! # References
 //! - \[goldstein-2002\] sections 5.3 and 5.5.
 
-use super::quaternion::{Matrix, turned};
-use numerics::math;
-use numerics::math::PI;
+use nalgebra::{Matrix3, Vector3};
 
 /// Part of the largest element by which a tensor may be unsymmetric, or its moments may break the triangle inequality:
 /// what rounding to four figures does.
@@ -25,9 +23,9 @@ const ROUNDING: f64 = 1e-4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
     /// The tensor, kg·m².
-    pub tensor_kg_m2: Matrix,
+    pub tensor_kg_m2: Matrix3<f64>,
     /// Its inverse, 1/(kg·m²).
-    inverse: Matrix,
+    inverse: Matrix3<f64>,
 }
 
 impl Inertia {
@@ -35,7 +33,7 @@ impl Inertia {
     ///
     /// # Errors
     /// Everything that no body can have, each with values and what they must be.
-    pub fn try_new(rows: Matrix) -> Result<Inertia, Vec<String>> {
+    pub fn try_new(rows: [[f64; 3]; 3]) -> Result<Inertia, Vec<String>> {
         let mut faults = Vec::new();
         let largest = rows.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
         let axes = ["x", "y", "z"];
@@ -61,8 +59,8 @@ impl Inertia {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let tensor: Matrix =
-            core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (rows[i][j] + rows[j][i])));
+        let tensor = Matrix3::from(rows);
+        let tensor = (tensor + tensor.transpose()) * 0.5;
         let [low, middle, high] = principal_moments(&tensor);
         let moments = format!("principal moments {low:.6}, {middle:.6} and {high:.6} kg-m^2");
         if low <= 0.0 || low.is_nan() {
@@ -70,57 +68,32 @@ impl Inertia {
         } else if high > (low + middle) * (1.0 + ROUNDING) {
             faults.push(format!("has the {moments}; the largest must be at most {:.6} kg-m^2, the sum of the others, or no mass has them", low + middle));
         }
-        if !faults.is_empty() {
-            return Err(faults);
+        match tensor.try_inverse() {
+            Some(inverse) if faults.is_empty() => Ok(Inertia {
+                inverse,
+                tensor_kg_m2: tensor,
+            }),
+            _ => Err(faults),
         }
-        Ok(Inertia {
-            inverse: inverse(&tensor),
-            tensor_kg_m2: tensor,
-        })
     }
 
     /// ω̇ under a moment, N·m, in rad/s².
     #[inline]
-    pub fn acceleration_rad_s2(&self, rates: [f64; 3], [l, m, n]: [f64; 3]) -> [f64; 3] {
-        let [p, q, r] = rates;
-        let [hx, hy, hz] = turned(&self.tensor_kg_m2, rates);
-        turned(
-            &self.inverse,
-            [
-                l - (q * hz - r * hy),
-                m - (r * hx - p * hz),
-                n - (p * hy - q * hx),
-            ],
-        )
+    pub fn acceleration_rad_s2(
+        &self,
+        rates_rad_s: &Vector3<f64>,
+        moment_n_m: Vector3<f64>,
+    ) -> Vector3<f64> {
+        let momentum = self.tensor_kg_m2 * rates_rad_s;
+        self.inverse * (moment_n_m - rates_rad_s.cross(&momentum))
     }
 }
 
-/// Eigenvalues of a symmetric matrix, ascending, by the trigonometric solution of the cubic.
-fn principal_moments(m: &Matrix) -> [f64; 3] {
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *m;
-    let mean = (xx + yy + zz) / 3.0;
-    let off = xy * xy + xz * xz + yz * yz;
-    let (dx, dy, dz) = (xx - mean, yy - mean, zz - mean);
-    let spread = ((dx * dx + dy * dy + dz * dz + 2.0 * off) / 6.0).sqrt();
-    if spread <= f64::EPSILON * mean.abs() {
-        return [mean; 3];
-    }
-    let det = dx * (dy * dz - yz * yz) - xy * (xy * dz - yz * xz) + xz * (xy * yz - dy * xz);
-    let cosine = (det / (2.0 * spread * spread * spread)).clamp(-1.0, 1.0);
-    let angle = math::acos(cosine) / 3.0;
-    let high = mean + 2.0 * spread * math::cos(angle);
-    let low = mean + 2.0 * spread * math::cos(angle + 2.0 * PI / 3.0);
-    [low, 3.0 * mean - low - high, high]
-}
-
-/// Inverse of a positive definite matrix.
-fn inverse(m: &Matrix) -> Matrix {
-    let minor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
-    core::array::from_fn(|i| core::array::from_fn(|j| minor(j, i) / determinant))
+/// Eigenvalues of a symmetric matrix, ascending.
+fn principal_moments(tensor: &Matrix3<f64>) -> [f64; 3] {
+    let mut moments: [f64; 3] = tensor.symmetric_eigenvalues().into();
+    moments.sort_by(f64::total_cmp);
+    moments
 }
 
 #[cfg(test)]
@@ -132,11 +105,13 @@ mod tests {
         let inertia =
             Inertia::try_new([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).unwrap();
         assert_eq!(
-            inertia.acceleration_rad_s2([3.0, 0.0, 0.0], [0.0; 3]),
-            [0.0; 3]
+            inertia.acceleration_rad_s2(&Vector3::new(3.0, 0.0, 0.0), Vector3::zeros()),
+            Vector3::zeros()
         );
         // ṗ = (I_y − I_z) q r / I_x = −0.5 · 2 · 3, q̇ = (I_z − I_x) r p / I_y, with p = 0; plus a moment of 1 about x
-        let [p, q, r] = inertia.acceleration_rad_s2([0.0, 2.0, 3.0], [1.0, 0.0, 0.0]);
+        let [p, q, r] = inertia
+            .acceleration_rad_s2(&Vector3::new(0.0, 2.0, 3.0), Vector3::x())
+            .into();
         assert!((p + 2.0).abs() < 1e-15 && q.abs() < 1e-15 && r.abs() < 1e-15);
     }
 
@@ -144,19 +119,15 @@ mod tests {
     fn the_inverse_is_the_inverse_with_products_of_inertia() {
         let m = [[3.0, -0.2, 0.1], [-0.2, 4.0, 0.3], [0.1, 0.3, 5.0]];
         let inertia = Inertia::try_new(m).unwrap();
-        for (i, row) in m.iter().enumerate() {
-            for j in 0..3 {
-                let sum: f64 = (0..3).map(|k| row[k] * inertia.inverse[k][j]).sum();
-                assert!((sum - f64::from(u8::from(i == j))).abs() < 1e-15);
-            }
-        }
+        let product = inertia.tensor_kg_m2 * inertia.inverse;
+        assert!((product - Matrix3::identity()).amax() < 1e-15);
     }
 
     #[test]
     fn principal_moments_of_a_turned_body() {
         // In the plane x, y: 4 ± 1 with equal diagonal and off-diagonal 1.
         let [low, middle, high] =
-            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]]);
+            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]].into());
         assert!(
             (low - 3.0).abs() < 1e-14 && (middle - 4.5).abs() < 1e-14 && (high - 5.0).abs() < 1e-14
         );
@@ -164,7 +135,7 @@ mod tests {
 
     #[test]
     fn what_no_body_can_have_is_refused() {
-        let said = |m: Matrix| Inertia::try_new(m).unwrap_err().join("\n");
+        let said = |m: [[f64; 3]; 3]| Inertia::try_new(m).unwrap_err().join("\n");
         assert!(said([[0.0; 3]; 3]).contains("no inertia at all"));
         let diagonal = |x: f64, y: f64, z: f64| [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
         assert!(said(diagonal(1.0, 1.0, 2.5)).contains("at most 2.000000 kg-m^2"));

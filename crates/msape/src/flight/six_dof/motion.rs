@@ -18,7 +18,7 @@
 
 use super::aerodynamics::{Aerodynamics, Load, Stream, total_alpha_rad};
 use super::attitude::angles_rad;
-use super::quaternion::{Matrix, Quaternion, turned, turned_back};
+use super::quaternion;
 use super::rigid::Rigid;
 use crate::aero::{Drag, DragTable};
 use crate::flight::equations::{Equations, STATES, Surroundings};
@@ -27,6 +27,7 @@ use crate::flight::motion::{AttitudeSample, Motion, head};
 use crate::flight::reach::Arguments;
 use crate::flight::sample::Loads;
 use crate::planet::wind::Wind;
+use nalgebra::{Quaternion, Rotation3, Vector3};
 use numerics::ode::{Step, Tolerance};
 
 /// Components of the state: a point mass, quaternion, rates.
@@ -54,9 +55,20 @@ pub struct RigidMotion<'a> {
 struct Instant {
     point: [f64; STATES],
     around: Surroundings<f64>,
-    attitude: Quaternion,
-    to_planet: Matrix,
+    attitude: Quaternion<f64>,
+    to_planet: Rotation3<f64>,
     stream: Stream,
+}
+
+#[inline]
+fn quaternion_of(y: &[f64; RIGID_STATES]) -> Quaternion<f64> {
+    quaternion::of_parts(core::array::from_fn(|i| y[ATTITUDE + i]))
+}
+
+/// Angle between the axis of an attitude and a velocity in planet-fixed axes, rad.
+#[inline]
+fn seen_alpha_rad(attitude: Quaternion<f64>, velocity_m_s: &Vector3<f64>) -> f64 {
+    total_alpha_rad(&quaternion::unit(attitude).inverse_transform_vector(velocity_m_s))
 }
 
 impl RigidMotion<'_> {
@@ -64,14 +76,14 @@ impl RigidMotion<'_> {
     fn instant(&self, y: &[f64; RIGID_STATES]) -> Instant {
         let point = head(y);
         let around = self.point.surroundings(&point);
-        let attitude = Quaternion(core::array::from_fn(|i| y[ATTITUDE + i]));
-        let to_planet = attitude.matrix();
+        let attitude = quaternion_of(y);
+        let to_planet = quaternion::unit(attitude).to_rotation_matrix();
         let stream = Stream {
-            velocity_m_s: turned_back(&to_planet, around.air_velocity_m_s),
+            velocity_m_s: to_planet.inverse_transform_vector(&around.air_velocity_m_s.into()),
             speed_m_s: around.air_speed_m_s,
             density_kg_m3: around.density_kg_m3,
             drag_coefficient: around.drag_coefficient,
-            rates_rad_s: core::array::from_fn(|i| y[RATES + i]),
+            rates_rad_s: Vector3::from_fn(|i, _| y[RATES + i]),
             mach_knudsen: self.mach_knudsen(&around),
         };
         Instant {
@@ -88,9 +100,9 @@ impl RigidMotion<'_> {
     pub fn total_alpha_in_rad(&self, step: &Step<RIGID_STATES>, t: f64) -> f64 {
         match &self.point.mission.wind {
             Wind::Calm => {
-                let velocity_m_s = core::array::from_fn(|i| step.component(3 + i, t));
+                let velocity_m_s = Vector3::from_fn(|i, _| step.component(3 + i, t));
                 let parts = core::array::from_fn(|i| step.component(ATTITUDE + i, t));
-                total_alpha_rad(turned_back(&Quaternion(parts).matrix(), velocity_m_s))
+                seen_alpha_rad(quaternion::of_parts(parts), &velocity_m_s)
             }
             _ => self.total_alpha_rad(&step.at(t)),
         }
@@ -103,8 +115,7 @@ impl RigidMotion<'_> {
             Wind::Calm => [y[3], y[4], y[5]],
             _ => self.point.surroundings(&head(y)).air_velocity_m_s,
         };
-        let attitude = Quaternion(core::array::from_fn(|i| y[ATTITUDE + i]));
-        total_alpha_rad(turned_back(&attitude.matrix(), velocity_m_s))
+        seen_alpha_rad(quaternion_of(y), &velocity_m_s.into())
     }
 
     #[inline]
@@ -218,21 +229,18 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
             force_n,
             moment_n_m,
         } = self.whole_load(t, &stream);
-        let over_mass = 1.0 / self.point.numbers().mass_kg;
-        let force = turned(&to_planet, force_n).map(|force| force * over_mass);
-        let of_point = self.point.moved_by(&point, &around, force);
+        let force = to_planet * force_n / self.point.numbers().mass_kg;
+        let of_point = self.point.moved_by(&point, &around, force.into());
         let spin = self.point.mission.planet.rotation_rate_rad_s;
-        let of_planet = turned_back(&to_planet, [0.0, 0.0, spin]);
-        let relative = core::array::from_fn(|i| stream.rates_rad_s[i] - of_planet[i]);
-        let of_attitude = attitude.derivative(relative);
+        let of_planet = to_planet.inverse_transform_vector(&(Vector3::z() * spin));
+        let of_attitude = quaternion::derivative(&attitude, stream.rates_rad_s - of_planet);
+        let of_attitude = quaternion::parts(&of_attitude);
         let moment_n_m = match self.point.is_phased() {
-            true => moment_n_m.map(|moment| moment / self.part_of_mass()),
+            true => moment_n_m / self.part_of_mass(),
             false => moment_n_m,
         };
-        let of_rates = self
-            .rigid
-            .inertia
-            .acceleration_rad_s2(stream.rates_rad_s, moment_n_m);
+        let inertia = &self.rigid.inertia;
+        let of_rates = inertia.acceleration_rad_s2(&stream.rates_rad_s, moment_n_m);
         core::array::from_fn(|i| match i {
             0..ATTITUDE => of_point[i],
             ATTITUDE..RATES => of_attitude[i - ATTITUDE],
@@ -242,8 +250,8 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
 
     fn loads_around(&self, t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
         let Instant { around, stream, .. } = self.instant(y);
-        let [x, y, z] = self.whole_load(t, &stream).force_n;
-        let deceleration_m_s2 = (x * x + y * y + z * z).sqrt() / self.point.numbers().mass_kg;
+        let force_n = self.whole_load(t, &stream).force_n.norm_squared().sqrt();
+        let deceleration_m_s2 = force_n / self.point.numbers().mass_kg;
         let loads = Loads::new(&self.point, &around, deceleration_m_s2);
         (loads, around)
     }
@@ -255,21 +263,19 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         if v < SLOWEST_M_S {
             return stream.drag_coefficient;
         }
-        let along = stream.velocity_m_s.map(|part| part / v);
         let unit = Stream {
             speed_m_s: v,
             density_kg_m3: 2.0 / (v * v),
             ..stream
         };
-        let force = self.load(&unit).force_n;
-        let against: f64 = -(force[0] * along[0] + force[1] * along[1] + force[2] * along[2]);
+        let against = -self.load(&unit).force_n.dot(&stream.velocity_m_s) / v;
         against / self.rigid.reference.area_m2
     }
 
     fn arguments(&self, t: f64, y: &[f64; RIGID_STATES]) -> Arguments<f64> {
         let Instant { around, stream, .. } = self.instant(y);
         let [_, knudsen] = stream.mach_knudsen;
-        let alpha_rad = total_alpha_rad(stream.velocity_m_s);
+        let alpha_rad = total_alpha_rad(&stream.velocity_m_s);
         self.point.arguments(t, &around, alpha_rad, knudsen)
     }
 
@@ -281,9 +287,9 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
             ..
         } = self.instant(y);
         Some(AttitudeSample {
-            total_alpha_rad: total_alpha_rad(stream.velocity_m_s),
+            total_alpha_rad: total_alpha_rad(&stream.velocity_m_s),
             yaw_pitch_roll_rad: angles_rad(&to_planet, around.up),
-            rates_rad_s: stream.rates_rad_s,
+            rates_rad_s: stream.rates_rad_s.into(),
         })
     }
 }

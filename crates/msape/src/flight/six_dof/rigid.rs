@@ -2,7 +2,7 @@
 
 use super::aerodynamics::{Aerodynamics, Damping, Reference};
 use super::inertia::Inertia;
-use super::quaternion::Quaternion;
+use nalgebra::{UnitQuaternion, Vector3};
 
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Rigid {
     /// Damping by constants.
     pub damping: Damping,
     /// Attitude at the start: from axes of the body to planet-fixed axes.
-    pub attitude: Quaternion,
+    pub attitude: UnitQuaternion<f64>,
     /// Inertial rates at the start, axes of the body, rad/s.
-    pub rates_rad_s: [f64; 3],
+    pub rates_rad_s: Vector3<f64>,
 }

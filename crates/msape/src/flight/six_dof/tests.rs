@@ -4,9 +4,9 @@ mod flights;
 
 use super::*;
 use crate::flight::freedom::Freedom;
-use crate::flight::six_dof::quaternion::{Quaternion, turned};
 use crate::problem::FlightProblem;
 use crate::{Case, Library};
+use nalgebra::{UnitQuaternion, Vector3};
 use numerics::math;
 use numerics::math::{PI, RADIANS_PER_DEGREE as DEG};
 
@@ -57,21 +57,19 @@ fn record(problem: &FlightProblem) -> Record<RIGID_STATES> {
     )
 }
 
-fn rates(y: &[f64; RIGID_STATES]) -> [f64; 3] {
-    core::array::from_fn(|i| y[RATES + i])
+fn rates(y: &[f64; RIGID_STATES]) -> Vector3<f64> {
+    Vector3::from_fn(|i, _| y[RATES + i])
 }
 
-fn attitude(y: &[f64; RIGID_STATES]) -> Quaternion {
-    Quaternion(core::array::from_fn(|i| y[ATTITUDE + i]))
+fn attitude(y: &[f64; RIGID_STATES]) -> UnitQuaternion<f64> {
+    let parts = quaternion::of_parts(core::array::from_fn(|i| y[ATTITUDE + i]));
+    assert!((parts.norm_squared() - 1.0).abs() < 1e-8);
+    quaternion::unit(parts)
 }
 
 fn last(record: &Record<RIGID_STATES>) -> (f64, [f64; RIGID_STATES]) {
     let step = &record.legs.last().unwrap().step;
     (step.t1, step.y1)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Over the turning Earth without air, ten minutes of tumbling about all axes of a body with products of inertia.
@@ -104,23 +102,19 @@ body_rates_deg_s = [40.0, 60.0, -25.0]
 ";
     let problem = problem(text);
     let (rigid, record) = (rigid(&problem), record(&problem));
-    let momentum = |y: &[f64; RIGID_STATES]| turned(&rigid.inertia.tensor_kg_m2, rates(y));
-    let energy = |y: &[f64; RIGID_STATES]| 0.5 * dot(rates(y), momentum(y));
+    let momentum = |y: &[f64; RIGID_STATES]| rigid.inertia.tensor_kg_m2 * rates(y);
+    let energy = |y: &[f64; RIGID_STATES]| 0.5 * rates(y).dot(&momentum(y));
     // Planet-fixed axes turn with the planet; in axes that do not, the angular momentum stands still.
     let inertial = |t: f64, y: &[f64; RIGID_STATES]| {
-        let [x, y, z] = turned(&attitude(y).matrix(), momentum(y));
-        let (sin, cos) = math::sin_cos(problem.mission.planet.rotation_rate_rad_s * t);
-        [cos * x - sin * y, sin * x + cos * y, z]
+        let angle = problem.mission.planet.rotation_rate_rad_s * t;
+        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle) * (attitude(y) * momentum(y))
     };
     let (e_0, h_0) = (energy(&record.start), inertial(0.0, &record.start));
-    let size = dot(h_0, h_0).sqrt();
     let (mut worst_energy, mut worst_momentum) = (0.0_f64, 0.0_f64);
     for leg in &record.legs {
         worst_energy = worst_energy.max((energy(&leg.step.y1) / e_0 - 1.0).abs());
         let h = inertial(leg.step.t1, &leg.step.y1);
-        let off: [f64; 3] = core::array::from_fn(|i| h[i] - h_0[i]);
-        worst_momentum = worst_momentum.max(dot(off, off).sqrt() / size);
-        assert!((attitude(&leg.step.y1).length_squared() - 1.0).abs() < 1e-8);
+        worst_momentum = worst_momentum.max((h - h_0).norm() / h_0.norm());
     }
     assert_eq!(last(&record).0, 600.0);
     assert!(worst_energy < 1e-9, "energy {worst_energy:e}");
@@ -140,7 +134,7 @@ time_s = 100.0
 ";
     let problem = problem(&text);
     let (t, y) = last(&record(&problem));
-    let [p, q, r] = rates(&y);
+    let [p, q, r] = rates(&y).into();
     let (p_0, q_0) = (90.0 * DEG, 30.0 * DEG);
     // İ q̇ = (I − I_x) r p, I ṙ = (I_x − I) p q: (q, r) turns at (I_x/I − 1) p = p/2
     let (sin, cos) = math::sin_cos(0.5 * p_0 * t);
@@ -151,22 +145,15 @@ time_s = 100.0
     );
     // The axis keeps its angle to the angular momentum and has turned about it by |H|/I t.
     let h_size = (9.0 * p_0 * p_0 + 4.0 * q_0 * q_0).sqrt();
-    let axis = |y: &[f64; RIGID_STATES]| turned(&attitude(y).matrix(), [1.0, 0.0, 0.0]);
+    let axis = |y: &[f64; RIGID_STATES]| attitude(y) * Vector3::x();
     let start = super::start(&problem.mission, rigid(&problem));
-    let h = turned(&attitude(&start).matrix(), [3.0 * p_0, 2.0 * q_0, 0.0]).map(|h| h / h_size);
+    let h = attitude(&start) * Vector3::new(3.0 * p_0, 2.0 * q_0, 0.0) / h_size;
     let (a, b) = (axis(&start), axis(&y));
-    let along = dot(h, a);
-    assert!((dot(h, b) - along).abs() < 1e-8);
+    let along = h.dot(&a);
+    assert!((h.dot(&b) - along).abs() < 1e-8);
     let (sin, cos) = math::sin_cos(0.5 * h_size * t);
-    let across = [
-        h[1] * a[2] - h[2] * a[1],
-        h[2] * a[0] - h[0] * a[2],
-        h[0] * a[1] - h[1] * a[0],
-    ];
-    for i in 0..3 {
-        let expected = along * h[i] + cos * (a[i] - along * h[i]) + sin * across[i];
-        assert!((b[i] - expected).abs() < 1e-8, "{i}: {} {expected}", b[i]);
-    }
+    let expected = h * along + (a - h * along) * cos + h.cross(&a) * sin;
+    assert!((b - expected).amax() < 1e-8, "{b} {expected}");
 }
 
 /// q S d C_mα = −½ 0.02 10⁶ C_mα = −I ω² with ω = 2π 10 Hz and I = 2 kg·m².
@@ -230,11 +217,11 @@ time_s = 20.0
     );
     let problem = problem(&text);
     let record = record(&problem);
-    let axis = |y: &[f64; RIGID_STATES]| turned(&attitude(y).matrix(), [1.0, 0.0, 0.0]);
+    let axis = |y: &[f64; RIGID_STATES]| attitude(y) * Vector3::x();
     for leg in &record.legs {
         let (t, y) = (leg.step.t1, &leg.step.y1);
         // Over the equator at longitude 0: x up, y east, z north. The nose starts above the velocity.
-        let [up, east, north] = axis(y);
+        let [up, east, north] = axis(y).into();
         assert!(
             (math::acos(north) - alpha).abs() < 1e-6,
             "{t}: {}",

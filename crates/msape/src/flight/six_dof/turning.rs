@@ -23,6 +23,7 @@ use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission};
 use crate::flight::{Flight, Request, fly};
 use crate::progress::{Part, Progress};
+use nalgebra::Vector3;
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -119,14 +120,13 @@ pub fn turn(
     let Freedom::Rigid(rigid) = &body.freedom else {
         return None;
     };
-    let [roll_rad_s, ..] = rigid.rates_rad_s;
     let rigid = Rigid {
         attitude: at_start(
             &Given::AlphaBetaBank([start.alpha_rad, 0.0, 0.0]),
             &mission.start,
             mission,
         ),
-        rates_rad_s: [roll_rad_s, start.pitch_rate_rad_s, 0.0],
+        rates_rad_s: Vector3::new(rigid.rates_rad_s.x, start.pitch_rate_rad_s, 0.0),
         ..(**rigid).clone()
     };
     let mut watch = Watch {
