@@ -1,9 +1,11 @@
 //! Files given to the user and taken from the user.
 
+use gloo::file::{Blob, File, ObjectUrl};
 use leptos::prelude::*;
+use std::time::Duration;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, HtmlCanvasElement, Url};
+use web_sys::{HtmlAnchorElement, HtmlCanvasElement};
 
 /// Largest file that is read, bytes.
 const BYTES_MAX: f64 = 5e6;
@@ -13,13 +15,7 @@ const BYTES_MAX: f64 = 5e6;
 /// # Errors
 /// What the browser refuses.
 pub fn download(name: &str, mime: &str, text: &str) -> Result<(), JsValue> {
-    let parts = js_sys::Array::of1(&text.into());
-    let options = BlobPropertyBag::new();
-    options.set_type(mime);
-    hand_over(
-        name,
-        &Blob::new_with_str_sequence_and_options(&parts, &options)?,
-    )
+    hand_over(name, Blob::new_with_options(text, Some(mime)).into())
 }
 
 /// Hands bytes to the user as a file.
@@ -27,13 +23,7 @@ pub fn download(name: &str, mime: &str, text: &str) -> Result<(), JsValue> {
 /// # Errors
 /// What the browser refuses.
 pub fn download_bytes(name: &str, mime: &str, bytes: &[u8]) -> Result<(), JsValue> {
-    let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
-    let options = BlobPropertyBag::new();
-    options.set_type(mime);
-    hand_over(
-        name,
-        &Blob::new_with_u8_array_sequence_and_options(&parts, &options)?,
-    )
+    hand_over(name, Blob::new_with_options(bytes, Some(mime)).into())
 }
 
 /// Hands a drawing to the user as a PNG file.
@@ -42,25 +32,21 @@ pub fn download_bytes(name: &str, mime: &str, bytes: &[u8]) -> Result<(), JsValu
 /// What the browser refuses.
 pub fn download_png(name: String, canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
     let on_blob = Closure::once_into_js(move |blob: JsValue| {
-        if let Ok(blob) = blob.dyn_into::<Blob>() {
+        if let Ok(blob) = blob.dyn_into::<web_sys::Blob>() {
             // The file is a convenience; a browser that refuses it says so itself.
-            let _ = hand_over(&name, &blob);
+            let _ = hand_over(&name, Blob::from(blob).into());
         }
     });
     canvas.to_blob(on_blob.unchecked_ref())
 }
 
-fn hand_over(name: &str, blob: &Blob) -> Result<(), JsValue> {
-    let address = Url::create_object_url_with_blob(blob)?;
+fn hand_over(name: &str, address: ObjectUrl) -> Result<(), JsValue> {
     let anchor: HtmlAnchorElement = document().create_element("a")?.unchecked_into();
     anchor.set_href(&address);
     anchor.set_download(name);
     anchor.click();
-    // The browser reads the address after this call.
-    set_timeout(
-        move || drop(Url::revoke_object_url(&address)),
-        std::time::Duration::from_secs(20),
-    );
+    // The browser reads the address after this call: it is given back later.
+    set_timeout(move || drop(address), Duration::from_secs(20));
     Ok(())
 }
 
@@ -94,11 +80,8 @@ pub async fn bytes(file: web_sys::File) -> Result<Vec<u8>, String> {
             BYTES_MAX / 1e6
         ));
     }
-    let blob: Blob = file.unchecked_into();
-    let buffer = JsFuture::from(blob.array_buffer())
-        .await
-        .map_err(|error| format!("The file cannot be read: {error:?}"))?;
-    Ok(js_sys::Uint8Array::new(&buffer).to_vec())
+    let read = gloo::file::futures::read_as_bytes(&File::from(file)).await;
+    read.map_err(|error| format!("The file cannot be read: {error}"))
 }
 
 /// Puts a text on the clipboard.

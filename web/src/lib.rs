@@ -20,6 +20,7 @@ mod display;
 mod drawing;
 mod files;
 pub mod link;
+mod observe;
 mod pages;
 pub mod presets;
 pub mod protocol;

@@ -1,15 +1,13 @@
 //! A figure on a canvas, with the cursor that all charts share above it.
 
 use crate::charts::ChartSpec;
+use crate::observe;
 use crate::state::State;
 
-use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::ev::{KeyboardEvent, PointerEvent};
 use leptos::html::{Canvas, Div};
 use leptos::prelude::*;
 use msape_plot::{CanvasSize, Figure, Mapping, Theme, canvas, summary};
-use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::{IntersectionObserver, IntersectionObserverEntry, ResizeObserver};
 
 /// Draws a figure; `points` are those of its first series, one for each row of the time history.
 #[component]
@@ -35,7 +33,8 @@ pub fn Chart(
     let size = RwSignal::new((0.0, 0.0));
     let mapping = RwSignal::new(None::<Mapping>);
     let in_view = RwSignal::new(true);
-    watch(frame, size, in_view);
+    observe::size(frame, size);
+    observe::in_view(frame, in_view);
 
     let draw = move || {
         let (width_px, height_px) = size.get();
@@ -182,44 +181,4 @@ fn nearest(
         .filter_map(|(row, point)| Some((row, distance(point)?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(row, _)| row)
-}
-
-/// Keeps `size` at the size of an element, and `in_view` at whether it is on the screen.
-fn watch(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>, in_view: RwSignal<bool>) {
-    Effect::new(move |_| {
-        let Some(element) = frame.get() else {
-            return;
-        };
-        // The observers outlive the chart by a moment: hence `try_`.
-        let measured = element.clone();
-        let on_size = Closure::<dyn Fn()>::new(move || {
-            let now = (
-                f64::from(measured.client_width()),
-                f64::from(measured.client_height()),
-            );
-            if size.try_get_untracked().is_some_and(|before| before != now) {
-                size.set(now);
-            }
-        });
-        let on_view = Closure::<dyn Fn(js_sys::Array)>::new(move |entries: js_sys::Array| {
-            let newest = entries.pop().dyn_into::<IntersectionObserverEntry>();
-            if let (Ok(entry), Some(before)) = (newest, in_view.try_get_untracked())
-                && entry.is_intersecting() != before
-            {
-                in_view.set(!before);
-            }
-        });
-        if let Ok(observer) = ResizeObserver::new(on_size.as_ref().unchecked_ref()) {
-            observer.observe(&element);
-            let observer = SendWrapper::new(observer);
-            on_cleanup(move || observer.disconnect());
-        }
-        if let Ok(observer) = IntersectionObserver::new(on_view.as_ref().unchecked_ref()) {
-            observer.observe(&element);
-            let observer = SendWrapper::new(observer);
-            on_cleanup(move || observer.disconnect());
-        }
-        on_size.forget();
-        on_view.forget();
-    });
 }

@@ -1,7 +1,8 @@
 //! Look and depth of the page; remembered, but not part of the document.
 
+use gloo::events::EventListener;
+use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::prelude::*;
-use wasm_bindgen::{JsCast, closure::Closure};
 
 /// Light, dark, or as the system says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,13 +95,10 @@ fn system_is_dark() -> RwSignal<bool> {
         .flatten();
     let dark = RwSignal::new(query.as_ref().is_some_and(web_sys::MediaQueryList::matches));
     if let Some(query) = query {
-        let on_change = Closure::<dyn Fn()>::new({
-            let query = query.clone();
-            move || dark.set(query.matches())
-        });
-        let _ =
-            query.add_event_listener_with_callback("change", on_change.as_ref().unchecked_ref());
-        on_change.forget();
+        let heard =
+            EventListener::new(&query.clone(), "change", move |_| dark.set(query.matches()));
+        let heard = SendWrapper::new(heard);
+        on_cleanup(move || drop(heard));
     }
     dark
 }

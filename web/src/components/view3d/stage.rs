@@ -6,6 +6,7 @@ use super::controls::{CUT_MAX_DEG, CUT_STEP_DEG, Controls, TURN_RAD, ZOOM};
 use crate::clock::now_ms;
 use crate::components::export::save;
 use crate::files;
+use crate::observe;
 use crate::state::State;
 use crate::view3d::attitude::Attitude;
 use crate::view3d::camera::Camera;
@@ -19,7 +20,6 @@ use leptos::prelude::*;
 pub use stored::Subject;
 use stored::{Moved, Stored, place};
 use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::ResizeObserver;
 
 /// Where a colour comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +124,7 @@ pub fn Stage(
             };
             renderer.draw(&Frame {
                 camera: camera.get_untracked(),
-                attitude: attitude.map_or(Attitude::UPRIGHT, |attitude| attitude.get_untracked()),
+                attitude: attitude.map_or(Attitude::upright(), |attitude| attitude.get_untracked()),
                 ball: stored.ball,
                 cut_rad: (cut_deg.get_untracked() as f32).to_radians(),
                 looks,
@@ -189,7 +189,7 @@ pub fn Stage(
         state.preferences.dark.track();
         draw_soon();
     });
-    watch(frame_ref, size);
+    observe::size(frame_ref, size);
     on_cleanup(move || {
         stored.try_with_value(|stored| stored.renderer.as_ref().map(Renderer::release));
     });
@@ -362,29 +362,3 @@ pub fn Stage(
 
 /// What a lit part is mixed with.
 const LIT: Colour = [1.0, 0.35, 0.75];
-
-/// Keeps `size` at the size of an element.
-fn watch(frame: NodeRef<Div>, size: RwSignal<(f64, f64)>) {
-    Effect::new(move |_| {
-        let Some(element) = frame.get() else {
-            return;
-        };
-        let measured = element.clone();
-        let on_size = Closure::<dyn Fn()>::new(move || {
-            let now = [measured.client_width(), measured.client_height()].map(f64::from);
-            // The observer outlives the stage by a moment.
-            if size
-                .try_get_untracked()
-                .is_some_and(|before| before != now.into())
-            {
-                size.set(now.into());
-            }
-        });
-        if let Ok(observer) = ResizeObserver::new(on_size.as_ref().unchecked_ref()) {
-            observer.observe(&element);
-            let observer = SendWrapper::new(observer);
-            on_cleanup(move || observer.disconnect());
-        }
-        on_size.forget();
-    });
-}
