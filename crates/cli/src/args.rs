@@ -1,4 +1,4 @@
-//! The arguments.
+//! Command-line arguments.
 
 use crate::source::Source;
 use cad::export::Format;
@@ -214,7 +214,7 @@ pub enum List {
     Trajectory,
 }
 
-/// Shorter steps only fill the memory; longer ones see nothing.
+/// Range of output steps, s: shorter ones only fill memory, longer ones resolve nothing.
 const STEP_S: std::ops::RangeInclusive<f64> = 0.001..=100_000.0;
 
 /// Names of the formats.
