@@ -29,7 +29,7 @@ Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input
 #[derive(Parser)]
 #[command(name = "msape", version, after_help = EXAMPLES, max_term_width = 120)]
 pub struct Arguments {
-    /// What to do.
+    /// Subcommand.
     #[command(subcommand)]
     pub command: Command,
     /// Folder with data files of your own, laid out as crates/msape/data: planets/NAME.toml, atmospheres, materials, concepts,
@@ -38,7 +38,7 @@ pub struct Arguments {
     pub data: Option<PathBuf>,
 }
 
-/// What to do.
+/// Subcommand.
 #[derive(Subcommand)]
 pub enum Command {
     /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, centre of gravity and inertia
