@@ -1,30 +1,30 @@
-//! How a vehicle is turned in flight, in the frame of the view.
+//! Attitude of a vehicle in flight, in the frame of the view.
 //!
 //! ```text
 //! view: X downrange at the start, Y up, Z to the right of the track
 //! model: Y aft along the axis;  X = −z_b, Y = −x_b, Z = y_b        R = H(χ₀) R₃₂₁(yaw, pitch, roll) M
 //! ```
 //!
-//! with x_b forward, y_b right, z_b down, χ₀ the azimuth of the flight's start.
+//! with x_b forward, y_b right, z_b down, χ₀ the azimuth at the start of the flight.
 
 use super::camera::{Ball, Camera, Matrix};
 use msape::flight::Trajectory;
 
-/// Three rows of a turn.
+/// Rows of a rotation matrix.
 type Turn = [[f64; 3]; 3];
 
-/// A turn as scalar and vector.
+/// Rotation as scalar and vector part.
 type Quaternion = [f64; 4];
 
-/// A vehicle that is turned: where its axes point, from the model to the view.
+/// Attitude of a vehicle: rotation from the model to the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude(pub Turn);
 
 impl Attitude {
-    /// As the model stands.
+    /// Attitude of the model itself.
     pub const UPRIGHT: Attitude = Attitude([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 
-    /// A view of the model that is turned about the centre of its ball.
+    /// View matrix of the model rotated about the center of its bounding sphere.
     pub fn seen(&self, view: Matrix, ball: Ball) -> Matrix {
         let Attitude(turn) = self;
         let c = f64::from(ball.center_m);
@@ -41,7 +41,7 @@ impl Attitude {
     }
 }
 
-/// The product of two matrices of four columns.
+/// Product of two 4 × 4 matrices.
 fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let mut c = [0.0; 16];
     for column in 0..4 {
@@ -52,7 +52,7 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
     c
 }
 
-/// Where a direction of the view points on the screen: to the right, up, and towards the viewer.
+/// Direction of the view in screen axes: to the right, up, and towards the viewer.
 pub fn on_screen(camera: &Camera, direction: [f64; 3]) -> [f64; 3] {
     let view = camera.view(Ball::default(), 1.0);
     let part = |row: usize| {
@@ -71,7 +71,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// The course of a flight with attitude; `None` where it has none.
+    /// Course of a flight with attitude; `None` if it has none.
     pub fn of(trajectory: &Trajectory) -> Option<Course> {
         let column = |key: &str| trajectory.column(key).filter(|values| !values.is_empty());
         let [yaw, pitch, roll] = ["yaw_deg", "pitch_deg", "roll_deg"].map(column);
@@ -94,7 +94,7 @@ impl Course {
             let body = [yaw, pitch, roll].map(|angle| angle.to_radians());
             let turn = times(&times(&horizon, &of_yaw_pitch_roll(body)), &MODEL);
             let mut turn = quaternion(&turn);
-            // The shorter of the two ways to the next attitude.
+            // of the two quaternions of an attitude, the one nearer to the previous
             if let Some(before) = course.turns.last()
                 && dot(before, &turn) < 0.0
             {
@@ -119,7 +119,7 @@ impl Course {
         )
     }
 
-    /// The row nearest to a time.
+    /// Row nearest to a time.
     pub fn row(&self, time_s: f64) -> usize {
         let (i, j, part) = self.place(time_s);
         if part < 0.5 { i } else { j }
@@ -155,7 +155,7 @@ impl Course {
         mixed.map(|x| x / length)
     }
 
-    /// Rows before and after a time, and the part of the way between them.
+    /// Rows before and after a time, and the fraction of the interval between them.
     fn place(&self, time_s: f64) -> (usize, usize, f64) {
         let last = self.time_s.len().saturating_sub(1);
         let after = self.time_s.partition_point(|t| *t < time_s).min(last);
@@ -172,16 +172,16 @@ impl Course {
     }
 }
 
-/// From the model to the axes of the body.
+/// Rotation from the model to the body axes.
 const MODEL: Turn = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]];
 
-/// From north, east, down to the view that looks along a heading from its right, rad.
+/// Rotation from north, east, down to the view, which looks from the right at a heading, rad.
 fn horizon(heading_rad: f64) -> Turn {
     let (s, c) = heading_rad.sin_cos();
     [[c, s, 0.0], [0.0, 0.0, -1.0], [-s, c, 0.0]]
 }
 
-/// From axes of the body to north, east, down.
+/// Rotation from body axes to north, east, down.
 fn of_yaw_pitch_roll([yaw, pitch, roll]: [f64; 3]) -> Turn {
     let ((sy, cy), (sp, cp), (sr, cr)) = (yaw.sin_cos(), pitch.sin_cos(), roll.sin_cos());
     [
@@ -203,7 +203,7 @@ fn dot(a: &Quaternion, b: &Quaternion) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The turn of a matrix, by the largest of its four parts.
+/// Quaternion of a matrix, by the largest of its four components.
 fn quaternion(m: &Turn) -> Quaternion {
     let squares = [
         1.0 + m[0][0] + m[1][1] + m[2][2],
@@ -251,7 +251,7 @@ mod tests {
     use msape::quantity::trajectory::columns;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    /// A history of these columns, the others nothing.
+    /// A history with these columns and all others zero.
     fn history(rows: usize, given: &[(&str, &[f64])]) -> Trajectory {
         let values = columns().iter().map(|column| {
             let own = given.iter().find(|(key, _)| *key == column.key);
@@ -270,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Where the nose points.
+    /// Direction of the nose.
     fn nose(Attitude(turn): Attitude) -> [f64; 3] {
         turned(&turn, [0.0, -1.0, 0.0])
     }
@@ -311,7 +311,7 @@ mod tests {
 
     #[test]
     fn between_rows_it_turns_by_the_shorter_way() {
-        // Roll from 170 to -170 deg is a turn of 20 deg over the top.
+        // roll from 170 to −170 deg is a rotation of 20 deg through 180 deg
         let course = history(
             2,
             &[("time_s", &[0.0, 2.0]), ("roll_deg", &[170.0, -170.0])],
@@ -349,7 +349,7 @@ mod tests {
         let over = Attitude([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
         let seen = over.seen(still, ball);
         let y = |m: &Matrix, y: f32| m[5] * y + m[13];
-        // The centre stays, the end half a metre behind it comes to half a metre below.
+        // the center stays, the end half a meter behind it moves to half a meter below
         assert!((y(&seen, 0.2) - y(&still, 0.2)).abs() < 1e-6);
         assert!((y(&seen, 0.7) - y(&still, -0.3)).abs() < 1e-6);
         near(on_screen(&Camera::SIDE, [1.0, 0.0, 0.0]), [1.0, 0.0, 0.0]);
