@@ -239,6 +239,7 @@ impl Renderer {
                         gl.draw_arrays(Gl::TRIANGLE_FAN, face.first, face.count);
                     }
                 };
+                // first pass: only the parity of the covering triangles, in the stencil buffer
                 gl.color_mask(false, false, false, false);
                 gl.depth_mask(false);
                 gl.disable(Gl::DEPTH_TEST);

@@ -112,6 +112,7 @@ impl Watch {
     }
 
     fn sleep(&mut self, gap: f64) {
+        // shifting the start times excludes the suspended time
         if let Phase::Starting(since) | Phase::Sent(since) | Phase::Busy(since) = &mut self.phase {
             *since += gap;
         }

@@ -48,6 +48,7 @@ pub fn chains(profile: &Profile) -> Vec<Chain> {
     if closed && let Some(last) = segments.last_mut() {
         *last = between(last, last.start(), start);
     }
+    // ∫ r dx is positive where the inside is on the right
     if whole && swept < 0.0 {
         segments = segments.iter().rev().map(Segment::reversed).collect();
     }

@@ -150,6 +150,7 @@ fn without_mirrored(rows: &mut Vec<Row>, remarks: &mut Vec<String>) {
             (a, b) => a.is_none() && b.is_none(),
         };
         let turned = |value: Option<f64>| value.map(|value| -value);
+        // normal force, lift and moment are odd in the angle, the others even
         place(row) == place(other)
             && (row.alpha_deg + other.alpha_deg).abs() < SAME_DEG
             && same(row.ca, other.ca)

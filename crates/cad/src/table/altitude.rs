@@ -138,6 +138,7 @@ fn plain(sheet: &Sheet, ground: &Ground) -> Option<Heights> {
             (None, Some(rho), Some(t)) => (rho * r * t, rho),
             _ => return None,
         };
+        // the gas law supplies a missing quantity only where the composition, and so the gas constant, is known
         if (whole || height_m <= MIXED_TO_M) && pressure_pa > 0.0 && density_kg_m3 > 0.0 {
             air.push([height_m, ln(pressure_pa), density_kg_m3 / pressure_pa]);
         }

@@ -140,6 +140,7 @@ fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
         };
         let height = below.map_or(*altitude, |[height, pressure_below, temperature_below]| {
             let warmer = *temperature - temperature_below;
+            // the logarithmic mean of equal temperatures is 0/0
             let mean = if warmer == 0.0 {
                 *temperature
             } else {

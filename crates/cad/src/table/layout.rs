@@ -53,7 +53,7 @@ pub struct Sheet {
     pub headed: bool,
     /// Names of columns that were left out.
     pub unknown: Vec<String>,
-    /// Faults of the spare columns, in order, for those without a number to compare with the column used.
+    /// Faults of the spare columns, in order; reported where no row has a number to compare with the column used.
     pub twice: Vec<TableFault>,
     /// Decisions made on the way, for the user.
     pub remarks: Vec<String>,

@@ -40,6 +40,7 @@ pub(super) fn place(cuts: &mut [Cut], quantities: &[Quantity]) {
             let place = |word| names.iter().position(|name| end(name) == end(word));
             words.iter().map(place).collect()
         };
+        // columns are aligned at their last characters, or else at their first
         let Some(places) = below(|span| span[1]).or_else(|| below(|span| span[0])) else {
             continue;
         };

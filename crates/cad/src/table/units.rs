@@ -32,6 +32,7 @@ pub(super) fn chosen(sheet: &mut Sheet, names: &[&str], line: u64, faults: &mut 
             .filter(|c| c.quantity == column.quantity)
             .collect();
         let named = || same.iter().filter(|c| c.named_unit);
+        // SI needs no conversion; a column with a named unit is safer than one without
         let si = named().find(|c| c.factor == 1.0 && c.offset == 0.0);
         let best = **si.or(named().next()).unwrap_or(&column);
         columns.push(best);

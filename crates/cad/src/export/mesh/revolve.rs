@@ -79,6 +79,7 @@ pub fn surface(mesh: &mut Mesh, run: &Run, turn: &Turn) {
             for j in 0..turns {
                 let next = (j + 1) % columns;
                 let [a, b, c, d] = [row + j, row + next, row + columns + next, row + columns + j];
+                // a station on the axis is a single point: one of the two triangles has no area
                 if from.at.r_m > 0.0 {
                     mesh.triangles.push([a, b, c]);
                 }

@@ -131,6 +131,7 @@ fn halve(curve: &Bezier, span: [f64; 2], tolerance: f64, depth: u32, points: &mu
             points.push([first[0], first[1], 0.0]);
         }
         Some(pair) => points.extend(pair),
+        // smallest piece reached: a line instead of arcs
         None if depth == 0 => points.push([start[0], start[1], 0.0]),
         None => {
             let middle = 0.5 * (from + to);
