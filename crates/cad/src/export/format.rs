@@ -15,7 +15,7 @@ pub enum Format {
     Stl,
     /// Triangles of every part, as text.
     Gltf,
-    /// The same content as [`Self::Gltf`], as one binary file.
+    /// The same content as [`Format::Gltf`], as one binary file.
     Glb,
     /// Lines and arcs of the half-section.
     Dxf,
