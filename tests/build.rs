@@ -1,4 +1,4 @@
-//! Embeds the recorded answers, so that the browser, which has no files, compares with the same.
+//! Embeds the recorded answers, so that the browser, which has no files, compares with the same ones.
 
 use std::path::PathBuf;
 use std::{env, fs, io};

@@ -1,14 +1,14 @@
-"""What is exported: shipped cases, designs sampled over the trade space, outlines."""
+"""Cases to export: shipped cases, designs sampled over the trade space, outlines."""
 
 SHIPPED = ["msr-eev-pica", "msr-eev-cp", "galahad", "run-page"]
 
-# Six designs that close are wanted of each concept; of this many samples at most.
+# Six closed designs of each concept are needed; this is the largest number of samples tried.
 SAMPLES = 200
 WANTED = 6
 
 
 def sampled():
-    """Settings over the trade space, by a generator that is the same everywhere (Park and Miller)."""
+    """Settings over the trade space, from a portable pseudo-random generator (Park and Miller)."""
     state = 20141
 
     def uniform(low, high):
@@ -51,7 +51,7 @@ OUTLINES = {
     "sharp-edges": _shape(
         cone_half_angle_deg=70.0, diameter_m=2.0, nose_radius_m=0.0, shoulder_radius_m=0.0, aft="flat"
     ),
-    # arcs whose circle crosses the axis: an ogive (its outer part is turned), a bulging disc, a ball
+    # arcs whose circle crosses the axis: an ogive (its outer part is revolved), a bulging disc, a sphere
     "ogive": _points([[0.0, 0.0, -0.2], [1.0, 0.4, 0.0], [1.0, 0.0, 0.0]]),
     "apple": _points([[0.0, 0.0, 0.0], [0.0, 0.2, -1.3], [0.5, 0.2, 0.0], [0.5, 0.0, 0.0]]),
     "ball": _points([[-0.5, 0.0, -1.0], [0.5, 0.0, 0.0]]),

@@ -19,15 +19,15 @@ import cases
 import profile
 import step
 
-# OpenCASCADE integrates to 1e-9 where it is asked to; the files hold every digit.
+# OpenCASCADE integrates to 1e-9 on request; the files have full precision.
 VOLUME_TOLERANCE = 1e-8
 AREA_TOLERANCE = 1e-6
-# Chords of a ten-thousandth of the diameter, along and round, on a wall of area A: the volume misses at most their product.
+# Chord error of 1e-4 of the diameter, along and around, on a wall of area A: the volume error is at most their product.
 CHORD_OVER_DIAMETER = 1e-4
 
 
 class Checks:
-    """Counts what holds and remembers what does not."""
+    """Counts passed checks and collects failures."""
 
     def __init__(self):
         self.held = 0
@@ -47,7 +47,7 @@ class Checks:
 
 
 def export(program, folder, name, case, formats, settings=()):
-    """Writes the files; None where there is no vehicle."""
+    """Writes the files; None if there is no vehicle."""
     options = [word for setting in settings for word in ("--set", setting)]
     files = {}
     for kind in formats:
@@ -61,12 +61,12 @@ def export(program, folder, name, case, formats, settings=()):
 
 
 def component_of(part):
-    """The component of a part: bodies of one component are numbered."""
+    """Component of a part: bodies of one component are numbered."""
     return part.name.rstrip("0123456789").strip().lower().replace(" ", "-")
 
 
 def check_step(checks, name, path, components):
-    """Every part a valid solid with the volume of its profiles; returns the largest error."""
+    """Checks that every part is a valid solid with the volume of its profiles; returns the largest error."""
     title, parts = step.read(path)
     checks.that(title != "", f"{name}: the assembly has no name")
     keys = list(dict.fromkeys(map(component_of, parts)))
@@ -91,7 +91,7 @@ def check_step(checks, name, path, components):
 
 
 def check_masses(checks, name, program, case, settings, parts):
-    """Volume times density of each part is the mass that `design` tells."""
+    """Checks that volume times density of each part is the mass printed by `design`."""
     options = [word for setting in settings for word in ("--set", setting)]
     done = subprocess.run([str(program), "design", str(case), *options, "--json"], capture_output=True, text=True, check=True)
     results = json.loads(done.stdout)["results"]
@@ -105,7 +105,7 @@ def check_masses(checks, name, program, case, settings, parts):
 
 
 def check_iges(checks, name, path, components):
-    """One surface a segment, none of them a spline, with the area of the profiles."""
+    """Checks that each segment gives one surface, not a spline, with the area of the profiles."""
     kinds, area = step.read_iges(path)
     parts = {key: bodies for key, bodies in components.items() if key != "outline"}
     count = sum(len(body) for bodies in parts.values() for body in bodies.values())
@@ -116,7 +116,7 @@ def check_iges(checks, name, path, components):
 
 
 def check_stl(checks, name, path, outline):
-    """Every edge of the triangles is shared by two that run it either way; the volume is that of the outline."""
+    """Checks that every edge is shared by two triangles in opposite directions, and the volume."""
     data = path.read_bytes()
     count = struct.unpack_from("<I", data, 80)[0]
     checks.that(len(data) == 84 + 50 * count, f"{name}: STL has {len(data)} bytes for {count} triangles")
@@ -137,7 +137,7 @@ def check_stl(checks, name, path, outline):
 
 
 def check_dxf(checks, name, path, components):
-    """No error in the audit; lines and arcs are those of the CSV."""
+    """Checks that the audit has no errors and that lines and arcs are those of the CSV."""
     drawing = ezdxf.readfile(path)
     audit = drawing.audit()
     checks.that(not audit.errors and not audit.fixes, f"{name}: DXF {audit.errors} {audit.fixes}")
@@ -158,7 +158,7 @@ FORMATS = ["step", "iges", "stl", "gltf", "glb", "dxf", "csv"]
 
 
 def check(checks, program, folder, name, case, settings=(), designed=True):
-    """All formats of one vehicle; False where there is none."""
+    """Checks all formats of one vehicle; False if there is no vehicle."""
     files = export(program, folder, name, case, FORMATS, settings)
     if files is None:
         return False

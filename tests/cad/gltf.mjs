@@ -1,4 +1,4 @@
-// Checks glTF files with the validator of the Khronos Group: no errors, no warnings.
+// Checks glTF files with the Khronos validator: no errors, no warnings.
 import { readFileSync } from "node:fs";
 import validator from "gltf-validator";
 

@@ -1,10 +1,10 @@
-"""The CSV of a half-section, and what its closed profiles enclose when turned about the axis."""
+"""CSV of a half-section, and volume and area of its closed profiles when revolved about the axis."""
 
 import csv
 import math
 from collections import defaultdict
 
-# Nodes and weights of Gauss and Legendre with 20 points on -1..1: arcs of a half-turn to rounding.
+# Gauss-Legendre nodes and weights with 20 points on -1..1: exact to rounding for arcs up to a half-turn.
 def _legendre(n):
     nodes = []
     for i in range(1, n + 1):
@@ -23,7 +23,7 @@ GAUSS = _legendre(20)
 
 
 class Segment:
-    """A row: a line or an arc in the half-plane, in mm."""
+    """Row: a line or an arc in the half-plane, in mm."""
 
     def __init__(self, row):
         number = lambda key: float(row[key]) if row[key] else None
@@ -35,7 +35,7 @@ class Segment:
         self.sweep = math.radians(number("sweep_deg") or 0.0)
 
     def points(self):
-        """Points with their derivatives by t and weights over t = 0..1."""
+        """Quadrature points with derivatives with respect to t, and weights over t = 0..1."""
         (x0, r0), (x1, r1) = self.start, self.end
         if self.kind == "arc":
             x, r = self.center
@@ -50,11 +50,11 @@ class Segment:
                 yield x + c, r + s, -s * self.sweep, c * self.sweep, weight / 2
 
     def volume(self):
-        """Its share of the volume: pi times the integral of r^2 dx."""
+        """Contribution to the volume: pi times the integral of r^2 dx."""
         return math.pi * sum(r * r * dx * w for _, r, dx, _, w in self.points())
 
     def area(self):
-        """The area it sweeps."""
+        """Area of the surface of revolution."""
         return 2 * math.pi * sum(r * math.hypot(dx, dr) * w for _, r, dx, dr, w in self.points())
 
 

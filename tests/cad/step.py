@@ -17,14 +17,14 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 from OCP.XCAFDoc import XCAFDoc, XCAFDoc_ColorSurf, XCAFDoc_DocumentTool, XCAFDoc_Material, XCAFDoc_ShapeTool
 
-# Kept: a second one would be freed twice.
+# A single instance: a second one would be freed twice.
 MATERIAL_OF = XCAFDoc.MaterialRefGUID_s()
 
 ANALYTIC = {"Plane", "Cylinder", "Cone", "Sphere", "Torus"}
 
 
 class Part:
-    """What was read of one part, in mm."""
+    """Imported part, in mm."""
 
     def __init__(self, name, shape):
         self.name = name
@@ -48,7 +48,7 @@ def _each(shape, kind):
 
 
 def volume(shape):
-    """Volume enclosed, mm^3."""
+    """Enclosed volume, mm^3."""
     properties = GProp_GProps()
     BRepGProp.VolumeProperties_s(shape, properties, 1e-9)
     return properties.Mass()

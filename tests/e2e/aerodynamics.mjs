@@ -1,4 +1,4 @@
-// The Aerodynamics page of the Library: curves, their sources, trim, own tables, use in a design and in a flight.
+// The Aerodynamics page of the Library: curves, their sources, trim, user tables, use in a design and in a flight.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -22,7 +22,7 @@ const choose = (page, name, text) =>
 const table = ["mach, alpha_deg, ca, cn, cm", ...[0.5, 5, 30].flatMap((mach) => [0, 30, 90].map((alpha) =>
   `${mach}, ${alpha}, ${1.5 - alpha / 100}, ${alpha / 200}, ${-alpha / 300}`))].join("\n");
 
-// Built before the first test, because a test has two minutes.
+// built before the first test, because a test is limited to two minutes
 const cargo = (words, options) => execFileSync("cargo", words, { stdio: ["pipe", "pipe", "inherit"], ...options });
 cargo(["build", "--quiet", "--package", "msape-cli"], { timeout: 1_200_000 });
 

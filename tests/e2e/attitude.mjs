@@ -1,4 +1,4 @@
-// The attitude of the design: six degrees of freedom, charts, and the vehicle as it turns.
+// Attitude of the design: six degrees of freedom, charts, and the animated vehicle.
 
 import assert from "node:assert/strict";
 import { assertAccessible, pageTest } from "./harness.mjs";
@@ -21,7 +21,7 @@ async function fly(page) {
   await value(page, "initial_total_alpha_deg").waitFor();
 }
 
-/** A number that another picture of the vehicle changes. */
+/** Hash of the picture of the vehicle. */
 async function picture(page) {
   await settled(page);
   const png = (await card(page).locator(".frame-3d canvas").screenshot()).toString("base64");
@@ -40,7 +40,7 @@ async function picture(page) {
 
 pageTest("a design flies as a rigid body from the attitude that is typed", async (page) => {
   await fly(page);
-  // Along the velocity but for rounding.
+  // along the velocity, except for rounding
   const along = (await value(page, "initial_total_alpha_deg").innerText()).replace("\u2212", "-");
   assert.ok(Math.abs(Number(along)) < 1e-9, along);
   await alpha(page).fill("30");
@@ -48,7 +48,7 @@ pageTest("a design flies as a rigid body from the attitude that is typed", async
   await page.waitForFunction(() => Number(document.querySelector('[data-attitude="initial_total_alpha_deg"] .value')?.textContent) === 30);
   const below = Number(await value(page, "first_below_10_deg_time_s").innerText());
   assert.ok(below > 0 && below < 60, `it turns into the wind after ${below} s`);
-  // The limits of what is typed are those of the input.
+  // typed values have the limits of the input
   await alpha(page).fill("500");
   await page.keyboard.press("Tab");
   await card(page).getByText(/must be/).first().waitFor();

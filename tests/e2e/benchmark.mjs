@@ -1,4 +1,4 @@
-// The benchmark page measures every job. How long one takes is no matter of a test.
+// The benchmark page measures every job. The times themselves are not tested.
 
 import assert from "node:assert/strict";
 import { assertAccessible, pageTest } from "./harness.mjs";

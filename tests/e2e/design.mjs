@@ -1,4 +1,4 @@
-// The main job on the Design page, by keyboard, against the command line's own files.
+// Main workflow on the Design page, by keyboard, compared with the files of the command line.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -14,7 +14,7 @@ const mass = (page) => value(page, "total_entry_mass_kg");
 const drawing = (page) => page.getByRole("img", { name: /^Section of the vehicle/ });
 const diameter = (page) => page.getByLabel("Input Vehicle Diameter (m)", { exact: true });
 
-/** Waits until a number of the headline is another than `before`. */
+/** Waits until a headline number differs from `before`. */
 async function changed(page, key, before) {
   await page.waitForFunction(
     ([key, before]) => document.querySelector(`[data-output="${key}"] .value`)?.textContent !== before,
@@ -28,11 +28,11 @@ async function downloaded(page, name) {
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), "utf8") };
 }
 
-// Built before the first test, because a test has two minutes.
+// built before the first test, because a test is limited to two minutes
 const cargo = (words, options) => execFileSync("cargo", words, { stdio: ["pipe", "pipe", "inherit"], ...options });
 cargo(["build", "--quiet", "--package", "msape-cli"], { timeout: 1_200_000 });
 
-/** What the command line writes for a case given as text. */
+/** Output of the command line for a case given as text. */
 function command(words, input) {
   const run = ["run", "--quiet", "--package", "msape-cli", "--", ...words];
   return cargo(run, { input, encoding: "utf8", maxBuffer: 1e8, timeout: 60_000 });

@@ -1,4 +1,4 @@
-// Files of the export menu, byte for byte those of the command line.
+// Files of the export menu, equal byte for byte to those of the command line.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -11,12 +11,12 @@ import { pageTest } from "./harness.mjs";
 const cargo = (words, options) => execFileSync("cargo", words, { stdio: ["pipe", "pipe", "inherit"], ...options });
 cargo(["build", "--quiet", "--package", "msape-cli"], { timeout: 1_200_000 });
 
-/** What the command line prints for a case given as text. */
+/** Standard output of the command line for a case given as text. */
 function printed(text, words) {
   return cargo(["run", "--quiet", "--package", "msape-cli", "--", ...words], { input: text, timeout: 60_000 });
 }
 
-/** The file that the command line writes for a case given as text. */
+/** File written by the command line for a case given as text. */
 function exported(text, format) {
   const folder = mkdtempSync(join(tmpdir(), "msape-"));
   try {
@@ -36,7 +36,7 @@ async function downloaded(page, button) {
   return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
 }
 
-/** Every file of the menu, against what the command line writes for `text`. */
+/** Compares every file of the menu with that of the command line for `text`. */
 async function compare(page, text) {
   const menu = page.locator("details.menu");
   await menu.locator("summary").click();

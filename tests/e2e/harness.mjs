@@ -1,5 +1,5 @@
-// A page of the app in Chromium, for a test. At its end the page must have logged no error and asked no other origin.
-// `cargo xtask test e2e` builds and serves the app and sets MSAPE_URL and CHROMIUM.
+// A page of the app in Chromium, for a test. By its end the page must have logged no error and requested no other
+// origin. `cargo xtask test e2e` builds and serves the app and sets MSAPE_URL and CHROMIUM.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -38,7 +38,7 @@ after(async () => {
  * @param {string} name
  * @param {(page: import("playwright-core").Page) => Promise<void>} steps
  * @param {{ hash?: string, allowed?: RegExp, context?: import("playwright-core").BrowserContextOptions }} options
- *   `hash`: where in the app, "#/..."; `allowed`: faults that the test provokes; `context`: size, colour scheme ...
+ * `hash`: place in the app, "#/..."; `allowed`: errors that the test provokes; `context`: size, color scheme ...
  */
 export function pageTest(name, steps, { hash = "", allowed = /^$/, context: contextOptions = {} } = {}) {
   test(name, { timeout: 120_000 }, async () => {
@@ -58,14 +58,14 @@ export function pageTest(name, steps, { hash = "", allowed = /^$/, context: cont
   });
 }
 
-/** Fails if axe finds a violation on the page as it is now. */
+/** Fails if axe finds a violation in the current state of the page. */
 export async function assertAccessible(page) {
   const { violations } = await new AxeBuilder({ page }).analyze();
   const found = violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map((node) => node.html).join(" ")}`);
   assert.deepEqual(found, [], "axe violations");
 }
 
-/** Collects what must not happen on any page of a context. */
+/** Collects errors and other forbidden events on the pages of a context. */
 function watch(context) {
   const faults = [];
   const origin = new URL(address).origin;

@@ -1,5 +1,5 @@
-// The renderer is killed at the moment at which the page says that it has saved: nothing that was called saved may be lost.
-// KILLS is the count of trials (12), KILL_SEED what their edits depend on.
+// The renderer is killed when the page says that it has saved: nothing reported as saved may be lost. KILLS is the
+// number of trials (12), KILL_SEED the seed of their edits.
 
 import assert from "node:assert/strict";
 import { mkdtemp, rm } from "node:fs/promises";
@@ -12,7 +12,7 @@ const address = process.env.MSAPE_URL ?? "http://127.0.0.1:8080/";
 const trials = Number(process.env.KILLS ?? 12);
 let seed = Number(process.env.KILL_SEED ?? 1);
 
-/** The next number from 0 to below 1, the same in each run. Constants: Numerical Recipes, quick generator. */
+/** Next pseudo-random number in [0, 1), the same in each run. Constants: Numerical Recipes, quick generator. */
 function random() {
   seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
   return seed / 2 ** 32;
@@ -30,7 +30,7 @@ const large = `schema = "msape/1"\nname = "0"\n[atmosphere]\ntable = [${air}]\n[
 const opened = (page) => page.locator("#skeleton").waitFor({ state: "detached" });
 const saved = (page) => page.locator(".saved", { hasText: /^saved in this browser$/ }).waitFor();
 
-/** Identifiers of the processes of this browser that hold pages. */
+/** IDs of the renderer processes of this browser. */
 async function renderers(context) {
   const session = await context.browser().newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
@@ -39,7 +39,7 @@ async function renderers(context) {
 
 /**
  * Types a burst of edits and kills the page when the label says "saved" for the `at`-th time.
- * @returns {Promise<number>} the edit that was called saved
+ * @returns {Promise<number>} the edit that was reported as saved
  */
 async function killAtSaved(context, page, first, count, at) {
   const processes = await renderers(context);
@@ -49,14 +49,14 @@ async function killAtSaved(context, page, first, count, at) {
         try {
           process.kill(id, "SIGKILL");
         } catch {
-          // One that is gone already.
+          // already gone
         }
       }
       resolve(edit);
     });
   });
   await page.waitForFunction(() => "claim" in window);
-  // faster than the disk, or slow enough that the label appears between edits
+  // faster than the disk, or slow enough for the label to appear between edits
   const gaps = Array.from({ length: count }, () => random() * (random() < 0.5 ? 25 : 250));
   await page.evaluate(
     ([first, gaps, at]) => {
@@ -109,7 +109,7 @@ async function kill(name, prepare) {
       const claimed = await killAtSaved(context, page, edit, count, 1 + Math.floor(random() * count));
       between += claimed < edit + count - 1 ? 1 : 0;
       edit += count;
-      // The browser may forget to say that a page whose process was killed is closed.
+      // the browser may not report that a page with a killed process is closed
       await Promise.race([page.close().catch(() => {}), new Promise((resolve) => setTimeout(resolve, 5_000))]);
       page = await context.newPage();
       await page.goto(address);

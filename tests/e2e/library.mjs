@@ -8,7 +8,7 @@ const hash = "#/library/vehicles";
 const facts = (page) => page.locator("table.facts").last();
 const flown = (page) => page.locator("[data-flown=peak_deceleration_earth_g] .value");
 
-/** Hands a file to the import. */
+/** Chooses a file in the import. */
 const choose = (page, name, text) =>
   page.getByLabel("Import an outline (CSV or DXF)").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 

@@ -1,4 +1,4 @@
-// The app opens, its worker answers, nothing is wrong on the way.
+// The app opens and its worker answers, without any error.
 
 import assert from "node:assert/strict";
 import { assertAccessible, pageTest } from "./harness.mjs";
@@ -19,7 +19,7 @@ pageTest(
   async (page) => {
     const refused = await page.evaluate(async () => {
       const violation = new Promise((resolve) => document.addEventListener("securitypolicyviolation", resolve));
-      // The same server under its other name is another origin.
+      // the same server under another host name is another origin
       fetch(`http://localhost:${location.port}/`).catch(() => {});
       return (await violation).violatedDirective;
     });

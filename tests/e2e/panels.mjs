@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { assertAccessible, pageTest } from "./harness.mjs";
 
-/** Said as the arrow keys pass by the tab of the 3-D view. */
+/** Messages logged while the arrow keys pass the tab of the 3-D view. */
 const software = /software WebGL|GPU stall due to ReadPixels|GL Driver Message/;
 
 const fresh = async (page) => {
@@ -15,7 +15,7 @@ const region = (page, name) => page.getByRole("region", { name, exact: true });
 const level = (page, key) => page.locator(`[data-level="${key}"] .value`);
 const numberOf = async (locator) => Number((await locator.innerText()).replace("−", "-").split(" ")[0]);
 
-/** Opens a tab with the keyboard alone: the row of tabs is one stop, arrows move along it. */
+/** Opens a tab with the keyboard: the row of tabs is one tab stop, arrow keys move along it. */
 async function open(page, name) {
   await fresh(page);
   await page.locator('.panel-vehicle [role="tab"][tabindex="0"]').focus();
@@ -27,7 +27,7 @@ async function open(page, name) {
   assert.equal(await page.evaluate(() => document.activeElement.textContent), name);
 }
 
-/** Writes into a field of the form and waits for the answer. */
+/** Fills in a field of the form and waits for the answer. */
 async function type(page, label, text) {
   await page.getByRole("textbox", { name: label, exact: true }).fill(text);
   await page.keyboard.press("Tab");
@@ -43,7 +43,7 @@ pageTest("each wall has its rules and its shell model, by keyboard", async (page
   }
   await page.locator(".panel-vehicle .mark", { hasText: "assumed" }).waitFor();
 
-  // Margin is capacity over demand less one, and the least of all but the gauge's is the marked one.
+  // the margin is capacity over demand minus one; the smallest, except that of the gauge, is marked
   const checks = region(page, "Checks of the forebody carrier").locator("tbody tr");
   const rows = await checks.evaluateAll((rows) => rows.map((row) => [row.cells[0].textContent, ...[2, 3, 5].map((i) => Number(row.cells[i].textContent.replaceAll("−", "-"))), row.classList.contains("least")]));
   assert.ok(rows.length >= 7, `${rows.length} checks`);
@@ -122,7 +122,7 @@ pageTest("another ground is chosen by keyboard, told with its source, and can be
   const before = await level(page, "peak_impact_deceleration_earth_g").innerText();
   await ground.getByLabel("Ground").focus();
   await page.keyboard.type("Rigid");
-  // On rigid ground both surfaces are one.
+  // on rigid ground both surfaces are the same
   await page.waitForFunction(() => {
     const text = (key) => document.querySelector(`[data-level="${key}"] .value`)?.textContent;
     return text("peak_impact_deceleration_earth_g") === text("rigid_surface_peak_load_earth_g");

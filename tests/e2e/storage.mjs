@@ -1,4 +1,5 @@
-// What is kept is kept: unreadable records, a browser that refuses, links, two tabs. What is right is in the name of each test.
+// Storage: unreadable records, a browser that refuses, links, two tabs. The name of each test states the expected
+// behavior.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -24,7 +25,7 @@ async function reload(page) {
   await opened(page);
 }
 
-/** Waits until the name of the case is this one. */
+/** Waits until the case has this name. */
 const named = (page, text) =>
   page.waitForFunction((wanted) => document.querySelector("#case-name").value === wanted, text);
 
@@ -122,7 +123,7 @@ pageTest("work with keys that no version knows is there after a reload", async (
   }
 }, { allowed: software });
 
-/** Gives up transactions at their commit while `window.aborts` is above 0. */
+/** Aborts transactions at their commit while `window.aborts` is above 0. */
 const abortAtCommit = () => {
   window.aborts = 0;
   const commit = IDBTransaction.prototype.commit;
@@ -181,7 +182,7 @@ pageTest("an edit is there after a reload that follows at once", async (page) =>
       const field = document.querySelector("#case-name");
       field.value = text;
       field.dispatchEvent(new Event("input", { bubbles: true }));
-      // After the edit has been taken, and before any disk can have answered.
+      // after the edit has been accepted, and before any disk can have answered
       Promise.resolve().then(() => Promise.resolve().then(() => location.reload()));
     }, `edit ${i}`).catch(() => {});
     await page.waitForLoadState("load");
@@ -194,15 +195,15 @@ pageTest("an edit is there after a reload that follows at once", async (page) =>
 
 const link = "#/design?v=0.2&p=msr-eev-pica&n=From%20a%20link&entry.speed_m_s=12345";
 
-/** Puts what a closing page would hand over where the next page looks for it. */
+/** Stores unsaved work as a closing page would hand it over to the next page. */
 const handOver = (page, id, sheet) =>
   page.evaluate(([id, text]) => localStorage.setItem(`msape-last ${id}`, text), [id, JSON.stringify(sheet)]);
 
-/** Count of what closed pages handed over and no page has taken. */
+/** Number of items handed over by closed pages and not taken yet. */
 const handedOver = (page) =>
   page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("msape-last ")).length);
 
-/** Case and units of a name, as a page that was closed hands them over. */
+/** Case and units with a name, as a closing page hands them over. */
 const closedSheet = (name, continues) => ({
   case: `schema = "msape/1"\nname = "${name}"\n`,
   units: "Report",
@@ -216,7 +217,7 @@ for (const what of ["beside stored work", "where nothing is stored"]) {
     await page.getByLabel("Name of the case").waitFor();
     await saved(page);
     const address = page.url().split("#")[0];
-    // a page of the same origin that runs nothing of the app
+    // a page of the same origin without the app
     await page.route("**/empty", (route) => route.fulfill({ contentType: "text/html", body: "" }));
     let current = await record(page, "things", "current");
     await page.goto(`${address}empty`);
@@ -331,7 +332,7 @@ pageTest("the database is opened once, however many ask for it", async (page) =>
   await name(page).fill("changed link");
   await apart(page);
   assert.equal(await page.evaluate(() => window.opens), 1);
-  // The app closes it so that it can go, and then needs it twice at once.
+  // the app closes the database so that it can be deleted, and then needs it twice at the same time
   await page.evaluate(() => new Promise((resolve) => {
     indexedDB.deleteDatabase("msape").onsuccess = resolve;
   }));
@@ -461,7 +462,7 @@ pageTest("two tabs do not write over each other's work; both are there and can b
   await region(other, "Kept apart").getByRole("button", { name: "Take the other tab's" }).click();
   await named(other, "of tab A, later");
   await saved(other);
-  // what B had made is one undo away, and in the list of a new tab
+  // the work of B is one undo away, and in the list of a new tab
   const third = await tab(page);
   await region(third, "Work kept apart").getByText(/^of tab B, /).waitFor();
   await other.getByRole("button", { name: /^Undo: Return to/ }).click();

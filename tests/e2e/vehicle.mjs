@@ -1,10 +1,10 @@
-// The vehicle's card: tabs, section, three dimensions, mass tree, files.
+// Card of the vehicle: tabs, section, three dimensions, mass tree, files.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { assertAccessible, pageTest } from "./harness.mjs";
 
-/** What a browser without a graphics processor says when it draws by itself, or when a test looks at a drawing. */
+/** Messages of a browser without a graphics processor about software rendering and reading of pixels. */
 const software = /software WebGL|GPU stall due to ReadPixels|GL Driver Message/;
 
 const fresh = async (page) => {
@@ -21,7 +21,7 @@ async function open3d(page) {
   await loaded(page, 0);
 }
 
-/** Waits until more than `count` vehicles were given to the graphics processor, and the newest is on the screen. */
+/** Waits until more than `count` vehicles have been uploaded for drawing and the newest is displayed. */
 async function loaded(page, count) {
   await page.waitForFunction((count) => Number(document.querySelector(".frame-3d canvas")?.dataset.loads) > count, count);
   await settled(page);
@@ -29,13 +29,13 @@ async function loaded(page, count) {
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const loads = (page) => page.locator(".frame-3d canvas").evaluate((canvas) => Number(canvas.dataset.loads));
 
-/** What is on the canvas: how much of it is not the ground, how many colours, and a number that another picture changes. */
+/** Content of the canvas: fraction that is not background, number of colors, and a hash of the picture. */
 async function picture(page) {
   await settled(page);
   return pixels(page, (await page.locator(".frame-3d").screenshot()).toString("base64"));
 }
 
-/** Decodes a PNG in the page by way of an image, which the page's policy allows. */
+/** Decodes a PNG in the page through an image element, which the content security policy allows. */
 function pixels(page, png) {
   return page.evaluate(async (png) => {
     const image = new Image();
@@ -113,7 +113,7 @@ pageTest("a component is hidden, and one is named by a click on it", async (page
   await page.getByRole("checkbox", { name: "Show Body foam" }).uncheck();
   assert.notEqual((await picture(page)).sum, all.sum);
   await page.getByRole("checkbox", { name: "Show Body foam" }).check();
-  // The payload is in the middle of the half-section.
+  // the payload is in the middle of the half-section
   const box = await stage(page).boundingBox();
   await page.mouse.click(box.x + 0.5 * box.width + 8, box.y + 0.5 * box.height);
   await page.locator(".part-detail h3").waitFor();
@@ -164,7 +164,7 @@ pageTest("a context that is lost and restored shows the vehicle again", async (p
     const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
     extension.loseContext();
     await lost;
-    // Restored no sooner than the event is over.
+    // restored only after the event has been handled
     setTimeout(() => extension.restoreContext(), 50);
   });
   await loaded(page, count);
@@ -196,7 +196,7 @@ pageTest("the mass tree adds up, with the margin once", async (page) => {
   const sum = (rows) => rows.reduce((total, [, mass]) => total + mass, 0);
   const [components, foot] = [await masses("tbody"), Object.fromEntries(await masses("tfoot"))];
   assert.ok(components.length >= 9, `${components.length} components`);
-  // Each of the numbers is rounded to five digits.
+  // each of the numbers is rounded to five digits
   const near = (got, want) => assert.ok(Math.abs(got / want - 1) < 2e-4, `${got} against ${want}`);
   near(sum(components), foot["Sum without margin"]);
   near(foot["Sum without margin"] + foot.Margin, foot["Total at entry"]);

@@ -1,4 +1,5 @@
-// The worker may be blocked, ended or missing: there is always a word, a way on, and the next edit is answered.
+// The worker may be blocked, terminated or missing: there is always a message and a way to continue, and the next edit
+// is answered.
 
 import assert from "node:assert/strict";
 import { pageTest } from "./harness.mjs";
@@ -27,7 +28,7 @@ async function reload(page) {
   await opened(page);
 }
 
-// Allowed values that need as much work as the core ever does.
+// allowed values that need the largest amount of work of the core
 const blocking =
   "#/design?p=run-page&design.max_iterations=10000&design.relaxation=1e-6&design.mass_criterion_kg=1e-15&solver.method=rk4&solver.step_s=0.001";
 
@@ -41,7 +42,7 @@ pageTest("a link whose run takes long does not hold up an edit", async (page) =>
 
 const busy_ms = 7_000;
 
-/** Lets every run of the solver keep its thread busy for `busy_ms` before it begins, on a machine of any speed. */
+/** Keeps the thread of the solver busy for `busy_ms` before every run, independent of the speed of the machine. */
 async function slowDown(page) {
   await page.route("**/worker-start.js", async (route) => {
     const response = await route.fetch();
@@ -81,7 +82,7 @@ pageTest("Stop ends a run that is under way, and Try again solves it", async (pa
 pageTest("Stop while an edit waits stops that as well, and Try again solves the edit", async (page) => {
   await slowDown(page);
   await solving(page);
-  // An edit ends the run after a second: Stop is pressed before.
+  // an edit ends the run after a second: press Stop before
   await page.evaluate(async () => {
     const field = document.querySelector("#in-design-diameter_m");
     field.value = "-1";
@@ -155,7 +156,7 @@ pageTest("a toolbox that cannot be loaded is told by its name, is not asked for 
   await reload(page);
   await choose();
   await page.getByText("the toolbox cannot be loaded").first().waitFor();
-  // the flight of the outline on show, which follows the first design, is asked for by then
+  // the flight of the displayed outline, which follows the first design, has been requested by then
   await page.waitForTimeout(2_000);
   const before = asked;
   await page.waitForTimeout(5_000);

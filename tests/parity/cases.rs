@@ -1,4 +1,4 @@
-//! The shipped cases: every quantity, time histories included.
+//! Shipped cases: all quantities, including time histories.
 
 use msape::Library;
 use msape_tests::shipped;

@@ -5,7 +5,7 @@ use numerics::math;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-/// The bits of many numbers as one (Fowler, Noll and Vo's hash, 1a, 64 bit).
+/// Hash of the bits of many numbers (FNV-1a, 64 bit).
 fn digest(numbers: impl Iterator<Item = f64>) -> u64 {
     numbers
         .flat_map(|number| number.to_bits().to_le_bytes())
@@ -14,7 +14,7 @@ fn digest(numbers: impl Iterator<Item = f64>) -> u64 {
         })
 }
 
-/// 2000 arguments from -10 to 10, none of them round.
+/// 2000 arguments from −10 to 10, none of them round.
 fn arguments() -> impl Iterator<Item = f64> {
     (0..2000).map(|i| (f64::from(i) - 999.7) / 99.97)
 }

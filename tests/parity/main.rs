@@ -1,4 +1,4 @@
-//! The same bits natively and in the browser: the same tests, against the same recorded bits, run in both.
+//! The same bits natively and in the browser: the same tests run in both, against the same recorded bits.
 //!
 //! Shipped cases are compared natively by `snapshots`, with the same files.
 

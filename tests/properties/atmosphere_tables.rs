@@ -1,4 +1,4 @@
-//! Any atmosphere table: its own gas, or the planet's, and nothing that grows beyond its ends.
+//! Any atmosphere table: its own gas, or the planet's, and no growth of density beyond its ends.
 
 use crate::config;
 use crate::planets::{LIBRARY, case, ends, flown, refused, table, told};
@@ -7,7 +7,7 @@ use msape::planet::atmosphere::Atmosphere;
 use msape::planet::atmosphere::table::Table;
 use proptest::prelude::*;
 
-/// Isothermal rows of a gas of constant `r` at a temperature: altitude, density, temperature, pressure every 10 km.
+/// Isothermal rows of a gas with gas constant `r`: altitude, density, temperature, pressure every 10 km.
 fn isothermal(r: f64, temperature_k: f64, density_kg_m3: f64, scale_m: f64) -> Vec<[f64; 4]> {
     let row = |i: i32| {
         let altitude_m = f64::from(i) * 1e4;
@@ -24,13 +24,13 @@ fn isothermal(r: f64, temperature_k: f64, density_kg_m3: f64, scale_m: f64) -> V
 
 #[test]
 fn a_table_with_density_temperature_and_pressure_has_its_own_gas() {
-    // Carbon dioxide of 200 K: R 188.92, γ of CO2 at 200 K 1.346 (JANAF, 32.36 J/(mol K)); that of Mars has 1.350: 225.5 m/s.
+    // carbon dioxide at 200 K: R 188.92, γ 1.346 (JANAF, 32.36 J/(mol K)); that of Mars has 1.350: 225.5 m/s
     let rows = isothermal(188.92, 200.0, 0.0155, 10_183.0);
     let answer = flown(&case("mars", 2e4, 1000.0, &table(&rows)));
     let [mach, _] = ends(&answer, "mach");
     assert!((mach - 4.434).abs() < 0.01, "{mach}");
     assert!(told(&answer, "make a gas of").is_none());
-    // The same gas over the Earth is told: it is not air; γ is that of air.
+    // the same gas over the Earth gives a finding that it is not air; γ is that of air
     let answer = flown(&case("earth", 2e4, 1000.0, &table(&rows)));
     let [mach, _] = ends(&answer, "mach");
     assert!(
@@ -44,7 +44,7 @@ fn a_table_with_density_temperature_and_pressure_has_its_own_gas() {
         )
         .is_some()
     );
-    // Its ratio of heat capacities may be given.
+    // the ratio of heat capacities may be given
     let mut own = case("earth", 2e4, 1000.0, &table(&rows));
     own.set("atmosphere.heat_capacity_ratio", "1.29");
     let [mach, _] = ends(&flown(&own), "mach");
@@ -59,7 +59,7 @@ fn what_a_table_leaves_open_is_the_planet_s_own() {
         rows.iter_mut().for_each(|row| row[column] = 0.0);
         rows
     };
-    // Gas of Mars: 8314.46/43.51 = 191.09; p = ρ R T gives any one of the three.
+    // gas of Mars: 8314.46/43.51 = 191.09; p = ρ R T gives any one of the three
     let three: Vec<[f64; 3]> = rows.iter().map(|[z, rho, t, _]| [*z, *rho, *t]).collect();
     let whole = flown(&case("mars", 2e4, 1000.0, &table(&rows)));
     for other in [table(&without(1)), table(&without(2)), table(&three)] {
@@ -69,13 +69,13 @@ fn what_a_table_leaves_open_is_the_planet_s_own() {
             assert!((a / b - 1.0).abs() < 1e-3, "{key}: {a} against {b}");
         }
     }
-    // Density alone: temperature of the planet's own atmosphere, and a word.
+    // density alone: temperature of the planet's own atmosphere, and a finding
     let two: Vec<[f64; 2]> = rows.iter().map(|[z, rho, ..]| [*z, *rho]).collect();
     let answer = flown(&case("mars", 2e4, 1000.0, &table(&two)));
     let [temperature, _] = ends(&answer, "temperature_k");
     assert!((temperature - 179.8).abs() < 0.1, "{temperature}");
     assert!(told(&answer, "Temperature and gas are assumed: of Mars-GRAM").is_some());
-    // Temperature alone gives no density.
+    // temperature alone gives no density
     let fault = refused(&case(
         "mars",
         2e4,
@@ -90,7 +90,7 @@ fn what_a_table_leaves_open_is_the_planet_s_own() {
 
 #[test]
 fn numbers_that_are_no_gas_are_refused() {
-    // Pressure in hPa, where Pa is meant: 4401 kg/kmol.
+    // pressure in hPa, where Pa is expected: 4401 kg/kmol
     let mut rows = isothermal(188.92, 200.0, 0.0155, 10_183.0);
     rows.iter_mut().for_each(|row| row[3] /= 100.0);
     let fault = refused(&case("mars", 2e4, 1000.0, &table(&rows)));
@@ -102,7 +102,8 @@ fn numbers_that_are_no_gas_are_refused() {
 
 #[test]
 fn knudsen_number_is_of_the_planet_s_gas() {
-    // Hydrogen and helium: L ρ = 3.2 μ/√(2π R T) = 3.2 · 9.8454e-6 (150/273)^0.669/√(2π · 3600.4 · 150) = 1.147e-8 kg/m²
+    // hydrogen and helium: L ρ = 3.2 μ/√(2π R T) = 3.2 · 9.8454e-6 (150/273)^0.669/√(2π · 3600.4 · 150) = 1.147e-8
+    // kg/m²
     let rows: Vec<[f64; 3]> = vec![[0.0, 0.1, 150.0], [1e5, 1e-3, 150.0]];
     let answer = flown(&case("jupiter", 1e5, 3000.0, &table(&rows)));
     let [knudsen, _] = ends(&answer, "knudsen");
@@ -128,7 +129,8 @@ fn extrapolated_density_never_grows_with_height() {
         let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.to_vec()).collect();
         Atmosphere::Table(std::sync::Arc::new(Table::try_new(&rows, air()).unwrap()))
     };
-    // Growth within is the user's; below a first row that grows with height it is held too.
+    // growth within the table is the user's choice; below a first row from which density grows with height it is held,
+    // too
     let inside = rows(&[[0.0, 1.0], [1e3, 1.2], [2e3, 0.5]]);
     assert!(inside.density_kg_m3(900.0) > inside.density_kg_m3(100.0));
     assert_eq!(inside.density_kg_m3(-5e3), 1.0);

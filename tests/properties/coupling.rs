@@ -1,4 +1,4 @@
-//! The passes of designs: they settle, wherever they begin, and every number of an answer is of one pass.
+//! Passes of designs: they converge from any start, and all numbers of an answer belong to one pass.
 
 use crate::config;
 use crate::designs::{LIBRARY, given, run_page};
@@ -22,8 +22,8 @@ fn random(count: usize) -> Vec<Case> {
     (0..count).map(|_| next()).collect()
 }
 
-/// Three in four converge in 20 passes: the payload of most others is too large for 2 m, or each vehicle asks for one with a
-/// thicker heat shield until none closes any more.
+/// Three in four converge in 20 passes: the payload of most others is too large for 2 m, or each vehicle needs one with
+/// a thicker heat shield until none closes any more.
 #[test]
 fn most_of_the_run_page_converges_and_none_ends_unsettled() {
     let mut outcomes = BTreeMap::new();
@@ -63,7 +63,7 @@ fn neither_relaxation_nor_criterion_moves_the_mass_further_than_the_criterion() 
                 set(&mut case, "design.relaxation", relaxation);
                 set(&mut case, "design.mass_criterion_kg", criterion_kg);
                 let answer = designed(&case);
-                // the small steps of a small relaxation may take more passes, which is said
+                // the small steps of a small relaxation may take more passes, which the answer reports
                 if answer.outcome == Outcome::NotConverged {
                     unsettled += 1;
                     continue;
@@ -82,8 +82,8 @@ fn neither_relaxation_nor_criterion_moves_the_mass_further_than_the_criterion() 
     assert!(10 * unsettled < compared, "{unsettled} of {compared}");
 }
 
-/// Of the five numbers that couple the passes each is printed once and used everywhere. What is left is the mass that
-/// flew, which differs from the mass that is printed by less than the criterion.
+/// Each of the five coupled numbers is printed once and used everywhere. The only difference is between the mass that
+/// flew and the mass that is printed, by less than the criterion.
 #[test]
 fn every_number_of_an_answer_is_of_one_pass() {
     let mut judged = 0;
@@ -127,7 +127,7 @@ fn every_number_of_an_answer_is_of_one_pass() {
         ] {
             close(key, of(key), sized.thickness_m);
         }
-        // the last pass flew the vehicle of the pass before it
+        // the last pass flew the vehicle of the previous pass
         let last = answer.passes.last().unwrap();
         let criterion_kg = given(&case, "design.mass_criterion_kg");
         close("mass of the last pass", last.mass_kg, m);
@@ -161,10 +161,10 @@ fn an_entry_that_leaves_again_has_a_flight_and_no_design() {
     }
 }
 
-/// Diameters from which each vehicle is asked for, as parts of the way from 0.5 m to the one found.
+/// Starting diameters, as fractions of the interval from 0.5 m to the one found.
 const ASKED: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 0.97];
 
-/// Grown from whatever diameter, the same vehicle: also where a heavier one would carry itself.
+/// Growth from any diameter gives the same vehicle, even where a heavier one would also close.
 #[test]
 fn the_diameter_found_does_not_depend_on_the_one_asked_for() {
     let by_density = |case: &Case| {

@@ -85,7 +85,7 @@ pub(crate) fn adds_up(case: &Case, answer: &Answer) -> Result<(), TestCaseError>
     Ok(())
 }
 
-/// What was changed is said, with what was asked for and what was done.
+/// Each change is reported with the requested and the actual value.
 fn changes_are_reported(case: &Case, answer: &Answer) -> Result<(), TestCaseError> {
     let radius_m = 0.5 * output(answer, "diameter_m");
     for (key, used) in [

@@ -28,7 +28,7 @@ fn exact(mut case: Case) -> Case {
     case
 }
 
-/// Energy of the inertial motion over mass, J/kg, along a flight over the report's Earth.
+/// Specific energy in the inertial frame, J/kg, along a flight over the report's Earth.
 fn energies_j_kg(case: &Case) -> Vec<f64> {
     let planet = &named(&LIBRARY.planets, "earth-msape").unwrap().planet;
     let Gravity::Zonal {
@@ -82,7 +82,7 @@ proptest! {
         set(&mut case, "vehicle.drag_coefficient", 0.0);
         set(&mut case, "stop.time_s", 2_000.0);
         let energies = energies_j_kg(&case);
-        // What starts level above escape speed has left at once.
+        // a level start above escape speed leaves at once
         prop_assert!(energies.len() > 2 || entry.flight_path_angle_deg >= 0.0);
         for energy in &energies {
             prop_assert!((energy - energies[0]).abs() < 1e-9 * 1.2e8, "{} {}", energy, energies[0]);
@@ -102,12 +102,12 @@ proptest! {
             let ratio = output(&small, key) / output(&large, key);
             prop_assert!((ratio - 2.0).abs() < 1e-6, "{}: {}", key, ratio);
         }
-        // Heating does not act on the motion.
+        // heating does not affect the motion
         let key = "peak_deceleration_earth_g";
         prop_assert!((output(&small, key) / output(&large, key) - 1.0).abs() < 1e-8);
     }
 
-    /// Deeper where the body is heavier: it meets the density that stops it further down.
+    /// A heavier body decelerates lower: it reaches the density that decelerates it further down.
     #[test]
     fn a_heavier_body_decelerates_lower(entry in entry(-60.0..-12.0), factor in 1.1..3.0) {
         let heavier = Entry {
@@ -123,7 +123,7 @@ proptest! {
         }
     }
 
-    /// The mass and the area that make one ballistic coefficient do not matter one by one.
+    /// Mass and area have no effect except through the ballistic coefficient.
     #[test]
     fn only_the_ballistic_coefficient_counts(entry in entry(-90.0..-6.0), factor in 0.01..100.0) {
         let case = exact(entry.case());
@@ -137,7 +137,7 @@ proptest! {
         }
     }
 
-    /// Falling at terminal speed, a body goes with the wind.
+    /// At terminal speed a body drifts with the wind.
     #[test]
     fn a_falling_body_drifts_with_the_wind(
         east_m_s in -100.0..100.0,
@@ -158,13 +158,13 @@ proptest! {
             ["eastward_speed_m_s", "northward_speed_m_s", "time_s"]
                 .map(|key| *history.column(key).unwrap().last().unwrap())
         });
-        // The rotating planet turns some of the wind aside: 2 ω v over the time in which drag acts, 1e-4 · 2 · 5 s.
+        // the rotating planet deflects some of the wind: 2 ω v over the time in which drag acts, 1e-4 · 2 · 5 s
         let wind_m_s = east_m_s.hypot(north_m_s);
         prop_assert!((windy[0] - calm[0] - east_m_s).abs() < 0.003 * wind_m_s + 1e-6);
         prop_assert!((windy[1] - calm[1] - north_m_s).abs() < 0.003 * wind_m_s + 1e-6);
     }
 
-    /// A history begins at the start and ends where the results end; all columns that it has have one length.
+    /// A history begins at the start and ends with the results; all of its columns have the same length.
     #[test]
     fn a_history_ends_where_the_flight_ends(entry in entry(-90.0..-2.0), step_s in 0.1..50.0) {
         for request in [Request::Steps, Request::Uniform(step_s)] {
@@ -176,7 +176,7 @@ proptest! {
             prop_assert!(times_s.windows(2).all(|pair| pair[0] < pair[1]));
             let last = |key: &str| *history.column(key).unwrap().last().unwrap();
             prop_assert_eq!(last("time_s"), output(&answer, "time_of_flight_s"));
-            // The history takes the height of the fast formula, good to 1e-5 m.
+            // the history uses the fast formula for altitude, accurate to 1e-5 m
             let gap_m = last("altitude_m") - output(&answer, "final_altitude_m");
             prop_assert!(gap_m.abs() < 1e-5, "{}", gap_m);
         }

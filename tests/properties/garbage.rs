@@ -1,4 +1,4 @@
-//! Whatever comes in, an answer or a list of faults goes out; nothing panics.
+//! Any input gives an answer or a list of faults; nothing panics.
 
 use crate::config;
 use msape::quantity::input::{Choices, Kind};
@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
-/// An answer that can be written and read, or faults that each say something.
+/// Requires an answer that can be written and read, or faults with messages.
 fn answered(result: Result<Answer, Vec<InputError>>, job: Job) -> Result<(), TestCaseError> {
     match result {
         Ok(found) => {
@@ -41,7 +41,7 @@ fn read(text: &str) -> Result<(), TestCaseError> {
     }
 }
 
-/// Numbers of every sort, as text.
+/// Numbers of all kinds, as text.
 fn any_number() -> impl Strategy<Value = String> {
     prop_oneof![
         any::<f64>().prop_map(|x| format!("{x:?}")),
@@ -55,7 +55,7 @@ fn any_number() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Something that people type into a field.
+/// Text that people may type into a field.
 fn typed(kind: Kind) -> BoxedStrategy<String> {
     let sensible = match kind {
         Kind::Choice(choices) => {
@@ -85,7 +85,7 @@ fn typed(kind: Kind) -> BoxedStrategy<String> {
     .boxed()
 }
 
-/// One to four keys of a case and what is typed for them. The three that only set how long a run takes stay as they are.
+/// One to four keys of a case with typed values. The three keys that only set how long a run takes stay unchanged.
 fn edits() -> impl Strategy<Value = Vec<(&'static str, String)>> {
     let slow = ["solver.step_s", "solver.tolerance", "design.max_iterations"];
     let open: Vec<_> = inputs()

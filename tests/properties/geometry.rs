@@ -1,4 +1,4 @@
-//! Ten thousand vehicles over the trade space: each closes or says why, and what closes is whole.
+//! Ten thousand vehicles over the trade space: each closes or says why, and closed ones have consistent geometry.
 
 use msape::library::data_file;
 use msape::problem::DesignProblem;
@@ -9,12 +9,12 @@ use msape::{Case, Library};
 use numerics::math::{RADIANS_PER_DEGREE, hypot};
 use std::collections::BTreeMap;
 
-/// Vehicles that are tried.
+/// Number of vehicles.
 const SAMPLES: usize = 10_000;
-/// Points of each half-section that are looked at.
+/// Number of points checked in each half-section.
 const POINTS: usize = 20;
 
-/// Numbers in 0..1 by a fixed rule: splitmix64.
+/// Pseudo-random numbers in 0..1: splitmix64.
 struct Sequence(u64);
 
 impl Sequence {
@@ -35,7 +35,7 @@ impl Sequence {
     }
 }
 
-/// Vehicles of both heat-shield concepts, as the shipped cases make them.
+/// Vehicles of both heat-shield concepts, as in the shipped cases.
 fn templates() -> Vec<VehicleInput> {
     let library = Library::builtin().unwrap();
     ["cases/msr-eev-pica.toml", "cases/msr-eev-cp.toml"]
@@ -63,7 +63,7 @@ fn sampled(sequence: &mut Sequence, templates: &[VehicleInput]) -> VehicleInput 
         1 => PayloadSize::DiameterM(sequence.between(0.1, 0.6)),
         _ => PayloadSize::DiameterRatio(sequence.between(0.2, 0.6)),
     };
-    // the report's cone in every second vehicle
+    // every second vehicle has the report's cone
     let cone_deg = if sequence.heads() {
         60.0
     } else {
@@ -81,7 +81,7 @@ fn sampled(sequence: &mut Sequence, templates: &[VehicleInput]) -> VehicleInput 
     input
 }
 
-/// Pieces that meet, arcs that are arcs, nothing below the axis.
+/// Pieces meet, arcs are consistent, nothing lies below the axis.
 fn joints_hold(vehicle: &Vehicle) {
     let profiles = vehicle.components.iter().flat_map(|part| &part.profiles);
     for profile in profiles.chain([&vehicle.outline]) {
@@ -143,7 +143,7 @@ fn parts_fill_the_outline(vehicle: &Vehicle, sequence: &mut Sequence) {
     }
 }
 
-/// What was changed is among the adjustments, and nothing else is; the names of the changes.
+/// Checks that the changed inputs, and no others, are among the adjustments; returns their names.
 fn changes(input: &VehicleInput, vehicle: &Vehicle) -> Vec<&'static str> {
     let d = &vehicle.dimensions;
     let asked = [
@@ -199,7 +199,7 @@ fn changes(input: &VehicleInput, vehicle: &Vehicle) -> Vec<&'static str> {
     names
 }
 
-/// Name of what did not fit.
+/// Name of a misfit.
 fn misfit(misfit: &Misfit) -> &'static str {
     match misfit {
         Misfit::PayloadWiderThanVehicle { .. } => "payload wider than the vehicle",
@@ -265,7 +265,7 @@ fn ten_thousand_vehicles_close_or_say_why() {
     assert!(closed > SAMPLES * 4 / 5, "{closed}");
 }
 
-/// Whether the lines p-q and s-t cross, by the sides on which their ends stand: another way than the program's.
+/// Whether the lines p-q and s-t cross, by the sides on which their ends lie: another method than the program's.
 fn cross(p: [f64; 2], q: [f64; 2], s: [f64; 2], t: [f64; 2]) -> bool {
     let side = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -1,12 +1,12 @@
-//! Hostile and random input of every kind by a seed: a bounded number of cases in `cargo test`, as long as one likes with
-//! `cargo xtask fuzz`, which goes on with the next seeds and counts.
+//! Hostile and random input of every kind from a seed: a bounded number of cases in `cargo test`, any duration with
+//! `cargo xtask fuzz`, which continues with the next seeds and counts.
 //!
-//! - [`texts`]: cases with letters, numbers and lines that somebody changed.
-//! - [`files`]: tables, outlines and drawings likewise, in text and binary.
-//! - [`links`]: links to a design, as sent and changed on their way.
+//! - [`texts`]: cases with changed letters, numbers and lines.
+//! - [`files`]: tables, outlines and drawings changed likewise, in text and binary.
+//! - [`links`]: links to a design, unchanged and changed in transit.
 //! - [`entries`]: entries of vehicles at all planets, with three and six degrees of freedom.
-//! - [`vehicles`]: designs, outlines, what is exported of them.
-//! - [`edits`], [`samples`]: how a file is changed, and the files; [`truths`]: what holds for each answer.
+//! - [`vehicles`]: designs, outlines, and their exports.
+//! - [`edits`], [`samples`]: changes of files, and the files; [`truths`]: conditions that hold for each answer.
 
 mod edits;
 mod entries;
@@ -24,10 +24,10 @@ use std::fmt::Debug;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Longest time for one case, s: what takes longer is taken for endless.
+/// Time limit for one case, s: a longer run counts as endless.
 const LONGEST_S: u64 = 180;
 
-/// What was counted, by name; read at the end.
+/// Counts by name; read at the end.
 #[derive(Default)]
 pub(crate) struct Tally {
     counts: Mutex<BTreeMap<&'static str, u64>>,
@@ -36,17 +36,17 @@ pub(crate) struct Tally {
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // a case that fails while it counts leaves the counts as they are
+    // a case that fails while counting leaves the counts unchanged
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Tally {
-    /// One more.
+    /// Adds one.
     pub fn one(&self, name: &'static str) {
         self.add(name, 1);
     }
 
-    /// So many more.
+    /// Adds a number.
     pub fn add(&self, name: &'static str, more: usize) {
         *locked(&self.counts).entry(name).or_default() += more as u64;
     }
@@ -74,13 +74,13 @@ impl Tally {
     }
 }
 
-/// A number of the environment, by which `cargo xtask fuzz` asks for more.
+/// A number from the environment, with which `cargo xtask fuzz` asks for more.
 fn asked(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
     Some(text.parse().expect("a whole number"))
 }
 
-/// Draws cases by the seed and lets each be checked; for as many seconds as were asked for, by one seed after the other.
+/// Draws cases from the seed and checks each; for as many seconds as requested, with one seed after the other.
 pub(crate) fn hold<S: Strategy>(
     kind: &str,
     cases: u32,

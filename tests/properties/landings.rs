@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 
 const DESIGNS: usize = 200;
 
-/// The first that converge.
+/// The first designs that converge.
 static CONVERGED: LazyLock<Vec<Answer>> = LazyLock::new(|| {
     let mut runner = TestRunner::new(config(1));
     let mut converged = Vec::new();
@@ -32,13 +32,14 @@ fn landed(answer: &Answer) -> (&Vehicle, &Landing) {
     (&design.vehicle, &design.landing)
 }
 
-/// Whether less strength is asked for than the weakest foam on offer has, as a finding says.
+/// Whether the required strength is below that of the weakest available foam, according to a finding.
 fn below_the_grades(answer: &Answer) -> bool {
     let says = |finding: &Finding| finding.key == "foam_strength_pa" && finding.valid.0.is_some();
     answer.findings.iter().any(says)
 }
 
-/// The strength is that of the law that judges it: above the limit is only foam that cannot be had as weak as is asked for.
+/// The strength comes from the law that judges it: the limit is exceeded only where the required strength is below that
+/// of any available foam.
 #[test]
 fn the_payload_keeps_the_limit_it_is_sized_for() {
     let mut all_over = 0;
@@ -51,7 +52,7 @@ fn the_payload_keeps_the_limit_it_is_sized_for() {
             let impact = &vehicle.impact;
             let ratio = landing.rigid_surface.peak_load_earth_g / impact.crush_load_limit_earth_g;
             let below = below_the_grades(answer);
-            // the speed of the last pass is that of the pass before to the mass criterion
+            // the speed of the last pass equals that of the previous pass to within the mass criterion
             assert!(ratio < 1.001 || below, "{ratio}: {impact:?}");
             let found = |key| answer.findings.iter().any(|finding| finding.key == key);
             assert_eq!(found("rigid_surface_peak_load_earth_g"), ratio > 1.01);
@@ -66,12 +67,13 @@ fn the_payload_keeps_the_limit_it_is_sized_for() {
         assert!(count > 50);
         all_over += over;
     }
-    // at most 5 %, each for the reason that its finding names
+    // at most 5 %, each for the reason given by its finding
     assert!(20 * all_over <= CONVERGED.len(), "{all_over}");
 }
 
-/// Figures 19 and 20 of the report: equation 3 against equation 1, equation 5 against the stroke of equation 4. Both lie on the line
-/// of equal values but for the speed: their ratio is the square of the terminal speed of equation 2 over the speed at impact.
+/// Figures 19 and 20 of the report: equation 3 against equation 1, equation 5 against the stroke of equation 4. Both
+/// lie on the line of equal values except for the speed: their ratio is the square of the terminal speed of equation 2
+/// over the impact speed.
 #[test]
 fn equations_3_and_5_lie_on_the_lines_of_figures_19_and_20() {
     for (figure, estimate, exact) in [

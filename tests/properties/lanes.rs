@@ -1,4 +1,4 @@
-//! Flights in lanes and flights with derivatives.
+//! Flights in lanes (several at once), and flights with derivatives.
 
 use msape::flight::Flight;
 use msape::flight::batch::{extremes_of_all, fly_all};
@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
-/// Drag by Mach number, radiation, wind: everything that a lane may run into by itself.
+/// Drag by Mach number, radiation, wind: everything that lanes may encounter at different times.
 const EVERYTHING: &str = r#"
 schema = "msape/1"
 name = "everything"
@@ -39,7 +39,7 @@ aerodynamics = "mmeev-60"
 radiative = "tauber-sutton"
 "#;
 
-/// The same with phases, which each lane meets by itself.
+/// The same case with phases, which each lane reaches at its own time.
 const PHASES: &str = r#"
 [[phase]]
 name = "drogue"
@@ -61,7 +61,7 @@ fn problem(text: &str) -> FlightProblem {
     FlightProblem::check(&Case::from_text(text).unwrap(), &LIBRARY).unwrap()
 }
 
-/// Numbers between 0 and 1 by a fixed seed, after Steele, Lea and Flood.
+/// Pseudo-random numbers between 0 and 1 from a fixed seed, after Steele, Lea and Flood.
 struct Random(u64);
 
 impl Random {
@@ -78,7 +78,7 @@ impl Random {
     }
 }
 
-/// What a flight is drawn by: entry state in words, and the vehicle.
+/// Number of random parameters of a flight: entry state and vehicle.
 const PARAMETERS: usize = 12;
 
 fn drawn(random: &mut Random) -> [f64; PARAMETERS] {

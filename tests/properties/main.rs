@@ -1,17 +1,17 @@
-//! What holds for every case, over many cases drawn by a fixed seed.
+//! Properties that hold for every case, checked over many cases drawn with a fixed seed.
 //!
-//! - [`text`]: what is written reads back; numbers keep their value through units.
-//! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
+//! - [`text`]: output reads back; numbers keep their value through units.
+//! - [`garbage`]: any input gives an answer or a list of faults.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
-//! - [`lanes`]: flights in lanes have the bits of each alone; derivatives are those of central differences.
-//! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
-//! - [`coupling`]: the passes settle, and an answer is of one pass.
-//! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
-//! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
+//! - [`lanes`]: flights in lanes have the same bits as alone; derivatives equal central differences.
+//! - [`versions`]: cases of the first version keep its defaults, or the answer reports the changes.
+//! - [`coupling`]: the passes converge, and an answer is of one pass.
+//! - [`geometry`]: ten thousand vehicles: complete, without overlap, every change reported.
+//! - [`planets`], [`atmosphere_tables`]: each with its own gas, atmosphere, figure and depth.
 //! - [`robustness`]: cases that once gave nonsense, or took minutes.
-//! - [`hostile`]: files, cases and vehicles by the thousand, and as many more as one likes.
-//! - [`landings`]: the limit of the payload, equations 3 and 5.
+//! - [`hostile`]: files, cases and vehicles by the thousand, and any number more on request.
+//! - [`landings`]: load limit of the payload, equations 3 and 5.
 
 mod atmosphere_tables;
 mod coupling;
@@ -29,7 +29,7 @@ mod versions;
 
 use proptest::test_runner::{Config, RngSeed};
 
-/// A fixed number of cases by a fixed seed; a failure prints the smallest case that fails.
+/// A fixed number of cases with a fixed seed; a failure prints the smallest failing case.
 fn config(cases: u32) -> Config {
     Config {
         cases,

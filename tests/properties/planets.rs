@@ -1,4 +1,4 @@
-//! Any planet: its own air, figure and depth, or a clear word.
+//! Any planet: its own atmosphere, figure and depth, or a clear message.
 
 use msape::finding::Finding;
 use msape::library::named;
@@ -12,7 +12,7 @@ const PLANETS: [&str; 8] = [
     "earth", "venus", "mars", "titan", "jupiter", "saturn", "uranus", "neptune",
 ];
 
-/// A steep fall through the air of a planet, from a height and with a speed; `more` is added to the case.
+/// A steep fall through the atmosphere of a planet, from an altitude and with a speed; `more` is appended to the case.
 pub(crate) fn case(planet: &str, altitude_m: f64, speed_m_s: f64, more: &str) -> Case {
     Case::from_toml(&format!(
         "schema = 'msape/1'\nversion = '0.2'\nname = 't'\n{more}\n\
@@ -105,7 +105,7 @@ fn downrange_is_on_the_planet_s_own_figure() {
         let answer = flown(&case(name, 125e3, 7000.0, "stop.time_s = 60.0"));
         let flight = answer.flight.unwrap();
         let east_rad = flight.final_longitude_rad;
-        // Nearly along the parallel of 20 deg over so short a way: N cos φ Δλ, N = a/√(1 − e² sin² φ)
+        // nearly along the parallel of 20 deg over so short a distance: N cos φ Δλ, N = a/√(1 − e² sin² φ)
         let planet = &named(&LIBRARY.planets, name).unwrap().planet;
         let (a, b) = (planet.equatorial_radius_m, planet.polar_radius_m);
         let sine = 20.0_f64.to_radians().sin();
@@ -115,13 +115,13 @@ fn downrange_is_on_the_planet_s_own_figure() {
     };
     for name in PLANETS.into_iter().filter(|name| *name != "earth") {
         let (got, expected) = geodesic(name);
-        // the planet turns under the flight, which leaves the parallel
+        // the planet rotates under the flight, which leaves the parallel
         assert!(
             (got / expected - 1.0).abs() < 0.01,
             "{name}: {got} against {expected}"
         );
     }
-    // On both Earths the sphere of 6371 km, 6 m less than the parallel of the ellipsoid in 1000.
+    // on both Earths the sphere of 6371 km, 6 m less than the parallel of the ellipsoid in 1000 m
     let (got, expected) = geodesic("earth");
     assert!(
         (got / expected - 0.9985).abs() < 2e-3,
@@ -152,7 +152,7 @@ fn a_flight_may_end_as_deep_as_the_planet_allows_and_no_deeper() {
         );
         assert!(fault.contains(&expected), "{fault}");
     }
-    // Hellas: below the first row of the atmosphere, which is told.
+    // Hellas: below the first row of the atmosphere, which gives a finding
     let answer = flown(&case("mars", 125e3, 6000.0, "stop.altitude_m = -7100.0"));
     assert!(
         told(
@@ -162,9 +162,9 @@ fn a_flight_may_end_as_deep_as_the_planet_allows_and_no_deeper() {
         .is_some()
     );
     let [_, density] = ends(&answer, "density_kg_m3");
-    // 0.01466 kg/m³ and the slope of the first kilometre, 0.01327: × (0.01466/0.01327)^7.1
+    // 0.01466 kg/m³ and the slope of the first kilometer, 0.01327: × (0.01466/0.01327)^7.1
     assert!((density - 0.02971).abs() < 2e-4, "{density}");
-    // A table of the case may reach deeper.
+    // a table of the case may reach deeper
     let deep = table(&[[-3e5, 1.0], [3e5, 1e-6]])
         .replace("stop.time_s = 1.0", "stop.altitude_m = -250000.0");
     let answer = flown(&case("uranus", 1e4, 1000.0, &deep));
@@ -223,7 +223,7 @@ fn a_planet_of_the_case_takes_the_air_of_the_one_that_is_named() {
     let answer = flown(&named_so);
     assert!((ends(&answer, "pressure_pa")[1] - 600.3).abs() < 0.1);
     assert_eq!(answer.planet.kml_target.as_deref(), Some("mars"));
-    // By its atmosphere alone it is known too; without either the Earth's is assumed.
+    // an atmosphere alone identifies the gas, too; without either the Earth's is assumed
     let mut by_air = named_so.clone();
     by_air.set("entry.planet", "");
     by_air.set("entry.atmosphere", "mars");
@@ -246,7 +246,7 @@ fn a_planet_of_the_case_takes_the_air_of_the_one_that_is_named() {
 
 #[test]
 fn a_wall_in_equilibrium_is_of_the_planet_s_gas() {
-    // h_w/h₀ of hydrogen at a few thousand kelvin is a dozen times that of air.
+    // h_w/h₀ of hydrogen at a few thousand kelvin is a dozen times that of air
     let lowered = |planet: &str| {
         let of = |wall: &str| {
             let air = "stop.time_s = 0.001\n[atmosphere]\nexponential = { density_kg_m3 = 1e-4, scale_height_m = 30000.0 }\n";

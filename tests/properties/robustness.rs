@@ -1,5 +1,5 @@
-//! Cases drawn at random or made with bad intent that once gave nonsense under a good name, took minutes or were lost, each
-//! with what is right.
+//! Cases drawn at random or made with bad intent that once gave plausible nonsense, took minutes or were lost, each
+//! with the right result.
 
 use crate::designs::LIBRARY;
 use msape::answer::outputs;
@@ -8,11 +8,11 @@ use msape::{Answer, Case, InputError, Outcome, Request, answer};
 use msape_tests::entry::output;
 use msape_tests::text::PLAIN;
 
-/// How a case ends.
+/// Right result of a case.
 enum Right {
-    /// Refused; each line begins with one of the keys, and each key begins one.
+    /// Refused; each message begins with one of the keys, and each key begins one.
     Refused(&'static [&'static str]),
-    /// An outcome, and words of its reason.
+    /// An outcome, and part of its reason.
     Ended(Outcome, &'static str),
 }
 
@@ -26,7 +26,7 @@ macro_rules! file {
     };
 }
 
-/// Files of the folder `robustness`, by which command they are solved, and what is right.
+/// Files of the folder `robustness`, the command that solves them, and the right result.
 const CASES: [((&str, &str), Job, Right); 24] = [
     (
         file!("design-at-rest.toml"),
@@ -167,7 +167,7 @@ fn lines(faults: &[InputError]) -> Vec<String> {
     faults.iter().map(ToString::to_string).collect()
 }
 
-/// An answer that names an outcome stands on finite numbers, and a landing is on the ground.
+/// An answer with an outcome has finite numbers, and a landing is on the ground.
 fn stands(name: &str, answer: &Answer, job: Job) {
     let text = answer::text(answer, job);
     assert!(
@@ -236,7 +236,7 @@ fn each_case_is_refused_given_up_or_true() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Keys that no list knows and that need quotes: above all sections, in one, with dots, blanks, signs, nothing.
+/// Unknown keys that need quotes: above all sections, in one, with dots, blanks, signs, empty.
 #[test]
 fn a_case_with_any_unknown_key_reads_back() {
     let texts = [
@@ -263,7 +263,7 @@ fn a_case_with_any_unknown_key_reads_back() {
     }
 }
 
-/// Hundred unknown keys of 3 kB, as a file of 300 kB has them: compared with no known key, and cut where they are told.
+/// A hundred unknown keys of 3 kB, as in a file of 300 kB: not compared with known keys, and shortened in messages.
 #[test]
 fn long_unknown_keys_are_told_in_short() {
     let keys: String = (0..100)
@@ -280,7 +280,7 @@ fn long_unknown_keys_are_told_in_short() {
     );
 }
 
-/// Ten thousand passes with steps of next to nothing: the work of the passes together has a limit.
+/// Ten thousand passes with very small steps: the total work of the passes is limited.
 #[test]
 fn passes_without_end_are_given_up_at_a_limit_of_work() {
     for flight in [

@@ -1,4 +1,4 @@
-//! Text in, text out.
+//! Reading and writing of text.
 
 use crate::config;
 use msape::Case;
@@ -17,7 +17,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A value of the kind that a key takes, which need not be allowed.
+/// A value of the kind that a key takes, not necessarily allowed.
 fn value(input: &'static Input) -> BoxedStrategy<(String, Value)> {
     let value = match input.kind {
         Kind::Number { .. } => prop_oneof![
@@ -34,7 +34,7 @@ fn value(input: &'static Input) -> BoxedStrategy<(String, Value)> {
                 .boxed()
         }
     };
-    // A key that stands for that of every phase is one of the second.
+    // a key for every phase becomes one of the second phase
     let key = match input.key.strip_prefix("phase.") {
         Some(name) => format!("phase.2.{name}"),
         None => input.key.to_string(),
@@ -42,7 +42,7 @@ fn value(input: &'static Input) -> BoxedStrategy<(String, Value)> {
     value.prop_map(move |value| (key.clone(), value)).boxed()
 }
 
-/// A key that no input has: anything, a misspelling, or below or above a key that one has.
+/// A key that no input has: anything, or an existing key extended or shortened.
 fn odd_key() -> impl Strategy<Value = String> {
     let known = || select(inputs().map(|input| input.key).collect::<Vec<_>>());
     let part = || prop_oneof![any::<String>(), "[a-z_.\"# -]{0,6}"];
@@ -89,9 +89,9 @@ fn any_case() -> impl Strategy<Value = Case> {
         })
 }
 
-/// The case with what no input takes spelled as the reader spells it.
+/// The case with unknown values spelled as the reader spells them.
 fn spelled(mut case: Case) -> Case {
-    // the reader has lists and tables of this name as phases, each key by its number
+    // the reader converts lists and tables of this name to phases, with numbered keys
     let phases =
         |value: &Value| matches!(value, Value::Other(text) if text.starts_with(['[', '{']));
     case.values
@@ -122,7 +122,7 @@ proptest! {
     #[test]
     fn a_number_keeps_its_value_through_a_unit(unit in select(UNITS), x in -1e9..1e9_f64) {
         let back = unit.from_canonical(unit.to_canonical(x));
-        // Two roundings of the product; with an offset, of the sum, too.
+        // two roundings of the product; with an offset, also of the sum
         let allowed = 4.0 * f64::EPSILON * (x.abs() + (unit.offset / unit.factor).abs());
         prop_assert!((back - x).abs() <= allowed, "{} {}: {}", x, unit.symbol, back);
     }

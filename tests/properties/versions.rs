@@ -1,4 +1,4 @@
-//! Cases of commit e134449, the first version: they give what they gave, or name what changed.
+//! Cases of commit e134449, the first version: they give the same results, or the answer names what changed.
 
 use msape::answer::Answer;
 use msape::case::version::{BroughtUp, shipped};
@@ -14,12 +14,12 @@ fn defaults() -> BTreeMap<String, Json> {
     serde_json::from_str(include_str!("../data/e134449/defaults.json")).unwrap()
 }
 
-/// The list of what that version did otherwise.
+/// Changes of behavior since that version.
 fn changes() -> toml::Table {
     data_file("versions/0.1.toml").unwrap().parse().unwrap()
 }
 
-/// Keys of its changed defaults, with what they were.
+/// Keys with changed defaults, and their former values.
 fn changed() -> BTreeMap<String, String> {
     let list = changes()["default"].as_array().unwrap().clone();
     let pair = |old: &toml::Value| {

@@ -1,4 +1,4 @@
-//! Figures of the documentation, drawn from the solver and compared with what is published.
+//! Figures of the documentation, drawn from solver results and compared with the published files.
 
 use msape::flight::six_dof::reorientation::study;
 use msape::problem::FlightProblem;
@@ -9,13 +9,13 @@ use std::{env, fs};
 
 /// Diameter of the vehicle of `cases/backward-entry.toml`, m.
 const DIAMETER_M: f64 = 1.1;
-/// Places of the centre of gravity in diameters aft of the virtual apex.
+/// Axial positions of the center of gravity in diameters aft of the virtual apex.
 const PLACES: [f64; 5] = [0.10, 0.20, 0.25, 0.27, 0.30];
 
-/// Below it the vehicles swing as they did before.
+/// Smallest Knudsen number drawn: below it the oscillations continue unchanged.
 const LEAST_KNUDSEN: f64 = 0.01;
 
-/// Total angle of attack of a backward entry against Knudsen number, as Figure 27 of the report.
+/// Total angle of attack of a backward entry against Knudsen number, as in Figure 27 of the report.
 #[test]
 fn backward_entries_are_those_of_the_documentation() {
     let text = library::data_file("cases/backward-entry.toml").unwrap();

@@ -1,7 +1,7 @@
-//! Every shipped case solved and compared, to the bit, with its recorded answer beside this file.
+//! Solves every shipped case and compares it, to the bit, with its recorded answer in this folder.
 //!
-//! `UPDATE_SNAPSHOTS=1 cargo test --package msape-tests --test snapshots` records anew; the changelog then says which
-//! result changed, from what to what, and why.
+//! `UPDATE_SNAPSHOTS=1 cargo test --package msape-tests --test snapshots` records new answers; the changelog must then
+//! say which result changed, from what to what, and why.
 
 mod figures;
 mod reorientation;

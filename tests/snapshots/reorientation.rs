@@ -1,4 +1,4 @@
-//! Table of the documentation: aft shape, centre of gravity and rates that lead to a backward entry.
+//! Table of the documentation: aft shape, center of gravity and rates that lead to a backward entry.
 
 use msape::answer::output;
 use msape::flight::six_dof::reorientation::Facing;
@@ -18,7 +18,7 @@ const HEAD: &str = "\
 | --- | --: | --: | --: | --: | --: | --- | --- | --- |
 ";
 
-/// Starting angles that meet the heat backwards at one rate.
+/// Starting angles from which the vehicle is backward at peak heating, for one rate.
 fn backward_deg(entries: &[Turn], rate_rad_s: f64) -> String {
     let those = entries
         .iter()

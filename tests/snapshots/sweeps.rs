@@ -1,4 +1,4 @@
-//! Sweeps of one input at a time through two shipped designs: drawn beside version 0.1, and searched for jumps.
+//! Sweeps of one input at a time through two shipped designs, plotted beside version 0.1 and checked for jumps.
 
 use msape::answer::output;
 use msape::{Answer, Case, Library, Outcome, Request, design, library};
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// Quantities that are drawn: key, label, unit.
+/// Quantities plotted: key, label, unit.
 const DRAWN: [(&str, &str, &str); 2] = [
     ("total_entry_mass_kg", "Entry mass", "kg"),
     ("rigid_surface_peak_load_earth_g", "Rigid surface", "g"),
@@ -15,17 +15,17 @@ const DRAWN: [(&str, &str, &str); 2] = [
 /// Width and height of one panel, px.
 const PANEL_PX: [u32; 2] = [450, 190];
 
-/// A step larger than this many times the steps around it is a jump.
+/// Ratio of a step to its neighbors above which it is a jump.
 const JUMP: f64 = 6.0;
-/// Steps below this part of the value are none.
+/// Relative size below which a step is ignored.
 const SMALL: f64 = 0.004;
 
-/// One input of one case, varied.
+/// Variation of one input of one case.
 struct Sweep {
     case: String,
     input: String,
     values: Vec<f64>,
-    /// As version 0.1 answered, in the order of [`DRAWN`].
+    /// Answers of version 0.1, in the order of [`DRAWN`].
     before: Vec<[f64; 2]>,
 }
 
@@ -53,7 +53,7 @@ fn recorded() -> Vec<Sweep> {
     sweeps
 }
 
-/// The answers of now; a design that did not converge has none.
+/// Current answers; NaN for a design that did not converge.
 fn now(sweep: &Sweep, library: &Library) -> Vec<[f64; 2]> {
     let file = format!("cases/{}.toml", sweep.case);
     let case = Case::from_text(library::data_file(&file).unwrap()).unwrap();
@@ -69,7 +69,7 @@ fn now(sweep: &Sweep, library: &Library) -> Vec<[f64; 2]> {
     sweep.values.iter().map(at).collect()
 }
 
-/// Where a curve jumps: index of the step.
+/// Indices of the steps at which a curve jumps.
 fn jumps(values: &[f64]) -> Vec<usize> {
     let step = |i: usize| (values[i + 1] - values[i]).abs();
     (0..values.len().saturating_sub(1))

@@ -1,4 +1,4 @@
-//! Entries that tests make up: a body of constant drag coefficient over the report's Earth.
+//! Invented entries for tests: a body with constant drag coefficient over the report's Earth.
 
 use msape::{Answer, Case, Library, Request};
 
@@ -7,7 +7,7 @@ use msape::{Answer, Case, Library, Request};
 pub struct Entry {
     /// Speed relative to the planet, m/s.
     pub speed_m_s: f64,
-    /// Angle against the horizon, negative downwards, degrees.
+    /// Flight path angle, negative downward, deg.
     pub flight_path_angle_deg: f64,
     /// Ballistic coefficient, kg/m².
     pub ballistic_coefficient_kg_m2: f64,
@@ -24,7 +24,7 @@ impl Entry {
         nose_radius_m: 0.35,
     };
 
-    /// The entry as a case: with an area of 1 m² and a drag coefficient of 1 the mass is the ballistic coefficient.
+    /// The entry as a case: with an area of 1 m² and a drag coefficient of 1 the mass equals the ballistic coefficient.
     pub fn case(&self) -> Case {
         let mut case = Case {
             name: format!("{self:?}"),
@@ -54,18 +54,18 @@ pub fn set(case: &mut Case, key: &str, value: f64) {
     case.set(key, &format!("{value:?}"));
 }
 
-/// Flies a case that cannot be refused.
+/// Flies a case that must be valid.
 ///
 /// # Panics
-/// With every fault, when it is refused.
+/// With all faults, if the case is refused.
 pub fn flown(case: &Case, library: &Library) -> Answer {
     flown_with(case, library, Request::Nothing)
 }
 
-/// Flies a case that cannot be refused, with a time history.
+/// Flies a case that must be valid, with a time history.
 ///
 /// # Panics
-/// With every fault, when it is refused.
+/// With all faults, if the case is refused.
 pub fn flown_with(case: &Case, library: &Library, request: Request) -> Answer {
     match msape::fly(case, library, request) {
         Ok(answer) => answer,
@@ -73,10 +73,10 @@ pub fn flown_with(case: &Case, library: &Library, request: Request) -> Answer {
     }
 }
 
-/// An output of an answer by its key; not a number where it did not occur.
+/// Output of an answer by its key; NaN where it did not occur.
 ///
 /// # Panics
-/// When there is no such output.
+/// If there is no such output.
 pub fn output(answer: &Answer, key: &str) -> f64 {
     let Some(output) = msape::answer::output::find(key) else {
         panic!("no output is called {key}");

@@ -1,9 +1,9 @@
-//! Whole-system tests, and what several of them share.
+//! Whole-system tests, and code shared by several of them.
 //!
-//! - [`shipped`]: the cases that ship with the program, and how each is solved.
-//! - [`snapshot`]: answers as recorded, to the bit, and what has changed since.
-//! - [`entry`]: entries that tests make up.
-//! - [`text`]: cases written out in tests.
+//! - [`shipped`]: the shipped cases and the command that solves each.
+//! - [`snapshot`]: recorded answers, to the bit, and changes since.
+//! - [`entry`]: invented entries for tests.
+//! - [`text`]: cases written as text in tests.
 
 pub mod entry;
 pub mod shipped;

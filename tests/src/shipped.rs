@@ -1,4 +1,4 @@
-//! The cases that ship with the program.
+//! Shipped cases.
 
 use msape::library::data_folder;
 use msape::quantity::Job;
@@ -7,13 +7,13 @@ use msape::{Answer, Case, InputError, Library, Request};
 /// A case of the folder `cases`.
 #[derive(Clone, Debug)]
 pub struct Shipped {
-    /// Name of its file without the ending.
+    /// File name without extension.
     pub name: &'static str,
-    /// Its text.
+    /// Text of the file.
     pub text: &'static str,
-    /// What it asks for.
+    /// Case.
     pub case: Case,
-    /// The command that solves it: one with a design is designed, one with a vehicle flown.
+    /// Command that solves it: a design is designed, a vehicle is flown.
     pub job: Job,
 }
 
@@ -21,7 +21,7 @@ impl Shipped {
     /// Solves the case.
     ///
     /// # Errors
-    /// Every fault of the case.
+    /// All faults of the case.
     pub fn solve(&self, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
         match self.job {
             Job::Fly => msape::fly(&self.case, library, request),
@@ -41,7 +41,7 @@ pub fn cases() -> Result<Vec<Shipped>, String> {
             Some((name, text))
         })
         .collect();
-    // The files come in the order of their names with the ending: "a-b.toml" before "a.toml".
+    // files are sorted with their extension: "a-b.toml" before "a.toml"
     files.sort_by_key(|(name, _)| *name);
     files
         .into_iter()

@@ -1,21 +1,21 @@
-//! Answers as recorded: every number as the shortest text that reads back to its bits, time histories as a digest of
-//! the bits of each column, and a digest of everything in the answer, geometry included.
+//! Recorded answers: each number as the shortest text that reads back to its bits, time histories as a digest of the
+//! bits of each column, and a digest of the whole answer, including geometry.
 
 use crate::shipped::Shipped;
 use msape::quantity::trajectory::columns;
 use msape::{Answer, Library, Request, answer};
 use serde_json::{Map, Value, json};
 
-/// The recorded answers by name of the case.
+/// Recorded answers by name of the case.
 pub static RECORDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/snapshots.rs"));
 
-/// Uniform step of the second time history, s; no multiple of it is the end of a flight.
+/// Uniform step of the second time history, s; not a divisor of the duration of any flight.
 const UNIFORM_STEP_S: f64 = 0.7;
 
-/// What is recorded of a case.
+/// Record of a case.
 ///
 /// # Errors
-/// Every fault of the case, and a fault of ours: a history that changes the results.
+/// All faults of the case, or an internal error: a history that changes the results.
 pub fn take(shipped: &Shipped, library: &Library) -> Result<Value, String> {
     let solve = |request| {
         shipped
@@ -59,7 +59,7 @@ fn history(answer: &Answer) -> Value {
     Value::Object(object)
 }
 
-/// Bits of a number; those that are not a number are all one.
+/// Bits of a number; all NaN values are equal.
 fn bits(number: f64) -> u64 {
     if number.is_nan() { f64::NAN } else { number }.to_bits()
 }
@@ -70,7 +70,7 @@ fn digest_of_all(answer: &Answer) -> Result<String, String> {
     Ok(hexadecimal(digest(text.bytes())))
 }
 
-/// Bytes as one number (Fowler, Noll and Vo's hash, 1a, 64 bit).
+/// Hash of bytes (FNV-1a, 64 bit).
 pub fn digest(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
@@ -81,7 +81,7 @@ fn hexadecimal(digest: u64) -> String {
     format!("{digest:016x}")
 }
 
-/// What has changed since an answer was recorded, one line a quantity; numbers are compared to the bit.
+/// Differences to a recorded answer, one line per quantity; numbers are compared to the bit.
 pub fn differences(recorded: &Value, now: &Value) -> Vec<String> {
     let mut lines = Vec::new();
     compare("", recorded, now, &mut lines);
@@ -122,13 +122,13 @@ fn join(path: &str, key: &str) -> String {
     }
 }
 
-/// Whether two values are the same to the bit: zero and negative zero are not.
+/// Bitwise equality: zero and negative zero differ.
 fn same(recorded: &Value, now: &Value) -> bool {
     let bits = |value: &Value| value.as_f64().map(f64::to_bits);
     recorded == now && bits(recorded) == bits(now)
 }
 
-/// The change as a part of what was recorded.
+/// Change relative to the recorded value.
 fn part(recorded: &Value, now: &Value) -> String {
     match (recorded.as_f64(), now.as_f64()) {
         (Some(was), Some(is)) if was != 0.0 => format!(" ({:+.1e} of it)", (is - was) / was.abs()),
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn the_digest_is_that_of_the_published_example() {
-        // FNV-1a, 64 bit, of "a" is af63dc4c8601ec8c.
+        // FNV-1a, 64 bit, of "a" is af63dc4c8601ec8c
         assert_eq!(
             hexadecimal(digest(b"a".iter().copied())),
             "af63dc4c8601ec8c"

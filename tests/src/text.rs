@@ -1,8 +1,8 @@
-//! Cases written out in tests.
+//! Cases written as text in tests.
 
 use msape::{Answer, Case, Library, Outcome, Request};
 
-/// A planet of WGS84's figure and an atmosphere of one scale height, entry eastward over the equator.
+/// A planet with the figure of WGS84 and an exponential atmosphere, eastward entry over the equator.
 pub const PLAIN: &str = "
 schema = 'msape/1'
 version = '0.2'
@@ -33,10 +33,10 @@ nose_radius_m = 0.5
 drag_coefficient = 1.0
 ";
 
-/// The case of a text with other values for some of its keys.
+/// Case of a text with changed values for some keys.
 ///
 /// # Panics
-/// When the text is no case.
+/// If the text is not a case.
 pub fn case(text: &str, edits: &[(&str, &str)]) -> Case {
     let mut case = match Case::from_text(text) {
         Ok(case) => case,
@@ -48,10 +48,10 @@ pub fn case(text: &str, edits: &[(&str, &str)]) -> Case {
     case
 }
 
-/// The answer to a case, or all that is wrong with it.
+/// Answer to a case, or all of its faults.
 ///
 /// # Errors
-/// Every fault, a line each.
+/// All faults, one per line.
 pub fn answer(case: &Case, request: Request) -> Result<Answer, String> {
     let library = match Library::builtin() {
         Ok(library) => library,
@@ -63,7 +63,7 @@ pub fn answer(case: &Case, request: Request) -> Result<Answer, String> {
     })
 }
 
-/// The messages of all findings of a model.
+/// Messages of all findings of a model.
 pub fn said(answer: &Answer, model: &str) -> Vec<String> {
     let findings = answer
         .findings
@@ -72,7 +72,7 @@ pub fn said(answer: &Answer, model: &str) -> Vec<String> {
     findings.map(|finding| finding.message.clone()).collect()
 }
 
-/// Outcome and reason.
+/// Outcome and reason of an answer.
 pub fn ended(answer: &Answer) -> (Outcome, String) {
     (answer.outcome, answer.reason.clone().unwrap_or_default())
 }

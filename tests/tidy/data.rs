@@ -5,7 +5,7 @@ use toml::Value;
 
 const BIBLIOGRAPHY: &str = "crates/msape/data/references.bib";
 
-/// Keys of the bibliography, in its order.
+/// Keys of the bibliography, in order.
 pub(crate) fn bibliography() -> Vec<String> {
     let file = files("crates/msape/data")
         .into_iter()
@@ -59,7 +59,7 @@ fn every_data_file_has_a_source_that_exists() {
     assert_none(&faults);
 }
 
-/// Every `source`, and everything called like `gravity_source`; empty when the file itself has none.
+/// Every `source`, and every key like `gravity_source`; empty if the file itself has none.
 fn toml_sources(file: &File) -> Vec<String> {
     let table: toml::Table = toml::from_str(&file.text).unwrap();
     let own = table.contains_key("source") && table.contains_key("place");
@@ -95,7 +95,7 @@ fn for_each(path: &str, value: &Value, visit: &mut impl FnMut(&str, &Value)) {
     }
 }
 
-/// Ends of names that state a unit.
+/// Suffixes of names that state a unit.
 const UNITS: [&str; 36] = [
     "_m",
     "_m2",
@@ -135,7 +135,7 @@ const UNITS: [&str; 36] = [
     "_g",
 ];
 
-/// Ends of names of numbers without unit.
+/// Suffixes of names of numbers without unit.
 const PURE: [&str; 16] = [
     "ratio",
     "fraction",
@@ -155,7 +155,7 @@ const PURE: [&str; 16] = [
     "trajectories",
 ];
 
-/// Printed coefficients, which keep the letter of the source; the equation beside them states the units.
+/// Printed coefficients, named as in the source; the equation beside them states the units.
 const PRINTED: [&str; 27] = [
     "a",
     "b",
@@ -186,7 +186,7 @@ const PRINTED: [&str; 27] = [
     "table",
 ];
 
-/// Numbers whose unit stands beside them in the file, as `unit` of a row.
+/// Numbers with their unit in an adjacent key, such as `unit` of a row.
 const BESIDE: [&str; 2] = ["value", "absolute"];
 
 #[test]

@@ -1,6 +1,6 @@
-//! Licences, bans and sources of the crates in `Cargo.lock`, by `deny.toml`, which cargo-deny reads as well.
+//! Licenses, bans and sources of the crates in `Cargo.lock`, by `deny.toml`, which cargo-deny reads as well.
 //!
-//! It is read strictly: what stands in it and is not checked here fails.
+//! Strict: an entry that is not checked here fails.
 
 use crate::{assert_none, root};
 use serde_json::Value;
@@ -9,7 +9,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 use toml::Table;
 
-/// Where crates come from unless they are our own.
+/// Registry of third-party crates.
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
 static RULES: LazyLock<Table> = LazyLock::new(|| {
@@ -26,13 +26,13 @@ fn words(list: &toml::Value) -> Vec<&str> {
     list.iter().map(|word| word.as_str().unwrap()).collect()
 }
 
-/// A package that is compiled for one of the targets.
+/// Package that is compiled for one of the targets.
 struct Package {
     name: String,
     version: String,
     licence: Option<String>,
     source: Option<String>,
-    /// Names of dependencies from the registry that any version would do for.
+    /// Names of registry dependencies that accept any version.
     wildcards: Vec<String>,
 }
 
@@ -54,7 +54,7 @@ fn package(value: &Value) -> Package {
     }
 }
 
-/// All packages that are compiled for the targets of `deny.toml`, with all features, by their identity.
+/// All packages compiled for the targets of `deny.toml`, with all features, by package ID.
 static PACKAGES: LazyLock<BTreeMap<String, Package>> = LazyLock::new(|| {
     let mut packages = BTreeMap::new();
     for target in words(&section("graph")["targets"]) {
@@ -88,12 +88,12 @@ static PACKAGES: LazyLock<BTreeMap<String, Package>> = LazyLock::new(|| {
     packages
 });
 
-/// What is wrong with the licence of a package.
+/// Fault of the license of a package.
 fn licence_fault(licence: Option<&str>, allowed: &[&str]) -> Option<String> {
     let Some(stated) = licence else {
         return Some("states no licence".to_string());
     };
-    // a stroke is an old way to write OR
+    // a slash is an old notation for OR
     let mode = spdx::ParseMode {
         allow_slash_as_or_operator: true,
         ..spdx::ParseMode::STRICT

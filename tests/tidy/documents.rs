@@ -1,4 +1,4 @@
-//! Documents and what they promise; keys that answers speak of.
+//! Documents: their commands and links, and the keys named in answers.
 
 use crate::{assert_none, files, root};
 use msape::answer::output;
@@ -60,7 +60,7 @@ fn commands_and_links_of_the_documents_exist() {
     assert_none(&faults);
 }
 
-/// The word that follows each occurrence of some text, letters and hyphens; empty ones left out.
+/// The word after each occurrence of some text, of letters, digits and hyphens; empty ones omitted.
 fn after<'a>(document: &'a str, start: &'a str) -> impl Iterator<Item = &'a str> {
     document
         .split(start)
@@ -72,7 +72,7 @@ fn after<'a>(document: &'a str, start: &'a str) -> impl Iterator<Item = &'a str>
         .filter(|word| !word.is_empty())
 }
 
-/// Each name is used in an example of the documentation, which `cargo test` compiles and runs.
+/// Each name must occur in an example of the documentation, which `cargo test` compiles and runs.
 #[test]
 fn every_name_that_the_core_exports_stands_in_an_example() {
     let library = text("crates/msape/src/lib.rs");
@@ -100,7 +100,7 @@ fn every_name_that_the_core_exports_stands_in_an_example() {
     assert_none(&without.map(str::to_string).collect::<Vec<_>>());
 }
 
-/// Lines of Rust inside fences of documentation.
+/// Lines of Rust in fenced code of documentation.
 fn examples(source: &str) -> Vec<&str> {
     let mut inside = false;
     let mut lines = Vec::new();
@@ -164,7 +164,7 @@ fn findings_and_adjustments_speak_of_known_quantities() {
     assert_none(&faults);
 }
 
-/// Names of functions in backquotes, in the last cell of each row of a table.
+/// Function names in backquotes, in the last cell of each row of a table.
 #[test]
 fn every_test_that_the_table_of_faults_names_is_there() {
     let sources: Vec<_> = ["crates", "tests", "web"]

@@ -1,8 +1,8 @@
-//! Layers of the core: each module knows only those below it.
+//! Layers of the core: each module uses only those below it.
 
 use crate::{assert_none, files};
 
-/// Modules of `crates/msape/src` from the ground up; each may use those before it and no other.
+/// Modules of `crates/msape/src` from the bottom up; each may use only those before it.
 const LAYERS: [&str; 21] = [
     "data",
     "progress",
@@ -27,7 +27,7 @@ const LAYERS: [&str; 21] = [
     "validation",
 ];
 
-/// Modules that are named after `crate::` in a line of code.
+/// Modules named after `crate::` in a line of code.
 fn named(line: &str) -> Vec<&str> {
     let after = line.split("crate::").skip(1);
     after
@@ -45,7 +45,7 @@ fn code(text: &str) -> impl Iterator<Item = &str> {
     lines.filter(|line| !line.trim_start().starts_with("//"))
 }
 
-/// Uses that look up, as `file: module`; a module that is not in the list is one.
+/// Upward uses, as `file: module`; a module that is not in the list counts as one.
 fn upward(path: &str, text: &str) -> Vec<String> {
     let from = path.split(['/', '.']).next().unwrap_or_default();
     let place = LAYERS.iter().position(|layer| *layer == from);

@@ -1,4 +1,4 @@
-//! Style as a test: data files, headings, lengths, words, documents, licences.
+//! Style checks: data files, headings, lengths, words, documents, licenses.
 
 mod data;
 mod deny;
@@ -9,18 +9,18 @@ mod sources;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder of the workspace.
+/// Root folder of the workspace.
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A file of the project: path from the root with `/`, and text.
+/// File of the project: path relative to the root with `/`, and text.
 struct File {
     path: String,
     text: String,
 }
 
-/// The text files below a folder of the project, in order of path; what is built or installed is left out.
+/// Text files below a folder of the project, sorted by path; built and installed files are left out.
 fn files(folder: &str) -> Vec<File> {
     let mut found = Vec::new();
     collect(&root().join(folder), &mut found);
@@ -51,7 +51,7 @@ fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Fails with every fault.
+/// Fails with all faults.
 fn assert_none(faults: &[String]) {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }

@@ -3,7 +3,7 @@
 use crate::data::bibliography;
 use crate::{File, assert_none, files};
 
-/// Most lines of a source file without its tests.
+/// Largest number of lines of a source file without its tests.
 const MOST_LINES: usize = 400;
 
 fn rust_files() -> Vec<File> {
@@ -30,7 +30,7 @@ const PHYSICS: [&str; 7] = [
     "aero", "flight", "heating", "planet", "soak", "tps", "vehicle",
 ];
 
-/// Files of these folders that hold no equation: lists of parts, input, assembly.
+/// Files of these folders without equation: lists of parts, input, assembly.
 const NO_EQUATION: [&str; 19] = [
     "flight.rs",
     "flight/freedom.rs",
@@ -92,8 +92,7 @@ fn every_reference_of_a_heading_is_in_the_bibliography() {
     assert_none(&faults);
 }
 
-/// Words that have no place here: paths of one machine, promises, addresses of package registries. Cut in two, so that
-/// this file is clean.
+/// Forbidden words: local paths, promises, addresses of package registries. Split in two, so that this file passes.
 const FORBIDDEN: [(&str, &str); 11] = [
     ("/ho", "me/"),
     ("/ro", "ot/"),
@@ -112,7 +111,7 @@ const FORBIDDEN: [(&str, &str); 11] = [
 fn no_file_holds_a_forbidden_word() {
     let mut faults = Vec::new();
     for file in files("") {
-        // Written by cargo, which names its registry; checksums hold any word.
+        // written by cargo, with its registry; checksums may contain any word
         if file.path == "Cargo.lock" || file.path == "package-lock.json" {
             continue;
         }

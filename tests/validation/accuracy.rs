@@ -1,9 +1,9 @@
-//! Flights against the same flights at greater effort.
+//! Flights compared with the same flights at tighter tolerances.
 
 use msape::{Answer, Case, Library};
 use msape_tests::entry::{Entry, flown, output, set};
 
-/// Where drag comes from.
+/// Source of drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Drag {
     Constant,
@@ -25,7 +25,7 @@ fn sampled(count: u32) -> impl Iterator<Item = Entry> {
     })
 }
 
-/// What heats besides convection.
+/// Radiative heating model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Radiation {
     None,
@@ -44,7 +44,7 @@ fn case_of(entry: &Entry, drag: Drag, radiation: Radiation) -> Case {
     if drag == Drag::Table {
         case.set("vehicle.drag_coefficient", "");
         case.set("vehicle.aerodynamics", "mmeev-60");
-        // The table is near 1.5 where it matters.
+        // the drag coefficient of the table is near 1.5 where it matters
         set(&mut case, "vehicle.reference_area_m2", 2.0 / 3.0);
     }
     case
@@ -57,7 +57,7 @@ fn solved(case: &Case, library: &Library, method: &str, tolerance: f64) -> Answe
     flown(&case, library)
 }
 
-/// The largest relative difference from the reference in some outputs, and where it is.
+/// Largest relative difference of some outputs from the reference, with its place.
 #[derive(Default)]
 struct Worst {
     difference: f64,
@@ -98,8 +98,8 @@ const END: [&str; 4] = [
     "final_longitude_deg",
 ];
 
-/// Three methods, one flight. Loads: what is left is the error of order 5 at 1e-10 and of the fixed step of 0.02 s. End:
-/// the ground is met to a millimetre, at 30 m/s 3e-5 s of a flight of 300 s or more.
+/// Three methods, one flight. Loads: the difference is the error of order 5 at 1e-10 and of the fixed step of 0.02 s.
+/// End: the ground is met within a millimeter, at 30 m/s 3e-5 s of a flight of 300 s or more.
 #[test]
 fn three_methods_agree_where_the_models_are_smooth() {
     let library = Library::builtin().unwrap();
@@ -128,7 +128,7 @@ fn three_methods_agree_where_the_models_are_smooth() {
     }
 }
 
-/// What the default promises.
+/// Accuracy of the default tolerance.
 #[test]
 fn default_accuracy_is_1e_5() {
     default_accuracy(60, Drag::Constant, Radiation::None);
@@ -147,7 +147,7 @@ fn default_accuracy_is_1e_5_with_a_table_of_drag() {
     default_accuracy(60, Drag::Table, Radiation::TauberSutton);
 }
 
-/// Sutton-Graves heating may peak on both sides of a boundary of the atmosphere; whichever is higher is the peak.
+/// Sutton–Graves heating may peak on both sides of a layer boundary of the atmosphere; the higher one is the peak.
 #[test]
 fn the_peak_of_heating_is_the_highest() {
     let library = Library::builtin().unwrap();

@@ -1,4 +1,4 @@
-//! Coefficients against exact, independently computed and published ones.
+//! Coefficients compared with exact, independently computed and published ones.
 
 use crate::outlines::{sphere, sphere_cone, sphere_cone_or_cap};
 use msape::Library;
@@ -46,7 +46,7 @@ fn one(outline: &Profile, law: Law, alpha_deg: f64) -> Loads {
     found
 }
 
-/// Errors of the reference's mesh reach 9.5e-4 where the lid shades the back; it prints five decimals.
+/// Discretization errors of the reference reach 9.5e-4 where the lid shades the back; it prints five decimals.
 const PANEL_TOLERANCE: f64 = 1e-3;
 
 #[test]
@@ -102,7 +102,7 @@ fn exact_rows_to_their_last_digit() {
             "cn" => got.cn,
             _ => got.cm,
         };
-        // five decimals are printed
+        // the reference prints five decimals
         let error = (got - number(row[9])).abs();
         assert!(error < 6e-6, "{row:?}: {got}");
         worst = worst.max(error);
@@ -159,7 +159,7 @@ fn a_sphere_in_both_limits_to_a_millionth_at_every_angle() {
         let rad = alpha * RADIANS_PER_DEGREE;
         let check = |got: Loads, want: f64| {
             assert!((got.cd(rad) - want).abs() < 1e-6, "{alpha}: {got:?}");
-            // lift, and moment about the centre, half a diameter aft of x = 0
+            // lift, and moment about the center, half a diameter aft of x = 0
             assert!(got.cl(rad).abs() < 1e-6, "{alpha}: {got:?}");
             assert!(got.cm_about(0.5, 0.0).abs() < 1e-6, "{alpha}: {got:?}");
         };
@@ -184,7 +184,7 @@ fn stardust(library: &Library) -> RigidBody {
     data.scaled_body(None).unwrap()
 }
 
-/// Distance of the centre of pressure behind the tip of the nose over the diameter, nose first.
+/// Distance of the center of pressure from the nose tip in diameters, nose first.
 fn pressure_center(body: &RigidBody, theory: Theory) -> f64 {
     let aero_body = AeroBody::of_rigid(body, None);
     let found = polar(&Aero::new(&aero_body, theory, None), &[0.0]);
@@ -200,7 +200,7 @@ fn stardust_has_the_published_centres_of_pressure() {
     let continuum = pressure_center(&body, Theory::newtonian(Some(25.0), GAMMA));
     println!("Stardust: centre of pressure {free:.4} and {continuum:.4} diameters from the nose");
     assert!((free - 0.26).abs() < 0.01 && (continuum - 0.72).abs() < 0.01);
-    // \[wilmoth-1999\]: with its centre of gravity at 0.35 diameters it is unstable in free-molecular flow
+    // \[wilmoth-1999\]: with its center of gravity at 0.35 diameters it is unstable in free-molecular flow
     assert!(free < 0.35 && continuum > 0.35);
 }
 
@@ -252,7 +252,7 @@ fn published_coefficients_within_tolerances_set_beforehand() {
 
 #[test]
 fn the_euler_correction_is_the_fit_that_it_says() {
-    // These rows are what the correction was fitted to: this checks the coefficients, it is no evidence for the model.
+    // the correction was fitted to these rows: this checks the coefficients and is no evidence for the model
     let library = Library::builtin().unwrap();
     let (mut squares, mut count) = (0.0, 0);
     for row in rows(EULER) {
@@ -264,7 +264,8 @@ fn the_euler_correction_is_the_fit_that_it_says() {
             shoulder_radius_m: shoulder,
             cone_half_angle_rad: theta,
         };
-        // a nose that ends beyond the cone is cut where the shoulder begins; the forebody alone, up to the largest diameter
+        // a nose that ends beyond the cone is cut where the shoulder begins; the forebody alone, up to the largest
+        // diameter
         let outline = sphere_cone_or_cap(&body);
         let newton = one(&outline, Law::Newtonian(1.0), 0.0).ca;
         let cone = msape::aero::euler::SphereCone {
@@ -283,7 +284,7 @@ fn the_euler_correction_is_the_fit_that_it_says() {
     assert!(rms < 0.011, "{rms}");
 }
 
-/// The report's shape with the back called `mmeev`, centre of gravity at 0.2 diameters.
+/// The report's shape with the back called `mmeev`, center of gravity at 0.2 diameters.
 fn mmeev() -> AeroBody {
     let outline = sphere_cone(60.0, 0.5, 0.07, Some(0.4));
     AeroBody::of_rigid(
@@ -294,7 +295,7 @@ fn mmeev() -> AeroBody {
 
 #[test]
 fn in_free_molecular_flow_the_capsule_rights_itself_at_every_angle() {
-    // \[samareh-2014\] section 3.3.2, centre of gravity at 0.2 diameters
+    // \[samareh-2014\] section 3.3.2, center of gravity at 0.2 diameters
     let body = mmeev();
     let [x, z] = body.cg_over_diameter().unwrap();
     let aero = Aero::new(&body, Theory::FreeMolecular(Gas::diffuse(25.0)), None);
@@ -327,7 +328,7 @@ fn in_a_hypersonic_continuum_it_is_stable_backwards() {
             .collect();
         assert_eq!(stable, [0.0, 180.0], "{trim:?}");
     }
-    // in rarefied flow backward stability goes: between these Knudsen numbers
+    // in rarefied flow the backward stability is lost between these Knudsen numbers
     let slope = |knudsen: f64| {
         let theory = Theory::Blended {
             mach: 25.0,

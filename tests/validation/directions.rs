@@ -1,4 +1,4 @@
-//! Singular directions: lift in vertical flight, poles, attitudes at a pitch of 90 deg.
+//! Singular directions: lift in vertical flight, poles, attitudes at 90 deg of pitch.
 
 use msape::{Answer, Outcome, Request};
 use msape_tests::entry::output;
@@ -13,8 +13,8 @@ fn column(answer: &Answer, key: &str) -> Vec<f64> {
     history.column(key).unwrap().to_vec()
 }
 
-/// Independent: LSODA with the lift along u/√(u² + ε²), u the part of the vertical across the velocity; ε = 1e-3 and 1e-4 agree
-/// to 1e-3 s.
+/// Independent: LSODA with the lift along u/√(u² + ε²), u the component of the vertical across the velocity; ε = 1e-3
+/// and 1e-4 agree to 1e-3 s.
 #[test]
 fn lift_down_flies_into_the_vertical_and_stays() {
     let answer = flown(&[("vehicle.lift_to_drag", "1"), ("vehicle.bank_deg", "180")]);
@@ -25,7 +25,7 @@ fn lift_down_flies_into_the_vertical_and_stays() {
     assert!(steps < 1_000, "{steps}");
 }
 
-/// Sideways and downwards lift end in a helix ever tighter, which must not stop the flight.
+/// Sideways and downward lift end in an ever tighter helix, which must not stop the flight.
 #[test]
 fn lift_at_any_bank_lands_in_few_steps() {
     for bank in ["60", "90", "91", "120", "150", "179.9", "-179.9", "270"] {
@@ -36,7 +36,7 @@ fn lift_at_any_bank_lands_in_few_steps() {
     }
 }
 
-/// Lift below zero points down upright, and in a climb lift that points up leads into the vertical.
+/// Negative lift points down when upright, and in a climb upward lift leads into the vertical.
 #[test]
 fn lift_below_zero_and_in_a_climb_needs_few_steps() {
     let down = flown(&[("vehicle.lift_to_drag", "-1")]);
@@ -54,7 +54,7 @@ fn lift_below_zero_and_in_a_climb_needs_few_steps() {
     }
 }
 
-/// At the vertical itself lift has the direction that it has just beside it, by the azimuth of the start.
+/// In vertical flight lift has the direction of the limit beside it, given by the azimuth of the start.
 #[test]
 fn a_vertical_start_lifts_as_one_beside_it() {
     let at = |angle: &str| {
@@ -62,7 +62,7 @@ fn a_vertical_start_lifts_as_one_beside_it() {
             ("vehicle.lift_to_drag", "0.3"),
             ("entry.flight_path_angle_deg", angle),
             ("entry.azimuth_deg", "40"),
-            // A planet that turns bends the fall before there is air.
+            // a rotating planet bends the fall before there is air
             ("planet.rotation_rate_rad_s", "0"),
         ])
     };
@@ -83,11 +83,12 @@ fn bank_goes_the_shorter_way_and_says_so() {
     assert_eq!(said(&written, "bank").len(), 0);
     let end = |answer: &Answer| output(answer, "final_latitude_deg");
     assert!((end(&through) - end(&written)).abs() < 1e-9);
-    // A reversal of 140 deg goes through upright, as it is written.
+    // a reversal of 140 deg goes through upright, as prescribed
     assert!(said(&with("[[0, 70], [60, 70], [65, -70], [500, -70]]"), "bank").is_empty());
 }
 
-/// Independent: DOP853 in rotating axes, 29.5368 deg; from the pole the meridian of the given longitude is run down.
+/// Independent: DOP853 in rotating axes, 29.5368 deg; from the pole the flight follows the meridian of the given
+/// longitude.
 #[test]
 fn a_start_at_a_pole_goes_down_its_meridian() {
     for (latitude, azimuth) in [("90", "180"), ("-90", "0")] {
@@ -105,7 +106,7 @@ fn a_start_at_a_pole_goes_down_its_meridian() {
         let off = (first - azimuth_deg + 180.0).rem_euclid(360.0) - 180.0;
         assert!(off.abs() < 1e-9, "{first}");
     }
-    // Inertial and relative velocity are one at the pole.
+    // inertial and relative velocity are equal at the pole
     let inertial = flown(&[
         ("entry.latitude_deg", "90"),
         ("entry.longitude_deg", "30"),
@@ -143,7 +144,7 @@ fn straight_up_and_down_yaw_is_told_and_roll_is_nought() {
     }
 }
 
-/// The angle of attack of a vertical start is counted against the azimuth that the case gives.
+/// The angle of attack of a vertical start refers to the azimuth of the case.
 #[test]
 fn the_angle_of_attack_of_a_vertical_start_is_against_its_azimuth() {
     let answer = flown(&[
@@ -157,7 +158,7 @@ fn the_angle_of_attack_of_a_vertical_start_is_against_its_azimuth() {
         ("attitude.alpha_deg", "30"),
         ("stop.time_s", "0.1"),
     ]);
-    // Down along azimuth 70 deg with the nose 30 deg up from it: pitch -60 deg, yaw 70 deg.
+    // downward along azimuth 70 deg with the nose raised by 30 deg: pitch −60 deg, yaw 70 deg
     let [y, p, r] = ["yaw_deg", "pitch_deg", "roll_deg"].map(|key| column(&answer, key)[0]);
     assert!(
         (y - 70.0).abs() < 1e-6 && (p + 60.0).abs() < 1e-6 && r.abs() < 1e-6,
@@ -191,7 +192,7 @@ fn an_attitude_comes_back_as_it_was_given() {
     }
 }
 
-/// cos of the total angle = cos of attack times cos of sideslip.
+/// cos of the total angle = cos of the angle of attack times cos of the sideslip angle.
 #[test]
 fn attack_and_sideslip_make_the_total_angle() {
     let of = |alpha: &str, beta: &str| {

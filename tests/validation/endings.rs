@@ -1,4 +1,4 @@
-//! Ends that are met, or not, and the error of a fixed step.
+//! End conditions that are met, or not, and the error of a fixed step.
 
 use msape::{Answer, Case, Outcome, Request};
 use msape_tests::entry::output;
@@ -14,7 +14,7 @@ const BELOW: [(&str, &str); 3] = [
     ("entry.flight_path_angle_deg", "80"),
 ];
 
-/// Rising at 9.85 m/s for 1 s reaches -45.2 m: v²/(2 g) = 4.95 m less the drag.
+/// Rising at 9.85 m/s for 1 s reaches −45.2 m: v²/(2 g) = 4.95 m minus the effect of drag.
 #[test]
 fn a_flight_that_does_not_come_up_to_its_end_ends_where_it_falls() {
     let answer = flown(&BELOW);
@@ -25,7 +25,7 @@ fn a_flight_that_does_not_come_up_to_its_end_ends_where_it_falls() {
         "{reason}"
     );
     assert!((output(&answer, "final_altitude_m") + 45.2).abs() < 0.1);
-    // Level and falling starts: at once.
+    // level and falling starts: at once
     for angle in ["0", "-30"] {
         let mut edits = BELOW.to_vec();
         edits.push(("entry.flight_path_angle_deg", angle));
@@ -33,7 +33,7 @@ fn a_flight_that_does_not_come_up_to_its_end_ends_where_it_falls() {
         assert_eq!(answer.outcome, Outcome::Stopped);
         assert!(output(&answer, "time_of_flight_s") < 1e-6, "{angle}");
     }
-    // Fast enough it comes above, falls and lands.
+    // fast enough, it rises above, falls and lands
     let mut edits = BELOW.to_vec();
     edits.push(("entry.speed_m_s", "100"));
     let answer = flown(&edits);
@@ -47,8 +47,8 @@ const CAPTURED: [(&str, &str); 3] = [
     ("vehicle.mass_kg", "200"),
 ];
 
-/// Independent: DOP853, ground at 43,729 s. It leaves the air at 223 s and, at a higher perigee, at 35,552 s; the third entry is the
-/// last. Its peak was taken from the steps there, 6.62; between them it is 6.668.
+/// Independent: DOP853, ground at 43,729 s. It leaves the atmosphere at 223 s and, at a higher perigee, at 35,552 s;
+/// the third entry is the last. The reference peak, 6.62, was taken at steps; between them it is 6.668.
 #[test]
 fn a_captured_vehicle_flies_on_to_its_next_entries_when_asked() {
     let once = flown(&CAPTURED);
@@ -68,11 +68,11 @@ fn a_captured_vehicle_flies_on_to_its_next_entries_when_asked() {
         assert!((output(&answer, "peak_deceleration_earth_g") - 6.668).abs() < 0.002);
         assert_eq!(said(&answer, "passes").len(), 1);
     }
-    // Time runs out between the entries.
+    // the time limit lies between the entries
     let between = asked("stop.time_s", "5000");
     assert_eq!(between.outcome, Outcome::Stopped);
     assert_eq!(output(&between, "time_of_flight_s"), 5000.0);
-    // Faster than escape there is no second entry.
+    // above escape speed there is no second entry
     let fast = flown(&[
         ("entry.speed_m_s", "13000"),
         ("entry.flight_path_angle_deg", "-2"),
@@ -190,7 +190,7 @@ fn the_closed_form_ends_on_time_and_does_not_start_below_its_end() {
     }
 }
 
-/// A density that overflows leaves no number: that is no landing.
+/// An overflowing density gives no number: that is not a landing.
 #[test]
 fn what_is_not_finite_is_given_up() {
     let wild = flown(&[
@@ -204,7 +204,7 @@ fn what_is_not_finite_is_given_up() {
     assert!(reason.ends_with("is not a finite number"), "{reason}");
 }
 
-/// In the vacuum above, a million seconds at a tenth of a second would be ten million rows.
+/// In vacuum, a million seconds at a tenth of a second would be ten million rows.
 #[test]
 fn a_history_of_too_many_rows_is_coarser_and_says_so() {
     let orbit = case(
@@ -231,7 +231,7 @@ fn a_history_of_too_many_rows_is_coarser_and_says_so() {
     assert_eq!(time_s.last(), Some(&3e5));
 }
 
-/// A hundred turns a second are a step of 2 ms: a flight of minutes is more work than is done.
+/// A hundred revolutions per second need steps of 2 ms: a flight of minutes exceeds the limit of work.
 #[test]
 fn the_limit_of_work_is_an_outcome_that_says_it() {
     let spinning = flown(&[

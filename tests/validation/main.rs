@@ -1,14 +1,15 @@
-//! Against published and independent figures, and against itself at greater effort.
+//! Comparison with published and independent results, and with tighter tolerances.
 //!
-//! - [`published`]: every documented case that ships with the program.
+//! - [`published`]: every shipped comparison.
 //! - [`aerodynamics`]: coefficients against exact, computed and published ones.
-//! - [`accuracy`]: methods and tolerances of integration against one another.
-//! - [`planets`]: atmospheres of the planets against measured ones and their sources.
-//! - [`shell`]: the shell model against closed forms, with the order of convergence.
-//! - [`outcomes`]: how flights begin and end.
-//! - [`endings`]: ends that are met or not; [`tables`]: tables that are left; [`directions`]: singular directions.
-//! - [`singular`]: straight down, over the pole, at rest, below sea level, beside an independent integration.
-//! - [`phases`]: parachutes, and what else changes on the way.
+//! - [`accuracy`]: methods and tolerances of integration compared with one another.
+//! - [`planets`]: atmospheres of the planets compared with measurements and their sources.
+//! - [`shell`]: the shell model compared with closed forms, with the order of convergence.
+//! - [`outcomes`]: start and end of flights.
+//! - [`endings`]: end conditions that are met or not; [`tables`]: flights beyond tables; [`directions`]: singular
+//!   directions.
+//! - [`singular`]: straight down, over the pole, at rest, below sea level, compared with an independent integration.
+//! - [`phases`]: parachutes, and other changes during a flight.
 
 mod accuracy;
 mod aerodynamics;

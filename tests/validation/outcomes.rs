@@ -1,4 +1,4 @@
-//! How flights begin and end.
+//! Start and end of flights.
 
 use msape::{Answer, Case, Library, Outcome, Request};
 use msape_tests::entry::{Entry, flown, flown_with, output, set};
@@ -22,7 +22,7 @@ fn column(answer: &Answer, key: &str) -> Vec<f64> {
     trajectory.column(key).unwrap().to_vec()
 }
 
-/// Escape from 125 km is at 11.07 km/s; -2 deg passes above 80 km and loses little.
+/// Escape speed at 125 km is 11.07 km/s; −2 deg passes above 80 km and loses little speed.
 #[test]
 fn a_fast_shallow_entry_skips_out() {
     let library = library();
@@ -35,7 +35,7 @@ fn a_fast_shallow_entry_skips_out() {
     assert!(output(&answer, "peak_deceleration_altitude_m") > 60_000.0);
 }
 
-/// Between skipping out and landing there are entries that leave the atmosphere below escape speed.
+/// Between skipping out and landing, entries leave the atmosphere below escape speed.
 #[test]
 fn between_skipping_out_and_landing_lies_capture() {
     let library = library();
@@ -51,7 +51,7 @@ fn between_skipping_out_and_landing_lies_capture() {
     );
 }
 
-/// From rest a body falls as in a vacuum at first: after 10 s, g t = 9.5 m/s² at 100 km (9.81 (6371/6471)²) times 10.
+/// From rest a body first falls as in vacuum: after 10 s, g t = 9.5 m/s² at 100 km (9.81 (6371/6471)²) times 10.
 #[test]
 fn a_start_at_rest_falls() {
     let library = library();
@@ -62,7 +62,7 @@ fn a_start_at_rest_falls() {
         let answer = flown(&case, &library);
         assert_eq!(answer.outcome, Outcome::Stopped);
         let speed_m_s = output(&answer, "final_speed_m_s");
-        // The planet turns: less by the centrifugal acceleration, at most 0.034 m/s² at 1000 km higher.
+        // less on a rotating planet, by the centrifugal acceleration of at most 0.034 m/s² at 1000 km higher
         assert!(
             (speed_m_s / 10.0 - gravity_m_s2).abs() < 0.06,
             "{altitude_m}: {speed_m_s}"
@@ -78,7 +78,7 @@ fn a_start_at_rest_in_thick_air_reaches_the_ground_at_terminal_speed() {
         set(&mut case, "entry.altitude_m", altitude_m);
         let answer = flown(&case, &library);
         assert_eq!(answer.outcome, Outcome::Landed);
-        // sqrt(2 · 60 · 9.796 / 1.225) = 30.98 m/s, the air growing denser on the way.
+        // sqrt(2 · 60 · 9.796 / 1.225) = 30.98 m/s, faster as the air grows denser on the way
         let speed_m_s = output(&answer, "final_speed_m_s");
         assert!((speed_m_s - 31.0).abs() < 0.1, "{altitude_m}: {speed_m_s}");
     }
@@ -94,7 +94,8 @@ fn a_start_at_rest_on_the_ground_has_landed() {
     assert!(column(&answer, "altitude_m").iter().all(|h| h.abs() < 1e-2));
 }
 
-/// Upwards at 1000 m/s from the ground in a vacuum-like fall: 1000²/(2 · 9.8) = 51 km less drag, and down again.
+/// Upward at 1000 m/s from the ground, nearly in vacuum: 1000²/(2 · 9.8) = 51 km minus the effect of drag, and down
+/// again.
 #[test]
 fn a_climbing_start_comes_down_again() {
     let mut case = entry(1_000.0, 80.0);
@@ -123,7 +124,7 @@ fn a_time_ends_a_flight_and_the_history_ends_with_it() {
     assert_eq!(answer.outcome, Outcome::Stopped);
     assert_eq!(output(&answer, "time_of_flight_s"), 30.0);
     let times_s = column(&answer, "time_s");
-    // 0, 0.7 ... 29.4, and the end.
+    // 0, 0.7 ... 29.4, and the end
     assert_eq!(times_s.len(), 44);
     assert_eq!((times_s[0], times_s[43]), (0.0, 30.0));
 }
@@ -138,7 +139,7 @@ fn a_height_ends_a_fall_and_the_first_of_two_ends_counts() {
     assert!((output(&answer, "final_altitude_m") - 10_000.0).abs() < 2e-3);
     let to_height_s = output(&answer, "time_of_flight_s");
     set(&mut case, "stop.time_s", to_height_s + 1.0);
-    // The height is met to a millimetre, which at 200 m/s takes 5e-6 s.
+    // the altitude is met within a millimeter, which at 200 m/s takes 5e-6 s
     let again_s = output(&flown(&case, &library), "time_of_flight_s");
     assert!((again_s - to_height_s).abs() < 1e-5);
     set(&mut case, "stop.time_s", to_height_s - 1.0);

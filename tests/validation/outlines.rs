@@ -1,4 +1,4 @@
-//! Outlines of which coefficients are known.
+//! Outlines with known coefficients.
 
 use msape::vehicle::forebody::Forebody;
 use msape::vehicle::profile::Profile;
@@ -9,7 +9,7 @@ fn at(x_m: f64, r_m: f64) -> Point {
     Point { x_m, r_m }
 }
 
-/// Radius of the lid behind the back called `mmeev`, over that of the body.
+/// Radius of the lid of the back called `mmeev`, relative to that of the body.
 const LID: f64 = 0.6;
 
 /// Sphere-cone of diameter 2 with a half torus as shoulder, and its back: flat, or a cone of 15 deg with a lid.
@@ -46,7 +46,7 @@ pub fn sphere_cone(
     let Some(x_lid) = lid_center else {
         return front.line_to(Point::on_axis(rim.x_m)).closed();
     };
-    // (a − slope r)² + r² = 0.36, the distance of the cone from the centre of the lid
+    // (a − slope r)² + r² = 0.36, the distance of the cone from the center of the lid
     let slope = tan(15.0 * RADIANS_PER_DEGREE);
     let a = rim.x_m + slope * rim.r_m - x_lid;
     let (qa, qb, qc) = (1.0 + slope * slope, -2.0 * a * slope, a * a - LID * LID);
@@ -73,7 +73,7 @@ pub fn sphere() -> Profile {
     half.closed()
 }
 
-/// Nose, cone where there is one, and shoulder; a nose larger than the cone meets the shoulder tangentially.
+/// Nose, optional cone, and shoulder; a nose larger than the cone meets the shoulder tangentially.
 pub fn sphere_cone_or_cap(body: &Forebody) -> Profile {
     let theta = body.cone_half_angle_rad;
     let edge = 1.0 - body.shoulder_radius_m + body.shoulder_radius_m * cos(theta);

@@ -1,4 +1,4 @@
-//! Phases of a flight: against closed forms, and against a flight that had them.
+//! Phases of a flight: compared with closed forms and with an actual flight.
 
 use msape::flight::Flight;
 use msape::table::kml::{Instant, kml};
@@ -38,7 +38,7 @@ drag_area_m2 = 50.0
 inflation_s = 3.0
 ";
 
-/// V = √(2 m g/(ρ C_D S)) with the mass after the shield, 60 kg, and C_D S = 50 + 1 m².
+/// V = √(2 m g/(ρ C_D S)) with the mass after release of the shield, 60 kg, and C_D S = 50 + 1 m².
 #[test]
 fn under_the_main_parachute_the_fall_is_steady() {
     let answer = flown(PLAIN, PARACHUTES, &[]);
@@ -49,7 +49,7 @@ fn under_the_main_parachute_the_fall_is_steady() {
         .map(|p| p.name.as_str())
         .collect();
     assert_eq!(names, ["drogue", "shield", "main"]);
-    // Weight on the rotating planet at the equator: 3.986004418e14/6378137² (1 + 3/2 J2) − ω² R = 9.7803 m/s²
+    // weight on the rotating planet at the equator: 3.986004418e14/6378137² (1 + 3/2 J2) − ω² R = 9.7803 m/s²
     let expected = (2.0 * 60.0 * 9.7803 / (1.225 * 51.0_f64)).sqrt();
     let speed_m_s = output(&answer, "final_speed_m_s");
     assert!(
@@ -64,7 +64,7 @@ fn under_the_main_parachute_the_fall_is_steady() {
     assert!((main.altitude_m - 3000.0).abs() < 1e-3);
 }
 
-/// Along the steps: what is lost of v²/2 + potential is the work of the drag, deceleration times the speed relative to the air.
+/// Along the steps: the loss of v²/2 + potential is the work of the drag, deceleration times speed relative to the air.
 #[test]
 fn the_energy_lost_is_the_work_of_the_drag() {
     let answer = flown(PLAIN, PARACHUTES, &[("planet.rotation_rate_rad_s", "0")]);
@@ -79,14 +79,14 @@ fn the_energy_lost_is_the_work_of_the_drag() {
     };
     for i in from + 1..t.len() {
         let power = |i: usize| g[i] * 9.80665 * v[i];
-        // Trapezoids: across the opening a step is short.
+        // trapezoidal rule: steps across the opening are short
         work += 0.5 * (power(i) + power(i - 1)) * (t[i] - t[i - 1]);
         lost += 0.5 * (v[i - 1].powi(2) - v[i].powi(2)) + potential(h[i - 1]) - potential(h[i]);
     }
     assert!((work / lost - 1.0).abs() < 0.01, "{work} and {lost}");
 }
 
-/// Drag area over time: the deceleration just after the opening is that of the vehicle, and when it is full, of both.
+/// Drag area over time: just after the opening the deceleration is that of the vehicle, at full inflation that of both.
 #[test]
 fn a_parachute_opens_in_its_time_and_at_once_when_none_is_given() {
     let at = |inflation: &str| {
@@ -96,7 +96,7 @@ fn a_parachute_opens_in_its_time_and_at_once_when_none_is_given() {
     };
     let (at_once, slow) = (at(""), at("inflation_s = 2.0"));
     let begun = &flight(&at_once).phases[0];
-    // ½ ρ V² (C_D A + C_D S)/m at the begin
+    // ½ ρ V² (C_D A + C_D S)/m at the beginning
     let expected = begun.dynamic_pressure_pa * 10.0 / 100.0 / 9.80665;
     assert!((begun.peak_deceleration_earth_g / expected - 1.0).abs() < 1e-9);
     let begun_slow = &flight(&slow).phases[0];
@@ -191,7 +191,7 @@ fn phases_are_named_in_history_and_on_the_globe() {
     for name in ["drogue", "shield", "main"] {
         assert_eq!(text.matches(&format!("<name>{name}</name>")).count(), 1);
     }
-    // Without phases there is no such column.
+    // without phases there is no such column
     let plain = flown(PLAIN, "", &[]);
     let table = history(flight(&plain).trajectory.as_ref().unwrap(), Manner::Si);
     assert!(!table.headers.iter().any(|h| h == "phase"));
@@ -208,7 +208,8 @@ inflation_s = 2.0
 attachment_m = [0.9, 0.0, 0.0]
 ";
 
-/// Behind the centre of gravity a parachute turns the nose down along the fall; the steady speed is that of the point mass.
+/// A parachute attached behind the center of gravity turns the nose down along the fall; the steady speed is that of
+/// the point mass.
 #[test]
 fn a_rigid_body_hangs_under_its_parachute() {
     let edits = [
@@ -235,12 +236,12 @@ fn a_rigid_body_hangs_under_its_parachute() {
     );
     let alpha_deg = *column(&answer, "total_alpha_deg").last().unwrap();
     assert!(alpha_deg < 3.0, "{alpha_deg}");
-    // Ahead of the centre of gravity it turns the body round.
+    // attached ahead of the center of gravity it turns the body around
     let mut ahead = edits.to_vec();
     ahead.push(("phase.1.attachment_m", "[-0.5, 0, 0]"));
     let answer = flown(PLAIN, RIGID, &ahead);
     assert!(*column(&answer, "total_alpha_deg").last().unwrap() > 90.0);
-    // Without the point there is a fault.
+    // without the attachment point there is a fault
     let mut without = edits.to_vec();
     without.push(("phase.1.attachment_m", ""));
     let case: Case = case(&format!("{PLAIN}{RIGID}"), &without);
@@ -248,9 +249,9 @@ fn a_rigid_body_hangs_under_its_parachute() {
     assert!(faults.contains("phase.1.attachment_m: missing"), "{faults}");
 }
 
-/// The drogue opened 137.9 s after the start at 31.03 km and Mach 1.23 (reconstruction, \[desai-qualls-2008\]); here the drag
-/// coefficient is held at that of Mach 35 and the air is the standard's, which leaves 0.5 km and 0.03 of Mach number. It came
-/// down at about 4.5 m/s, on ground 1.3 km above the ellipsoid.
+/// The drogue opened 137.9 s after the start at 31.03 km and Mach 1.23 (reconstruction, \[desai-qualls-2008\]); here
+/// the drag coefficient is held at that of Mach 35 in the standard atmosphere, which accounts for 0.5 km and 0.03 in
+/// Mach number. It landed at about 4.5 m/s, on ground 1.3 km above the ellipsoid.
 #[test]
 fn stardust_under_its_parachutes() {
     let text = msape::library::data_file("cases/stardust-parachutes.toml").unwrap();
@@ -270,8 +271,8 @@ fn stardust_under_its_parachutes() {
     assert!((speed_m_s - 4.5).abs() < 0.6, "{speed_m_s}");
 }
 
-/// Without parachutes Genesis struck at 86 m/s (\[nasa-genesis-2004\]), tumbling; nose first it falls at its terminal speed,
-/// √(2 m g/(ρ C_D A)), which is less.
+/// Without parachutes Genesis hit the ground at 86 m/s (\[nasa-genesis-2004\]), tumbling; nose first it falls at its
+/// terminal speed, √(2 m g/(ρ C_D A)), which is lower.
 #[test]
 fn genesis_without_parachutes() {
     let text = msape::library::data_file("cases/genesis.toml").unwrap();

@@ -1,4 +1,5 @@
-//! Atmospheres of the planets: against measured profiles, against rows of their sources that they do not hold, and in balance.
+//! Atmospheres of the planets: compared with measured profiles and with source rows that they do not contain, and in
+//! hydrostatic balance.
 
 use msape::Library;
 use msape::library::{World, named};
@@ -13,14 +14,14 @@ fn planet(name: &str) -> &'static Planet {
     &named(&LIBRARY.planets, name).unwrap().planet
 }
 
-/// A planet's own atmosphere.
+/// Default atmosphere of a planet.
 fn own(name: &str) -> &'static Atmosphere {
     &named(&LIBRARY.atmospheres, &planet(name).atmosphere)
         .unwrap()
         .1
 }
 
-/// Rows of a file of numbers below its heading, with the first `words` cells left out.
+/// Rows of a file of numbers below its heading, without the first `words` cells.
 fn rows(text: &str, words: usize) -> impl Iterator<Item = (&str, Vec<f64>)> {
     let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     lines.map(move |line| {
@@ -30,15 +31,16 @@ fn rows(text: &str, words: usize) -> impl Iterator<Item = (&str, Vec<f64>)> {
     })
 }
 
-/// Largest departure of a ratio from 1.
+/// Largest deviation of a ratio from 1.
 fn largest(ratios: impl Iterator<Item = f64>) -> f64 {
     ratios.fold(0.0, |most, ratio| most.max((ratio - 1.0).abs()))
 }
 
 #[test]
 fn venus_is_what_the_day_probe_measured() {
-    // A nominal model of all probes and latitudes against one of them; zero altitude is 6052.0 km there, 6051.8 km here, which is
-    // 0.4 to 4 % of density. At the tops of the clouds the air of one place is 2 % colder, and 6 % of pressure lower, than the mean.
+    // A nominal model of all probes and latitudes compared with one of them; zero altitude is 6052.0 km there, 6051.8
+    // km here, which is 0.4 to 4 % of density. At the cloud tops the air of one place is 2 % colder, and 6 % lower in
+    // pressure, than the mean.
     let text = include_str!("../data/venus_pioneer_day.csv");
     let measured: Vec<Vec<f64>> = rows(text, 0).map(|(_, row)| row).collect();
     let air = |row: &Vec<f64>| own("venus").air(row[0] * 1e3);
@@ -58,14 +60,14 @@ fn venus_is_what_the_day_probe_measured() {
 
 #[test]
 fn jupiter_is_what_the_galileo_probe_measured_but_for_its_waves() {
-    // The nominal model smooths the waves that the probe met: its density is 0.89 to 1.07 of the table.
+    // the nominal model smooths the waves that the probe met: its density is 0.89 to 1.07 of the table
     let text = include_str!("../data/jupiter_galileo_asi.csv");
     let table: Vec<Vec<f64>> = rows(text, 0).map(|(_, row)| row).collect();
     let inside = || table.iter().filter(|row| row[0] <= 1020.0);
     let air = |row: &Vec<f64>| own("jupiter").air(row[0] * 1e3);
     let density = largest(inside().map(|row| air(row).density_kg_m3 / row[3]));
     assert!(density < 0.12, "{density}");
-    // Speed of sound √(γ R T) of the table: γ of a harmonic and rotating mixture is within 1.3 % of the table's.
+    // speed of sound √(γ R T) of the table: γ of a harmonic and rotating mixture is within 1.3 % of the table's
     let sound = largest(inside().map(|row| {
         let measured = (row[5] * row[4] * row[2]).sqrt();
         air(row).speed_of_sound_m_s / measured
@@ -76,7 +78,7 @@ fn jupiter_is_what_the_galileo_probe_measured_but_for_its_waves() {
         gas.heat_capacity_ratio.at(row[2]) / row[5]
     }));
     assert!(ratio < 0.016, "{ratio}");
-    // Its last words: 22 bar and 427.7 K at -132.4 km.
+    // its last data: 22 bar and 427.7 K at −132.4 km
     let deep = own("jupiter").air(-132.4e3);
     assert!(
         (deep.pressure_pa / 22e5 - 1.0).abs() < 1e-3 && (deep.temperature_k - 427.7).abs() < 0.1
@@ -92,8 +94,8 @@ fn rows_left_out_of_a_source_are_met_within_the_error_stated() {
             panic!("{name}: {row:?}");
         };
         let air: Air<f64> = own(name).air(altitude_km * 1e3);
-        // 0.5 % as stated and what four digits leave; the source's own speed of sound has γ to 0.005 of 1.4, except on
-        // Jupiter, where it is 1.41 whatever the temperature.
+        // 0.5 % as stated plus rounding to four digits; the source's own speed of sound has γ within 0.005 of 1.4,
+        // except on Jupiter, where it is 1.41 at any temperature
         let close = |what: &str, got: f64, expected: f64, part: f64| {
             let off = (got / expected - 1.0).abs();
             assert!(off < part, "{name}, {altitude_km} km: {what} off by {off}");
@@ -110,7 +112,7 @@ fn rows_left_out_of_a_source_are_met_within_the_error_stated() {
     assert_eq!(planets.len(), 6);
 }
 
-/// Gravity less the centrifugal part at a geodetic latitude and an altitude, m/s².
+/// Gravity minus centrifugal acceleration at a geodetic latitude and an altitude, m/s².
 fn gravity_m_s2(name: &str, latitude_deg: f64, altitude_m: f64) -> f64 {
     let place = Geodetic {
         altitude_m,
@@ -123,7 +125,7 @@ fn gravity_m_s2(name: &str, latitude_deg: f64, altitude_m: f64) -> f64 {
 
 #[test]
 fn saturn_is_in_hydrostatic_balance_where_voyager_went_behind_it() {
-    // ln(p/p') = ∫ g/(R T) dz over each interval, R T = p/ρ; heights are rounded to 0.1 km of 6.4 to 210 km.
+    // ln(p/p') = ∫ g/(R T) dz over each interval, R T = p/ρ; heights are rounded to 0.1 km of 6.4 to 210 km
     let saturn = own("saturn");
     let (first_m, last_m) = saturn.valid_m();
     let ends: Vec<f64> = [first_m]
@@ -149,7 +151,7 @@ fn saturn_is_in_hydrostatic_balance_where_voyager_went_behind_it() {
             "{pair:?}: {fall} against {sum}"
         );
     }
-    // Lindal's heights of 0.2 mbar and of 100 mbar or so: 376.7 and 94.4 km.
+    // Lindal's heights of 0.2 mbar and of about 100 mbar: 376.7 and 94.4 km
     for (height_km, pressure_pa) in [(376.7, 20.0), (94.4, 8710.0)] {
         let pressure = saturn.air(height_km * 1e3).pressure_pa;
         // 1.2 km of a scale height of 33 to 53 km
@@ -170,7 +172,7 @@ fn each_planet_has_its_own_atmosphere_whose_density_falls_above_it() {
         assert!(planet.entry_interface_m < 1.3 * top_m, "{name}");
         let air = own(name).air(planet.exponential_fit_m[0]);
         assert!((1.2..1.7).contains(&air.heat_capacity_ratio), "{name}");
-        // mean free path of a gas of molecules of some 2.5 to 5 Å: 5e-9 to 1.2e-7 kg/m² over density
+        // mean free path of a gas of molecules of about 2.5 to 5 Å: 5e-9 to 1.2e-7 kg/m² divided by density
         let path = air.mean_free_path_m * air.density_kg_m3;
         assert!((5e-9..1.2e-7).contains(&path), "{name}: {path}");
     }
@@ -178,8 +180,9 @@ fn each_planet_has_its_own_atmosphere_whose_density_falls_above_it() {
 
 #[test]
 fn probes_of_four_planets_are_slowed_where_other_codes_have_it() {
-    // Code against code: columns thinned to 0.5 %, other constants of gravity and figure, latitudes and azimuths where a study
-    // says none: half a per cent where all is known, one where not; 100 m of altitude are 2.5 % of density at Venus.
+    // Code against code: columns thinned to 0.5 %, other constants of gravity and figure, latitudes and azimuths where
+    // a study gives none: half a percent where all is known, one where not; 100 m of altitude are 2.5 % of density at
+    // Venus.
     let text = include_str!("../data/planet_entries.csv");
     for line in text.lines().filter(|line| !line.starts_with('#')).skip(1) {
         let cells: Vec<&str> = line.split(',').collect();

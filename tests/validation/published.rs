@@ -1,4 +1,4 @@
-//! Published figures.
+//! Published results.
 
 use msape::validation::{self, Row};
 use msape::{Case, Library};
@@ -24,7 +24,8 @@ fn table(rows: &[&Row]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// Rows are judged with the tolerances of the data files, each with its reason there; `msape validate` prints them all.
+/// Rows are judged with the tolerances of the data files, which also give the reasons; `msape validate` prints them
+/// all.
 #[test]
 fn every_judged_row_is_within_its_tolerance() {
     let rows = validation::run(&Library::builtin().unwrap()).unwrap();
@@ -47,8 +48,9 @@ fn a_row_is_not_judged_only_where_a_note_says_why() {
     }
 }
 
-/// The paper prints, in percent, how far the closed form is from its integration: peak deceleration, speed and altitude
-/// there. Two independent integrations differ from the paper by up to 0.9 points, so 1 point is allowed.
+/// The paper prints, in percent, the difference between the closed form and its integration: peak deceleration, and
+/// speed and altitude there. Two independent integrations differ from the paper by up to 0.9 points, so 1 point is
+/// allowed.
 #[test]
 fn the_closed_form_is_as_far_from_the_integration_as_putnam_and_braun_print() {
     let library = Library::builtin().unwrap();

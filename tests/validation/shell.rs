@@ -1,7 +1,7 @@
-//! The shell model against closed forms, over four meshes each twice as fine as the one before.
+//! Shell model compared with closed forms, over four meshes, each twice as fine as the one before.
 //!
-//! Where the closed form holds the shear deformation of the model, what is left is the error of the mesh, and its order
-//! is asserted; where it belongs to the thin limit, the tolerance is the part that the thickness makes.
+//! Where the closed form includes the shear deformation of the model, the difference is the discretization error, and
+//! its order is asserted; where it is the thin-shell limit, the tolerance is the effect of the thickness.
 
 mod statics;
 mod vibration;
@@ -24,7 +24,7 @@ fn point(x_m: f64, r_m: f64) -> Point {
     Point { x_m, r_m }
 }
 
-/// A shell of one segment and one solid wall.
+/// Shell of one segment and one solid wall.
 struct Shell {
     model: Model,
     ends: [usize; 2],
@@ -79,7 +79,7 @@ impl Shell {
         Freedoms::new(&self.model, harmonic, &supports)
     }
 
-    /// Under a pressure along the normal (−s, c).
+    /// Solution for a pressure along the normal (−s, c).
     fn pressed(&self, held: [Option<Held>; 2]) -> Solution {
         let freedoms = self.freedoms(0, held);
         let stiffness = self.model.stiffness(&freedoms).factor().unwrap();
@@ -113,7 +113,7 @@ impl Shell {
 
 const CLAMPED: Option<Held> = Some(Held::Clamped);
 
-/// Plate of radius 1 m.
+/// Plate with a radius of 1 m.
 fn plate(thickness: f64, elements: u32) -> Shell {
     let segment = Segment::Line {
         start: point(0.0, 0.0),
@@ -122,7 +122,7 @@ fn plate(thickness: f64, elements: u32) -> Shell {
     Shell::new(segment, thickness, elements)
 }
 
-/// Cylinder of radius 1 m.
+/// Cylinder with a radius of 1 m.
 fn cylinder(length: f64, thickness: f64, elements: u32) -> Shell {
     let segment = Segment::Line {
         start: point(0.0, 1.0),
@@ -131,7 +131,7 @@ fn cylinder(length: f64, thickness: f64, elements: u32) -> Shell {
     Shell::new(segment, thickness, elements)
 }
 
-/// Part of a sphere of radius 1 m, from its pole.
+/// Spherical cap with a radius of 1 m, from its pole.
 fn cap(half_angle: f64, thickness: f64, elements: u32) -> Shell {
     let segment = Segment::arc(point(0.0, 0.0), 1.0, PI, -half_angle);
     Shell::new(segment, thickness, elements)
@@ -152,8 +152,8 @@ fn row(name: &str, meshes: [u32; 4], exact: f64, computed: impl Fn(u32) -> f64) 
     (errors[3], orders[2])
 }
 
-/// Quadratic elements of a problem of one dimension: displacements at nodes and eigenvalues converge with the fourth
-/// power of the size of the elements or better. 3.7 leaves room for a finest mesh that is not yet, or no longer, in the limit.
+/// Quadratic elements in one dimension: nodal displacements and eigenvalues converge with at least the fourth power of
+/// the element size. 3.7 allows for a finest mesh that is not yet, or no longer, in the asymptotic range.
 #[track_caller]
 fn fourth_order((error, order): (f64, f64), allowed: f64) {
     assert!(error < allowed, "error {error:.1e}, allowed {allowed:.1e}");

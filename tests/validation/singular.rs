@@ -1,19 +1,19 @@
-//! Starts at singular directions and places, beside an independent integration.
+//! Starts at singular directions and places, compared with an independent integration.
 
 use msape::{Outcome, Request};
 use msape_tests::entry::output;
 use msape_tests::text::{PLAIN, answer, case};
 
-/// What it is called, keys with their values, and what is compared.
+/// Name, keys with their values, and compared results.
 type Start = (
     &'static str,
     &'static [(&'static str, &'static str)],
     [f64; 5],
 );
 
-/// Starts, and what an independent integration in rotating Cartesian axes (DOP853) of the same
-/// equations gives: time of flight in s, final speed in m/s, final latitude and longitude in degrees, peak deceleration in
-/// g, this one taken at samples, 1e-3. Printed to the digits that are compared.
+/// Starts, and results of an independent integration of the same equations in rotating Cartesian axes (DOP853): time of
+/// flight in s, final speed in m/s, final latitude and longitude in deg, peak deceleration in g (taken at samples,
+/// 1e-3). Printed to the digits that are compared.
 const SINGULAR: [Start; 8] = [
     (
         "straight down",

@@ -1,4 +1,4 @@
-//! Six degrees of freedom: what the report says of backward entries, and the accuracy of a spinning entry.
+//! Six degrees of freedom: the report's statements on backward entries, and the accuracy of a spinning entry.
 
 use msape::flight::six_dof::reorientation::{Facing, Reorientation, study};
 use msape::problem::{FlightProblem, add_turning};
@@ -16,9 +16,9 @@ fn studied(case: &Case, cg_x_m: &[f64]) -> Vec<Reorientation> {
     study(&problem.mission, &problem.body, cg_x_m)
 }
 
-/// Section 3.3.2, Figure 27: with the centre of gravity at 0.2 diameters a vehicle that enters backwards without rates turns
-/// round before continuum flow (Knudsen number 0.001), and the place of the centre of gravity is a driver: the farther aft it
-/// is, the later.
+/// Section 3.3.2, Figure 27: with the center of gravity at 0.2 diameters a vehicle that enters backward without rates
+/// turns around before continuum flow (Knudsen number 0.001), and the position of the center of gravity is a driver:
+/// the farther aft, the later.
 #[test]
 fn backward_entry_without_rates_turns_round_before_continuum_flow() {
     let case = shipped("cases/backward-entry.toml");
@@ -43,7 +43,7 @@ fn backward_entry_without_rates_turns_round_before_continuum_flow() {
     assert!(times[0] < times[1] && times[1] < times[2], "{times:?}");
 }
 
-/// The default accuracy against a tight integration: the largest angle after peak heating to 1e-4.
+/// Default accuracy compared with a tight integration: the largest angle after peak heating to 1e-4.
 #[test]
 fn largest_angles_of_a_spinning_entry_are_good_to_1e_4() {
     let library = Library::builtin().unwrap();
@@ -62,7 +62,7 @@ fn largest_angles_of_a_spinning_entry_are_good_to_1e_4() {
     }
 }
 
-/// Nine entries of each shipped design: only one that trims backwards in hypersonic flow meets the heat backwards.
+/// Nine entries of each shipped design: only one that trims backward in hypersonic flow is backward at peak heating.
 #[test]
 fn designs_with_a_backward_trim_meet_the_heat_backwards_in_part_of_nine_entries() {
     let library = Library::builtin().unwrap();

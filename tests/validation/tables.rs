@@ -1,4 +1,4 @@
-//! Tables that a case brings, and flights that leave them.
+//! Tables of a case, and flights that leave their range.
 
 use msape::{Answer, Outcome, Request};
 use msape_tests::entry::output;
@@ -13,7 +13,7 @@ fn column(answer: &Answer, key: &str) -> Vec<f64> {
     history.column(key).unwrap().to_vec()
 }
 
-/// Rows of a body of C_A = 1.4 (1 + cos 2α)/2 and C_N = ½ sin α to an angle, at two Mach numbers.
+/// Rows of a body with C_A = 1.4 (1 + cos 2α)/2 and C_N = ½ sin α up to an angle, at two Mach numbers.
 fn own_table(to_deg: u32, factor: f64) -> String {
     let rows = [0.5, 20.0].iter().flat_map(|mach| {
         (0..=to_deg / 10).map(move |i| {
@@ -81,7 +81,8 @@ fn a_refused_table_ends_the_flight_where_it_is_left() {
         .into_iter()
         .fold(0.0, f64::max);
     assert!((largest - 30.0).abs() < 1e-3, "{largest}");
-    // By the rates at which the whole table of 180 deg swings: first beyond 30 deg between 204 and 206 s.
+    // according to the rates at which the vehicle oscillates with the whole table of 180 deg: first beyond 30 deg
+    // between 204 and 206 s
     let end_s = output(&answer, "time_of_flight_s");
     assert!((204.0..206.0).contains(&end_s), "{end_s}");
     assert!(said(&answer, "aerodynamic coefficients").is_empty());
@@ -107,7 +108,7 @@ fn angles_in_radians_are_refused_with_their_rows() {
     let faults = answer(&case(TUMBLING, &table), Request::Nothing).unwrap_err();
     assert!(faults.contains("are the angles in rad?"), "{faults}");
     assert!(faults.contains("the air would push the body"), "{faults}");
-    // Up to a right angle nothing pushes: it is said.
+    // up to a right angle nothing pushes the body: this is reported
     let radians = own_table(90, 1.0_f64.to_radians());
     let answer = flown(
         TUMBLING,
@@ -158,7 +159,7 @@ fn drag_lift_bank_and_wind_say_that_they_were_left() {
         assert_eq!(told.len(), 2, "{key}: {told:?}");
         assert!(told.iter().all(|line| line.contains(argument)), "{told:?}");
     }
-    // Rows of an atmosphere: above and below.
+    // rows of an atmosphere: above and below
     let edits = [
         ("atmosphere.exponential.density_kg_m3", ""),
         ("atmosphere.exponential.scale_height_m", ""),
@@ -167,7 +168,8 @@ fn drag_lift_bank_and_wind_say_that_they_were_left() {
     assert_eq!(said(&flown(PLAIN, &edits), "atmosphere").len(), 2);
 }
 
-/// At Mach 10 by the exponential's speed of sound the flight is over; held and extended, it goes on differently.
+/// At Mach 10, with the exponential atmosphere's speed of sound, the flight ends; held and extended, it continues
+/// differently.
 #[test]
 fn a_drag_table_is_held_extended_or_refused() {
     let with = |rule: &str| {
@@ -186,7 +188,7 @@ fn a_drag_table_is_held_extended_or_refused() {
     assert!(reason.contains("the Mach number left vehicle.drag_table, which goes from 4 to 10"));
     let drag = |answer: &Answer| column(answer, "drag_coefficient")[0];
     assert_eq!(drag(&hold), 1.6);
-    // 0.1 a unit of Mach number
+    // 0.1 per unit of Mach number
     let mach = column(&extend, "mach")[0];
     assert!((drag(&extend) - (0.6 + 0.1 * mach)).abs() < 1e-12);
     assert_eq!(hold.outcome, Outcome::Landed);

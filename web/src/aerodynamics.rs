@@ -1,4 +1,4 @@
-//! Curves of aerodynamic coefficients: what is asked, what the worker answers.
+//! Curves of aerodynamic coefficients: question to the worker and its answer.
 //!
 //! The theory is in `msape::aero`.
 
@@ -12,42 +12,42 @@ use msape::{Case, Library};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 
-/// Most curves of a figure.
+/// Largest number of curves in a figure.
 pub const CURVES_MAX: usize = 6;
-/// Mach numbers of curves over the Mach number: first, last.
+/// Range of curves over Mach number.
 const MACH: (f64, f64) = (0.1, 50.0);
-/// Knudsen numbers of curves over the Knudsen number: first, last.
+/// Range of curves over Knudsen number.
 const KNUDSEN: (f64, f64) = (1e-5, 1e3);
-/// Points of a curve over Mach or Knudsen number.
+/// Number of points of a curve over Mach or Knudsen number.
 const POINTS: u32 = 240;
 /// Step of the angle of attack, deg.
 const STEP_DEG: f64 = 1.0;
 
-/// What is asked of the database of a case.
+/// Question about the aerodynamic database of a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Question {
-    /// A case with an outline, or of a design.
+    /// Case with an outline or a design.
     pub case: Case,
-    /// Where its coefficients are wanted.
+    /// Conditions at which coefficients are wanted.
     pub places: Places,
 }
 
-/// Where coefficients are wanted: one curve a place.
+/// Conditions at which coefficients are wanted, one curve for each.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Places {
-    /// Mach numbers; the first holds where another number varies.
+    /// Mach numbers; the first applies where another number varies.
     pub mach: Vec<f64>,
-    /// Knudsen numbers; the first holds where another number varies.
+    /// Knudsen numbers; the first applies where another number varies.
     pub knudsen: Vec<f64>,
     /// Angles of attack, deg.
     pub alpha_deg: Vec<f64>,
-    /// What tells the curves over the angle of attack apart.
+    /// Parameter of the curves over the angle of attack.
     pub family: Family,
-    /// Centre of gravity in diameters aft of the virtual apex, in the place of the body's own.
+    /// Center of gravity in diameters aft of the virtual apex, instead of the body's own.
     pub cg_over_diameter: Option<f64>,
 }
 
-/// What tells curves over the angle of attack apart.
+/// Parameter of the curves over the angle of attack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Family {
     /// Mach numbers at the first Knudsen number.
@@ -56,7 +56,7 @@ pub enum Family {
     Knudsen,
 }
 
-/// Coefficients over the angle of attack at one place.
+/// Coefficients over the angle of attack at one condition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OverAlpha {
     /// Mach number.
@@ -65,7 +65,7 @@ pub struct OverAlpha {
     pub knudsen: f64,
     /// Coefficients from 0 to 180 deg, with trim.
     pub polar: Polar,
-    /// Which part of the database answered.
+    /// Regime of the database at this condition.
     pub regime: Regime,
 }
 
@@ -80,16 +80,16 @@ pub struct Line {
     pub rows: Vec<Row>,
 }
 
-/// All that the page draws of a database.
+/// All curves of a database that the page draws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Curves {
     /// Name of the body.
     pub name: String,
     /// Diameter, m.
     pub diameter_m: f64,
-    /// Centre of gravity in diameters aft of the virtual apex, where it is known.
+    /// Center of gravity in diameters aft of the virtual apex, where known.
     pub cg_over_diameter: Option<f64>,
-    /// Where it was asked for.
+    /// Conditions of the question.
     pub places: Places,
     /// One curve for each Mach or Knudsen number.
     pub over_alpha: Vec<OverAlpha>,
@@ -97,37 +97,37 @@ pub struct Curves {
     pub over_mach: Vec<Line>,
     /// One curve for each angle.
     pub over_knudsen: Vec<Line>,
-    /// Whether static coefficients are a table's.
+    /// Whether static coefficients come from a table.
     pub is_table: bool,
-    /// Where damping comes from.
+    /// Origin of the damping coefficients.
     pub damping: DampingOrigin,
-    /// What must be known of the damping's placeholder, where it is used.
+    /// Note on the placeholder for damping, where it is used.
     pub placeholder: Option<String>,
-    /// What must be known of the case, such as a table that was made in another gas.
+    /// Findings for the case, such as a table made for another gas.
     pub remarks: Vec<Finding>,
 }
 
-/// Where damping comes from.
+/// Origin of the damping coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum DampingOrigin {
-    /// There is none.
+    /// No damping.
     Absent,
     /// Equation 7 of the report and a placeholder.
     Report,
-    /// A table of one's own.
+    /// The user's table.
     Table,
 }
 
-/// The database of the last case, which is asked again when only the places change.
+/// Cache of the last case and its database, used again when only the conditions change.
 #[derive(Default)]
 pub struct Kept(RefCell<Option<(Case, Prepared)>>);
 
 type Prepared = ((AeroBody, Database), Vec<Finding>);
 
-/// The curves of a case, or every fault of it.
+/// Curves of a case, or all of its faults.
 ///
 /// # Errors
-/// What is wrong with the case.
+/// Faults of the case.
 pub fn curves(question: &Question, library: &Library, kept: &Kept) -> Result<Curves, Vec<Fault>> {
     let mut kept = kept.0.borrow_mut();
     let of_case = kept.take().filter(|(case, _)| *case == question.case);
@@ -226,7 +226,7 @@ fn row(body: &AeroBody, found: &Coefficients, alpha_deg: f64) -> Row {
     }
 }
 
-/// Numbers in equal ratios, with the ends as they are.
+/// Numbers in geometric progression, with exact ends.
 fn spaced((first, last): (f64, f64)) -> Vec<f64> {
     let ratio = (last / first).ln();
     let at = |n: u32| match n {
@@ -278,15 +278,15 @@ mod tests {
         let mut question = question("sphere-cone-60");
         let found = curves(&question, &library, &kept).unwrap();
         assert_eq!((found.over_alpha.len(), found.over_mach.len()), (2, 2));
-        // At Mach 50 the curve over Mach ends; over the angle at Mach 20 and 20 deg it is between its neighbours.
+        // at Mach 50 the curve over Mach ends; over the angle at Mach 20 and 20 deg it lies between its neighbors
         let (_, database) = msape::problem::aero(&question.case, &library).unwrap();
         let want = database.coefficients(50.0, 0.0, 20.0_f64.to_radians());
         assert_eq!(found.over_mach[1].rows.last().unwrap().cn, want.cn);
         assert_eq!(found.over_alpha[0].polar.rows[20].alpha_deg, 20.0);
-        // Stable nose first with the centre of gravity at 0.2 D.
+        // stable nose first with the center of gravity at 0.2 D
         let trim = found.over_alpha[0].polar.trim[0];
         assert!(trim.alpha_deg == 0.0 && trim.cm_alpha_per_rad < 0.0);
-        // What is kept answers as what is new, about another point.
+        // the cache gives the same answer as a new database, for another center of gravity
         question.places.cg_over_diameter = None;
         question.places.family = Family::Knudsen;
         let again = curves(&question, &library, &kept).unwrap();

@@ -1,4 +1,4 @@
-//! The frame around the pages: what is kept, what links say, what keys do.
+//! Frame around the pages: storage, links, keyboard shortcuts.
 
 use crate::components::header::Header;
 use crate::components::kept::Kept;
@@ -18,7 +18,7 @@ use leptos::ev::{DragEvent, KeyboardEvent};
 use leptos::prelude::*;
 use msape::case::version::BroughtUp;
 
-/// What is between header and footer.
+/// Page between header and footer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Page {
     /// Inputs and results of one design.
@@ -27,12 +27,12 @@ pub enum Page {
     Library,
     /// Coefficients of bodies.
     Aerodynamics,
-    /// Speed in this browser.
+    /// Speed of the solver in this browser.
     Benchmark,
 }
 
 impl Page {
-    /// The page of the address.
+    /// Page of the current address.
     fn now() -> Page {
         match window().location().hash().as_deref() {
             Ok("#/benchmark") => Page::Benchmark,
@@ -42,7 +42,7 @@ impl Page {
         }
     }
 
-    /// Whether a link in the header leads to where this page is.
+    /// Whether the current page belongs to a link of the header.
     pub fn is_part_of(self, other: Page) -> bool {
         self == other || (self, other) == (Page::Aerodynamics, Page::Library)
     }
@@ -57,7 +57,7 @@ impl Page {
     }
 }
 
-/// The app.
+/// Root component.
 #[component]
 pub fn App() -> impl IntoView {
     let Linked { case, words } = linked().unwrap_or_default();
@@ -76,7 +76,7 @@ pub fn App() -> impl IntoView {
     let page = follow_address();
     view! {
         <a class="skip" href="#main" on:click=|event| {
-            // The address after # belongs to links.
+            // the fragment of the address is used by links
             event.prevent_default();
             focus_main();
         }>"Skip to the content"</a>
@@ -95,7 +95,7 @@ pub fn App() -> impl IntoView {
     }
 }
 
-/// The page of the address. Another one starts at its top.
+/// Page of the current address; a new page starts at its top.
 fn follow_address() -> Memo<Page> {
     let turned = RwSignal::new(Page::now());
     let page = Memo::new(move |_| turned.get());
@@ -106,7 +106,7 @@ fn follow_address() -> Memo<Page> {
         document().set_title(page.title());
         if before.is_some_and(|before| before != page) {
             window().scroll_to_with_x_and_y(0.0, 0.0);
-            // When it is there.
+            // focus once the element exists
             request_animation_frame(focus_main);
         }
         page
@@ -118,28 +118,28 @@ fn focus_main() {
     use wasm_bindgen::JsCast;
     let main = document().get_element_by_id("main");
     if let Some(main) = main.and_then(|main| main.dyn_into::<web_sys::HtmlElement>().ok()) {
-        // An element that cannot take the focus leaves it where it is.
+        // an element that cannot take the focus leaves it where it is
         let _ = main.focus();
     }
 }
 
-/// What the link in the address says, if there is one.
+/// Content of the link in the address, if there is one.
 fn linked() -> Option<Linked> {
     let hash = window().location().hash().ok()?;
     link::read(&hash, &starts())
 }
 
-/// Takes the link out of the address, so that a reload keeps later edits.
+/// Removes the link from the address, so that a reload keeps later edits.
 pub fn leave_link() {
     if linked().is_some()
         && let Ok(history) = window().history()
     {
-        // A browser that refuses shows the old address; nothing depends on it.
+        // if the browser refuses, the old address stays; nothing depends on it
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some("#/design"));
     }
 }
 
-/// Takes a notice away when it has been there long enough to be read.
+/// Clears a notice after enough time to read it.
 fn forget_notices(state: State) {
     Effect::new(move |_| {
         let shown = state.notice.get();

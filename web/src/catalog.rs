@@ -1,5 +1,5 @@
-//! What the page shows of the library. The worker reads the data files and sends this once, when it starts: the page has no
-//! reader of them.
+//! Library data shown by the page. The worker reads the data files and sends the catalog once, when it starts: the page
+//! has no reader for them.
 
 use msape::Library;
 use msape::quantity::input::{Choices, Input, Kind, inputs};
@@ -9,13 +9,13 @@ use msape::vehicle::structure::Construction;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What an input may be: its names in a case, each with a title.
+/// Allowed values of an input: names as in a case, each with a title.
 pub type Names = Vec<(String, String)>;
 
-/// What the page shows of the library.
+/// Library data shown by the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Catalog {
-    /// Names of the library that an input may have, by its key.
+    /// Allowed names of inputs, by key of the input.
     names: BTreeMap<String, Names>,
     /// Outlines of rigid bodies by name.
     pub outlines: Vec<(String, OutlineData)>,
@@ -23,11 +23,11 @@ pub struct Catalog {
     pub grounds: Vec<(String, Ground)>,
     /// Structural materials.
     pub walls: Vec<WallMaterial>,
-    /// How the impact foam crushes, and where its numbers come from.
+    /// Crush law of the impact foam and its source.
     pub foam_law: String,
 }
 
-/// A material for carriers and primary structure.
+/// Material for carriers and primary structure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WallMaterial {
     /// Name.
@@ -38,12 +38,12 @@ pub struct WallMaterial {
     pub strength_pa: f64,
     /// Shear strength of the core of a sandwich, Pa.
     pub core_shear_strength_pa: Option<f64>,
-    /// What is assumed.
+    /// Note on assumptions.
     pub note: String,
 }
 
 impl Catalog {
-    /// That of a library.
+    /// Catalog of a library.
     pub fn of(library: &Library) -> Catalog {
         let named = |input: &Input| match input.kind {
             Kind::Choice(Choices::Fixed(_)) => None,
@@ -84,7 +84,7 @@ impl WallMaterial {
     }
 }
 
-/// What an input may be; none where that is for the library to say and `catalog` has not come yet.
+/// Allowed values of an input; empty where they come from the library and `catalog` has not arrived yet.
 pub fn names(catalog: Option<&Catalog>, input: &Input) -> Names {
     match input.kind {
         Kind::Choice(Choices::Fixed(fixed)) => fixed

@@ -1,11 +1,11 @@
-//! Figures of a flight: which columns, in which units, with which events.
+//! Figures of a flight: columns, units and events.
 
 use crate::display::{UnitSystem, symbol};
 use msape::flight::{Flight, Trajectory};
 use msape::quantity::trajectory::{Column, find};
 use msape_plot::{Axis, EventLine, Figure, Scale, Series};
 
-/// A column over another.
+/// One column plotted over another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChartSpec {
     /// Key of the horizontal column.
@@ -14,17 +14,17 @@ pub struct ChartSpec {
     pub y: String,
 }
 
-/// How much of a flight is shown over time.
+/// Part of a flight shown in plots over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Span {
     /// From the start until the vehicle is well below the speed of sound.
     Entry,
-    /// All of it.
+    /// Whole flight.
     Whole,
 }
 
 impl Span {
-    /// End of the time shown, s; `None` when all is shown.
+    /// End of the time shown, s; `None` for the whole flight.
     fn end_s(self, flight: &Flight) -> Option<f64> {
         let [.., subsonic_s] = flight.mach_times_s;
         let end_s = 1.15 * subsonic_s?;
@@ -32,7 +32,7 @@ impl Span {
     }
 }
 
-/// The four plots of the report: vertical and horizontal column.
+/// Plots of the report: vertical and horizontal column.
 pub const REPORT_PLOTS: [(&str, &str); 4] = [
     ("altitude_m", "time_s"),
     ("total_heat_flux_w_m2", "time_s"),
@@ -57,7 +57,7 @@ impl ChartSpec {
         format!("{} over {over}", label(&self.y))
     }
 
-    /// Points in the units shown, one for each row of the time history.
+    /// Points in the displayed units, one for each row of the time history.
     pub fn points(&self, trajectory: &Trajectory, units: UnitSystem) -> Vec<(f64, f64)> {
         let values = |key: &str| {
             let column = find(key)?;
@@ -118,7 +118,7 @@ impl ChartSpec {
 fn axis(key: &str, units: UnitSystem) -> Axis {
     find(key).map_or_else(Axis::default, |column: &'static Column| {
         let axis = Axis::new(column.label, symbol(units.of_column(column)));
-        // It falls by ten powers of ten on the way down.
+        // the Knudsen number falls by ten orders of magnitude during a descent
         axis.with_scale(if key == "knudsen" {
             Scale::Log
         } else {
@@ -127,7 +127,7 @@ fn axis(key: &str, units: UnitSystem) -> Axis {
     })
 }
 
-/// Times and short names of what happens in a flight, s.
+/// Times, s, and short names of the events of a flight.
 pub fn events(flight: &Flight) -> Vec<(f64, String)> {
     let mach = ["Mach 5", "Mach 2", "Mach 1.4", "Mach 0.8"];
     let mut events = vec![
@@ -149,7 +149,7 @@ pub fn events(flight: &Flight) -> Vec<(f64, String)> {
     events
 }
 
-/// Horizontal value at a time, linear between rows.
+/// Horizontal value at a time, interpolated linearly between rows.
 fn interpolated(time_s: &[f64], points: &[(f64, f64)], at_s: f64) -> Option<f64> {
     let after = time_s.partition_point(|t| *t < at_s);
     let last = time_s.len().checked_sub(1)?;

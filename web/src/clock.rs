@@ -1,9 +1,9 @@
-//! The clock, in the page and in the worker.
+//! Clock for the page and the workers.
 
 use js_sys::{Function, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// Time since the page was navigated to, or since the worker was started, ms; not a number where there is no such clock.
+/// Time since navigation to the page or start of the worker, ms; NaN if there is no such clock.
 pub fn now_ms() -> f64 {
     read().unwrap_or(f64::NAN)
 }

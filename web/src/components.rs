@@ -1,4 +1,4 @@
-//! What pages are made of. They read signals and call [`crate::state::State::edit`].
+//! Components of the pages. They read signals and call [`crate::state::State::edit`].
 
 pub mod aerodynamics;
 pub mod alternatives;

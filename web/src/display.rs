@@ -1,14 +1,14 @@
-//! How numbers and units look on screen. Conversions are in `msape::units`.
+//! Display of numbers and units. Conversions are in `msape::units`.
 
 use msape::answer::Output;
 use msape::quantity::{Input, trajectory::Column};
 use msape::units::{Dimension, Unit, canonical};
 use serde::{Deserialize, Serialize};
 
-/// A system of units on screen.
+/// System of displayed units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum UnitSystem {
-    /// Those of the report.
+    /// Units of the report.
     #[default]
     Report,
     /// SI without prefixes, angles in degrees.
@@ -18,7 +18,7 @@ pub enum UnitSystem {
 }
 
 impl UnitSystem {
-    /// All of them, in the order of menus.
+    /// All systems, in the order of menus.
     pub const ALL: [UnitSystem; 3] = [UnitSystem::Report, UnitSystem::Si, UnitSystem::Us];
 
     /// Name in menus.
@@ -30,7 +30,7 @@ impl UnitSystem {
         }
     }
 
-    /// Unit in which a quantity is shown whose unit in the report is `printed`.
+    /// Displayed unit of a quantity whose unit in the report is `printed`.
     pub fn unit(self, dimension: Dimension, printed: &'static Unit) -> &'static Unit {
         match self {
             UnitSystem::Report => printed,
@@ -41,7 +41,7 @@ impl UnitSystem {
         }
     }
 
-    /// Unit in the place of the one with this symbol.
+    /// Unit displayed instead of the one with this symbol.
     pub fn named(self, symbol: &str) -> &'static Unit {
         let printed = Unit::find(symbol).unwrap_or_else(|| canonical(Dimension::One));
         self.unit(printed.dimension, printed)
@@ -81,7 +81,7 @@ fn us_symbol(dimension: Dimension, printed: &Unit) -> Option<&'static str> {
     })
 }
 
-/// A unit's symbol as people write it: `W/cm²`; empty for pure numbers.
+/// Symbol of a unit as usually written: `W/cm²`; empty for pure numbers.
 pub fn symbol(unit: &Unit) -> String {
     unit.symbol
         .replace("^2", "²")
@@ -90,7 +90,7 @@ pub fn symbol(unit: &Unit) -> String {
         .replace("slug-ft", "slug·ft")
 }
 
-/// A number to a count of significant digits, with U+2212 as its sign.
+/// A number with a number of significant digits and U+2212 as its minus sign.
 pub fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_string();
@@ -111,7 +111,7 @@ pub fn number(value: f64, digits: usize) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A number of an input: as short as it can be at twelve digits, so that conversions leave no dust.
+/// A number of an input, shortest form at twelve digits, so that conversions leave no rounding digits.
 pub fn input_number(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let magnitude = rounded.abs();
@@ -133,7 +133,7 @@ pub fn with_unit(value: f64, digits: usize, unit: &Unit) -> String {
     .to_string()
 }
 
-/// Date and time of a moment, ms since 1970, in the user's zone.
+/// Date and time of a moment, ms since 1970, in the user's time zone.
 pub fn date(ms: f64) -> String {
     let date = js_sys::Date::new(&ms.into());
     date.to_locale_string("en-GB", &wasm_bindgen::JsValue::UNDEFINED)

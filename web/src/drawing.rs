@@ -1,38 +1,38 @@
-//! The section of a vehicle as paths of an SVG drawing, in mm, nose down, x of the screen being the radius.
+//! Section of a vehicle as SVG paths, in mm, nose down; x of the screen is the radius.
 
 use msape::vehicle::body::RigidBody;
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use msape::vehicle::{Component, ComponentKind, Vehicle};
 
-/// Millimetres in a metre: lengths of the drawing.
+/// Millimeters per meter.
 const MM: f64 = 1e3;
 
-/// One component as drawn.
+/// Component as drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Which.
+    /// Component.
     pub kind: ComponentKind,
-    /// Both halves of its section, to be filled.
+    /// Both halves of its section, as filled path.
     pub fill: String,
-    /// Its edges, without the seam on the axis.
+    /// Edges, without the seam on the axis.
     pub edges: String,
-    /// Where its number stands.
+    /// Position of its number.
     pub label: (f64, f64),
-    /// The point inside that the number speaks of, when it stands outside.
+    /// Point inside the component that a number outside refers to.
     pub anchor: Option<(f64, f64)>,
 }
 
-/// The whole drawing.
+/// Complete drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Components in the order of the mass tree.
     pub parts: Vec<Part>,
-    /// Outer mould line.
+    /// Outer mold line.
     pub outline: String,
     /// Radius, mm.
     pub radius_mm: f64,
-    /// Uppermost and lowermost point, mm, downward positive.
+    /// Highest and lowest point, mm, downward positive.
     pub top_mm: f64,
     /// See `top_mm`.
     pub bottom_mm: f64,
@@ -40,7 +40,7 @@ pub struct Section {
     pub shoulder_mm: f64,
 }
 
-/// Name of a component in classes of the style sheet.
+/// Name of a component in style classes.
 pub fn class(kind: ComponentKind) -> &'static str {
     match kind {
         ComponentKind::ForebodyTps => "part-forebody-tps",
@@ -58,7 +58,7 @@ pub fn class(kind: ComponentKind) -> &'static str {
     }
 }
 
-/// Name of a component's colour in the style sheet.
+/// Name of a component's color in the style sheet.
 pub fn variable(kind: ComponentKind) -> &'static str {
     match kind {
         ComponentKind::ForebodyTps => "--part-forebody-tps",
@@ -76,7 +76,7 @@ pub fn variable(kind: ComponentKind) -> &'static str {
     }
 }
 
-/// The drawing of a vehicle.
+/// Drawing of a vehicle.
 pub fn section(vehicle: &Vehicle) -> Section {
     let radius_mm = 0.5 * vehicle.dimensions.diameter_m * MM;
     let nose_mm = -vehicle.dimensions.virtual_apex_ahead_m * MM;
@@ -122,7 +122,7 @@ fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) ->
             let out = (0.07 * radius_mm * (3.0 - *aft), -0.2 * radius_mm);
             ((at.0 + out.0, at.1 + out.1), Some(at))
         }
-        // Left of the sign of the centre of gravity.
+        // left of the center-of-gravity symbol
         ComponentKind::Payload => {
             let (x, y) = middle(component);
             ((-1.35 * x, y), None)
@@ -140,14 +140,14 @@ fn part(component: &Component, radius_mm: f64, fore: &mut f64, aft: &mut f64) ->
     }
 }
 
-/// The outline of one body as drawn.
+/// Outline of one body as drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Silhouette {
-    /// Both halves.
+    /// Path of both halves.
     pub path: String,
     /// Radius, mm.
     pub radius_mm: f64,
-    /// Uppermost and lowermost point, mm, downward positive.
+    /// Highest and lowest point, mm, downward positive.
     pub top_mm: f64,
     /// See `top_mm`.
     pub bottom_mm: f64,
@@ -155,7 +155,7 @@ pub struct Silhouette {
     pub widest_mm: f64,
 }
 
-/// The drawing of a rigid body.
+/// Drawing of a rigid body.
 pub fn silhouette(body: &RigidBody) -> Silhouette {
     let radius_m = 0.5 * body.diameter_m;
     let [from_m, to_m] = body.extent_m();
@@ -169,7 +169,7 @@ pub fn silhouette(body: &RigidBody) -> Silhouette {
     }
 }
 
-/// A point inside of a thin layer: between its two longest sides, at a fraction of their length.
+/// A point inside a thin layer: midway between its two longest sides, at a fraction of their length.
 fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
     let mut sides: Vec<(f64, Point, Point)> = component
         .profiles
@@ -180,7 +180,7 @@ fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
         .collect();
     sides.sort_by(|a, b| b.0.total_cmp(&a.0));
     let on = |(_, start, end): &(f64, Point, Point)| {
-        // From the axis outwards, whichever way the side is run.
+        // outward from the axis, whatever the direction of the side
         let (inner, outer) = if start.r_m < end.r_m {
             (start, end)
         } else {
@@ -200,7 +200,7 @@ fn inside_layer(component: &Component, fraction: f64) -> (f64, f64) {
     }
 }
 
-/// A point between two concentric arcs, ahead and outwards; `None` where there are none.
+/// A point midway between two concentric arcs, forward and outward; `None` if there are none.
 fn in_ball(component: &Component) -> Option<(f64, f64)> {
     let arcs = arcs(component);
     let (outer_center, outer_m) = arcs.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -224,7 +224,7 @@ fn arcs(component: &Component) -> Vec<(Point, f64)> {
         .collect()
 }
 
-/// A point in the outermost arc of a shell, aft and outwards, and a place for its number further in.
+/// A point on the outermost arc of a shell, aft and outward, and a position for its number further inward.
 fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
     let arcs = arcs(component).into_iter();
     match arcs.max_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -283,7 +283,7 @@ fn half(profile: &Profile, side: f64, ends: Ends) -> String {
                 sweep_rad,
                 ..
             } => {
-                // Two halves, so that an arc may be a full turn.
+                // two halves, so that an arc may be a full turn
                 let angle = start_angle_rad + 0.5 * sweep_rad;
                 let half_way = Point {
                     x_m: center.x_m + radius_m * angle.cos(),
@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn a_quarter_arc_is_drawn_on_both_sides() {
-        // From the nose (x = -1, r = 0) to the largest radius (x = 0, r = 1): 180 deg to 90 deg.
+        // from the nose (x = -1, r = 0) to the largest radius (x = 0, r = 1): 180 deg to 90 deg
         let arc = Segment::arc(
             Point::default(),
             1.0,

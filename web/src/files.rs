@@ -1,4 +1,4 @@
-//! Files given to the user and taken from the user.
+//! Download and upload of files.
 
 use gloo::file::{Blob, File, ObjectUrl};
 use leptos::prelude::*;
@@ -7,29 +7,29 @@ use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{HtmlAnchorElement, HtmlCanvasElement};
 
-/// Largest file that is read, bytes.
+/// Largest file size, bytes.
 const BYTES_MAX: f64 = 5e6;
 
-/// Hands a text to the user as a file.
+/// Offers text to the user as a file.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 pub fn download(name: &str, mime: &str, text: &str) -> Result<(), JsValue> {
     hand_over(name, Blob::new_with_options(text, Some(mime)).into())
 }
 
-/// Hands bytes to the user as a file.
+/// Offers bytes to the user as a file.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 pub fn download_bytes(name: &str, mime: &str, bytes: &[u8]) -> Result<(), JsValue> {
     hand_over(name, Blob::new_with_options(bytes, Some(mime)).into())
 }
 
-/// Hands a drawing to the user as a PNG file.
+/// Offers a drawing to the user as a PNG file.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 pub fn download_png(name: String, canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
     let on_blob = Closure::once_into_js(move |blob: JsValue| {
         if let Ok(blob) = blob.dyn_into::<web_sys::Blob>() {
@@ -50,16 +50,16 @@ fn hand_over(name: &str, address: ObjectUrl) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// Text of a file that the user chose.
+/// Text of a file chosen by the user.
 ///
 /// # Errors
-/// A sentence for the user.
+/// A message for the user.
 pub async fn read(file: web_sys::File) -> Result<String, String> {
     let bytes = bytes(file).await?;
     Ok(text_of(&bytes))
 }
 
-/// Text in whatever encoding; what is none keeps what can be read of it.
+/// Text in any encoding; undecodable bytes are replaced.
 pub fn text_of(bytes: &[u8]) -> String {
     match cad::text::decode(bytes) {
         Ok(decoded) => decoded.text,
@@ -67,10 +67,10 @@ pub fn text_of(bytes: &[u8]) -> String {
     }
 }
 
-/// Bytes of a file that the user chose.
+/// Bytes of a file chosen by the user.
 ///
 /// # Errors
-/// A sentence for the user.
+/// A message for the user.
 pub async fn bytes(file: web_sys::File) -> Result<Vec<u8>, String> {
     if file.size() > BYTES_MAX {
         return Err(format!(
@@ -84,16 +84,16 @@ pub async fn bytes(file: web_sys::File) -> Result<Vec<u8>, String> {
     read.map_err(|error| format!("The file cannot be read: {error}"))
 }
 
-/// Puts a text on the clipboard.
+/// Copies text to the clipboard.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 pub async fn copy(text: String) -> Result<(), JsValue> {
     JsFuture::from(window().navigator().clipboard().write_text(&text)).await?;
     Ok(())
 }
 
-/// A name of a run as a name of a file.
+/// File name from the name of a run.
 pub fn file_name(name: &str, extension: &str) -> String {
     let mut plain: String = name
         .trim()

@@ -1,12 +1,13 @@
-//! The app: pages turn signals into a case and an answer into signals; the core computes, in a worker.
+//! The web app: pages turn signals into a case and an answer into signals; the core computes, in a worker.
 //!
-//! - `app`: the frame around the pages; `pages`: one file per page; `components`: what they are made of.
-//! - `state`: the undo stack of immutable documents, the newest answer, what is shown.
-//! - [`solver`], [`tools`] and [`protocol`]: what the two workers do and how the page asks for it; [`serve`]: their end of the line;
-//!   `catalog`: what the page shows of the library.
+//! - `app`: the frame around the pages; `pages`: one file per page; `components`: parts of pages.
+//! - `state`: the undo stack of immutable documents, the newest answer, display state.
+//! - [`solver`], [`tools`] and [`protocol`]: the two workers and their messages; [`serve`]: the workers' side of the
+//!   connection; `catalog`: library data shown by the page.
 //! - `drawing` and `view3d`: the vehicle as a section and in three dimensions.
-//! - `clock` and `timing`: what the benchmark page measures with.
-//! - `worker`, `storage`, `files`: the page's ends of the worker, of IndexedDB and of files; `saving`: what is kept, and when.
+//! - `clock` and `timing`: time measurement of the benchmark page.
+//! - `worker`, `storage`, `files`: the page's interfaces to the workers, IndexedDB and files; `saving`: automatic
+//!   saving.
 //!
 //! Deliberately absent: physics, units and lists of variables. They are in `msape`.
 
@@ -34,7 +35,7 @@ pub mod tools;
 mod view3d;
 mod worker;
 
-/// Takes the skeleton away and shows the app.
+/// Removes the placeholder and mounts the app.
 pub fn start() {
     console_error_panic_hook::set_once();
     if let Some(skeleton) = leptos::prelude::document().get_element_by_id("skeleton") {

@@ -1,8 +1,9 @@
-//! Links that hold a case: what differs from one that ships with the program.
+//! Links that hold a case: its differences from a shipped case.
 //!
-//! `#/design?k=1f0c83a2&v=0.2&p=run-page&entry.speed_m_s=13000&n=My%20run`. What is malformed or unknown is left out and told,
-//! never an error. A link is read against the shipped case and the defaults of its version; without one it is of the first.
-//! `k` is a check sum of what follows it, which a link that was cut no longer has; it may be absent.
+//! `#/design?k=1f0c83a2&v=0.2&p=run-page&entry.speed_m_s=13000&n=My%20run`. Malformed or unknown parts are left out and
+//! reported, never an error. A link is read against the shipped case and the defaults of its version; without a version
+//! it belongs to the first. `k` is a checksum of the rest, which no longer matches if the link was truncated; it is
+//! optional.
 
 use crate::presets::{self, Start};
 use msape::Case;
@@ -10,10 +11,10 @@ use msape::case::version::{BroughtUp, shipped};
 use msape::case::{Value, Version};
 use msape::quantity::input;
 
-/// Links longer than this may be cut by other programs.
+/// Length above which other programs may truncate a link.
 pub const LENGTH_MAX: usize = 2_000;
 
-/// The part of the address after `#` that restores a case.
+/// Fragment of the address, after `#`, that restores a case.
 pub fn fragment(case: &Case, starts: &[Start]) -> String {
     starts
         .iter()
@@ -37,22 +38,22 @@ pub fn fragment(case: &Case, starts: &[Start]) -> String {
         .unwrap_or_default()
 }
 
-/// FNV-1a of the decoded text, 32 bits, with offset basis and prime as Fowler, Noll and Vo publish them.
+/// FNV-1a of the decoded text, 32 bits, with offset basis and prime as published by Fowler, Noll and Vo.
 fn sum(text: &str) -> u32 {
     let add = |sum: u32, byte: u8| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193);
     decode(text).bytes().fold(0x811c_9dc5, add)
 }
 
-/// What a link says.
+/// Content of a link.
 #[derive(Debug, Default, PartialEq)]
 pub struct Linked {
-    /// Its case, and remarks on what changed since it was made; nothing if it names no start that is known.
+    /// Case, with messages on what changed since it was made; `None` if the link names no known start.
     pub case: Option<BroughtUp>,
-    /// What the user must know of it.
+    /// Messages for the user.
     pub words: Vec<String>,
 }
 
-/// What a fragment says, if it is a link to a case.
+/// Content of a fragment, if it is a link to a case.
 pub fn read(fragment: &str, starts: &[Start]) -> Option<Linked> {
     let fragment = fragment.trim_start_matches('#');
     let query = fragment.strip_prefix("/design?")?;
@@ -91,10 +92,10 @@ pub fn read(fragment: &str, starts: &[Start]) -> Option<Linked> {
     Some(Linked { case, words })
 }
 
-/// Keys of a link that are no inputs: check sum, version, start, name.
+/// Keys of a link that are not inputs: checksum, version, start, name.
 const OWN_KEYS: [&str; 4] = ["k", "v", "p", "n"];
 
-/// Whether the check sum is right, if there is one.
+/// Whether the checksum matches, if there is one.
 fn is_whole(query: &str) -> bool {
     let Some((given, rest)) = query
         .strip_prefix("k=")
@@ -105,7 +106,7 @@ fn is_whole(query: &str) -> bool {
     u32::from_str_radix(given, 16).is_ok_and(|given| given == sum(rest))
 }
 
-/// The first characters of what a link holds, for a sentence.
+/// First characters of a link's content, for a message.
 fn short(text: &str) -> String {
     text.chars().take(100).collect()
 }
@@ -257,7 +258,7 @@ mod tests {
             let old = case(link, &starts()).unwrap_or_else(|| panic!("{link}"));
             let id = &link["#/design?p=".len()..].split('&').next().unwrap();
             let base = shipped(Version::FIRST, id).unwrap();
-            // what the link says, and everything else as its shipped case was
+            // the inputs of the link, and everything else as in its shipped case
             for (key, value) in &base.values {
                 if link.contains(&format!("&{key}=")) {
                     let said = link.split(&format!("&{key}=")).nth(1).unwrap();

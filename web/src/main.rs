@@ -1,4 +1,4 @@
-//! The app in the page.
+//! App of the page.
 
 fn main() {
     msape_web::start();

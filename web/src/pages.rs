@@ -1,4 +1,4 @@
-//! One file for each page.
+//! Pages, one file each.
 
 pub mod benchmark;
 pub mod design;

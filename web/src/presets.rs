@@ -3,21 +3,21 @@
 use msape::Case;
 use msape::library::cases;
 
-/// A case that ships with the program.
+/// Shipped case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
     /// Short name, as in links.
     pub id: String,
-    /// Its case.
+    /// Case.
     pub case: Case,
 }
 
-/// The case that the app opens with.
+/// Name of the case shown when the app opens.
 pub const FIRST: &str = "msr-eev-pica";
 /// The report's run page.
 pub const RUN_PAGE: &str = "run-page";
 
-/// The designs that ship with the program, the report's run page last.
+/// Shipped designs, the report's run page last.
 pub fn starts() -> Vec<Start> {
     let mut starts: Vec<Start> = cases()
         .filter_map(|(path, text)| {
@@ -42,7 +42,7 @@ pub fn is_design(case: &Case) -> bool {
     case.values.keys().any(|key| key.starts_with("design."))
 }
 
-/// The case that the app opens with.
+/// Case shown when the app opens.
 pub fn first() -> Case {
     starts()
         .into_iter()

@@ -1,7 +1,7 @@
-//! Messages between the page and its two workers, as postcard bytes: all of them are of one build.
+//! Messages between the page and its two workers, as postcard bytes; both sides are always of the same build.
 //!
-//! The solver gets a [`Job`] and says [`News`]; the toolbox, which starts when it is first asked, gets an [`Ask`] and says what
-//! was [`Told`].
+//! The solver gets a [`Job`] and sends [`News`]; the toolbox, which is started with the first question, gets an [`Ask`]
+//! and sends a [`Told`].
 
 use crate::aerodynamics::{Curves, Question};
 use crate::catalog::Catalog;
@@ -10,89 +10,89 @@ use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case, InputError};
 use serde::{Deserialize, Serialize};
 
-/// What a worker says, as a text, when it has got a question and before it works on it.
+/// Text that a worker sends when it has received a question, before it works on it.
 pub const BEGUN: &str = "begun";
 
-/// What the solver says.
+/// Message of the solver.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum News {
-    /// It is ready, and has read the library.
+    /// The solver is ready and has read the library.
     Ready(Box<Catalog>),
-    /// What became of a job.
+    /// Result of a job.
     Solved(Box<Reply>),
 }
 
-/// What the page asks of the toolbox.
+/// Question to the toolbox.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Ask {
-    /// To measure a batch.
+    /// Time a batch.
     Measure(Batch),
-    /// To fly a vehicle as it is.
+    /// Fly a vehicle as it is.
     Fly(Case),
-    /// For curves of coefficients.
+    /// Compute curves of coefficients.
     Aerodynamics(Box<Question>),
-    /// For the flight of a design with its attitude.
+    /// Fly a design with attitude.
     Attitude(Box<Designed>),
-    /// For one entry of a design from a set of attitudes and rates, by its number in the set.
+    /// Fly one entry of a design from a set of attitudes and rates, by its index in the set.
     Turn(Box<Designed>, u32),
-    /// To read the rows of a file, in bytes.
+    /// Read the rows of a file, in bytes.
     Read(FileKind, Vec<u8>),
-    /// To write a model as a file.
+    /// Write a model as a file.
     Write(Format, Box<Model>),
 }
 
-/// What the toolbox replies.
+/// Answer of the toolbox.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Told {
-    /// Time that a batch took, ms, or why it could not be measured.
+    /// Time of a batch, ms, or the reason why it could not be measured.
     Measured(Result<f64, String>),
-    /// A flight, or every fault of its case.
+    /// A flight, or all faults of its case.
     Flown(Box<Result<Answer, Vec<Fault>>>),
-    /// Curves of coefficients, or every fault of their case.
+    /// Curves of coefficients, or all faults of their case.
     Aerodynamics(Box<Result<Curves, Vec<Fault>>>),
-    /// An entry of the set, or every fault of its case.
+    /// An entry of the set, or all faults of its case.
     Turned(Box<Result<Turn, Vec<Fault>>>),
-    /// The rows of a file, or every fault of it.
+    /// The rows of a file, or all of its faults.
     Read(Result<ReadRows, Vec<String>>),
     /// A file, in bytes.
     Written(Vec<u8>),
 }
 
-/// A case and its design, as the solver found it.
+/// Case and its design from the solver.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Designed {
     /// The case.
     pub case: Case,
-    /// The design, with the flight of its point mass.
+    /// Design, with the flight of its point mass.
     pub answer: Answer,
 }
 
-/// What is read from a file.
+/// Kind of file to read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FileKind {
     /// Rows for a table of a case.
     Table {
         /// Key of the table.
         table: String,
-        /// Key that names its file in a case.
+        /// Key that names the file in a case.
         file: String,
-        /// The case that it is for.
+        /// Case that uses the table.
         case: Box<Case>,
     },
     /// Coefficients with angles of attack.
     Coefficients,
-    /// An outline: the name of its file, and the symbol of its unit where one is given.
+    /// Outline: name of the file, and symbol of its unit if given.
     Outline(String, Option<String>),
 }
 
-/// Rows of a file.
+/// Rows read from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadRows {
     /// Key of the input that takes them.
     pub key: String,
-    /// Rows as a case takes them.
+    /// Rows in the form of a case.
     pub rows: Vec<Vec<f64>>,
-    /// What the reader decided.
+    /// Messages of the reader.
     pub remarks: Vec<String>,
 }
 
@@ -101,36 +101,36 @@ pub struct ReadRows {
 pub struct Batch {
     /// Index of the job.
     pub job: u32,
-    /// How often it is done.
+    /// Number of repetitions.
     pub repetitions: u32,
 }
 
-/// A case to be solved.
+/// Case to be solved.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Job {
     /// Number of the job; a greater one is newer.
     pub id: u64,
-    /// What is asked for.
+    /// Case.
     pub case: Case,
 }
 
-/// What became of a job.
+/// Result of a job.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Reply {
     /// Number of the job.
     pub id: u64,
-    /// The answer, or every fault of the case.
+    /// Answer, or all faults of the case.
     pub result: Result<Answer, Vec<Fault>>,
-    /// Time that solving took, ms.
+    /// Solution time, ms.
     pub duration_ms: f64,
 }
 
-/// A fault of the input.
+/// Fault of the input.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fault {
-    /// Dotted key; empty when the whole case is at fault.
+    /// Dotted key; empty for a fault of the whole case.
     pub key: String,
-    /// What was got and what must be.
+    /// Value received and requirement.
     pub message: String,
 }
 
@@ -143,15 +143,15 @@ impl From<InputError> for Fault {
     }
 }
 
-/// The bytes of a message.
+/// Encodes a message.
 ///
 /// # Errors
-/// What postcard cannot write.
+/// Errors of postcard.
 pub fn encode<T: Serialize>(message: &T) -> Result<Vec<u8>, postcard::Error> {
     postcard::to_allocvec(message)
 }
 
-/// The message in some bytes.
+/// Decodes a message.
 ///
 /// # Errors
 /// Bytes of another build.

@@ -1,7 +1,8 @@
-//! Keeps every document, and opens what was kept.
+//! Automatic saving of every document, and restoring of stored work.
 //!
-//! One transaction is under way; of the documents that come meanwhile only the newest of each place is written. What the browser refuses is
-//! tried again, later each time. What another tab wrote is never written over: see [`crate::storage::ledger`].
+//! At most one transaction is active; of the documents that arrive meanwhile only the newest of each place is written.
+//! A failed write is repeated with increasing delay. Changes of another tab are never overwritten: see
+//! [`crate::storage::ledger`].
 
 pub mod choices;
 mod closing;
@@ -25,34 +26,34 @@ use std::time::Duration;
 use waiting::Waiting;
 use wasm_bindgen_futures::spawn_local;
 
-/// Wait before the first new trial, ms; it doubles each time.
+/// Delay before the first repetition, ms; it doubles each time.
 const RETRY_MS: u64 = 500;
-/// Longest wait before a new trial, ms.
+/// Longest delay before a repetition, ms.
 const RETRY_MAX_MS: u64 = 30_000;
 
-/// What keeps documents.
+/// Automatic saver of documents.
 #[derive(Clone)]
 pub struct Saver(Rc<Inner>);
 
 struct Inner {
     state: State,
     store: Store,
-    /// There is none before the records have been read; until then nothing is written.
+    /// `None` before the records have been read; until then nothing is written.
     ledger: RefCell<Option<Ledger>>,
-    /// Documents that are not committed.
+    /// Documents not yet committed.
     waiting: RefCell<Waiting>,
-    /// The document of the transaction under way.
+    /// Document of the active transaction.
     under_way: RefCell<Option<Arc<Document>>>,
     failures: Cell<u32>,
     retry: Cell<Option<TimeoutHandle>>,
-    /// Identifier of the record for what is not written when the page is closed.
+    /// Identifier of the record for unsaved work when the page is closed.
     last: String,
-    /// Identifiers under which something was handed over.
+    /// Identifiers under which unsaved work was handed over.
     last_written: RefCell<Vec<String>>,
 }
 
 impl Saver {
-    /// Opens what was kept, and from then on keeps every document. `linked`: the document is of a link.
+    /// Restores stored work and from then on saves every document. `linked`: the document comes from a link.
     pub fn start(state: State, linked: bool) -> Saver {
         let last = match Apart::place(Why::Closed, None) {
             Place::Apart(apart) => apart.id.clone(),
@@ -107,8 +108,8 @@ impl Saver {
         });
     }
 
-    /// Reads all records. What closed pages handed over becomes records, and stored work that cannot be read is moved out of the
-    /// way; where the browser refuses that, it is told, and what is stored opens all the same.
+    /// Reads all records. Unsaved work of closed pages becomes records, and stored work that cannot be read is moved
+    /// aside; if the browser refuses that, the user is told and the stored work is opened nevertheless.
     async fn take_stock(&self) -> Result<Stock, String> {
         let mut refused = Vec::new();
         if let Err(reason) = self.take_last().await {
@@ -128,7 +129,7 @@ impl Saver {
         Ok(stock)
     }
 
-    /// All records, and what could not be made one.
+    /// All records, and the unsaved work that could not be made one.
     async fn load(&self) -> Result<Stock, String> {
         let mut records = self.0.store.load().await?;
         for (key, found) in handed_over() {
@@ -170,7 +171,7 @@ impl Saver {
                     *history = History::new(work);
                 }
                 (Some(work), _) => {
-                    // What was kept stays, and is one undo away.
+                    // stored work is kept and can be reached by undo
                     let opened = linked.then(|| history.present().case.clone());
                     let why = if linked { Why::Link } else { Why::Early };
                     let shown = Document {
@@ -188,19 +189,19 @@ impl Saver {
             history.change_all(|document| Some(document.with_items_of(&items)));
         });
         self.0.ledger.replace(Some(stock.ledger));
-        // What waits was shown before the records had been read.
+        // documents waiting now were shown before the records had been read
         self.0.waiting.replace(Waiting::default());
         self.show_waits();
         self.write_next();
     }
 
-    /// What is shown waits to be written.
+    /// Updates the display that something waits to be written.
     fn show_waits(&self) {
         let shown = self.0.state.document.get_untracked();
         self.0.waiting.borrow_mut().put(shown);
     }
 
-    /// Writes the next document, if none is being written.
+    /// Writes the next document, unless a write is active.
     fn write_next(&self) {
         let inner = &self.0;
         if inner.ledger.borrow().is_none() || inner.under_way.borrow().is_some() {
@@ -249,7 +250,7 @@ impl Saver {
         match inner.store.write(&changes).await? {
             Written::All => with_ledger(&mut |ledger| ledger.committed(document, &changes)),
             Written::Nothing(clashes) => {
-                // After the next trial, unless what follows makes a newer document.
+                // written again after the clash is resolved, unless that makes a newer document
                 inner.waiting.borrow_mut().put_back(document.clone());
                 for (key, found) in clashes {
                     let mut verdict = Verdict::Again;
@@ -263,7 +264,7 @@ impl Saver {
         Ok(())
     }
 
-    /// Changes the document so that it can be kept beside what another tab wrote.
+    /// Changes the document so that it can be stored beside the changes of another tab.
     fn settle(&self, key: &Key, found: Option<&Found>, verdict: Verdict) {
         let state = self.0.state;
         let notice = |text: String| state.notice.set(text);
@@ -296,7 +297,7 @@ impl Saver {
         self.show_waits();
     }
 
-    /// From now on, documents whose record this was are kept apart.
+    /// From now on, documents of this record are stored separately.
     fn part(&self, key: &Key, why: Why) {
         let place = Apart::place(why, None);
         let parted = |document: &Document| {
@@ -318,7 +319,7 @@ impl Saver {
         match &document.place {
             Place::Apart(apart) if !document.is_view() => {
                 remember_own(Some(&apart.id));
-                // A reload goes on with what was made of the link.
+                // a reload continues with the record, not with the link
                 leave_link();
             }
             Place::Apart(_) => {}

@@ -1,18 +1,18 @@
-//! The worker's end of the line to the page.
+//! Worker side of the connection to the page.
 
 use crate::protocol::BEGUN;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
-/// A fault as the page hears it.
+/// An error as sent to the page.
 pub fn said(error: impl ToString) -> JsValue {
     JsValue::from_str(&error.to_string())
 }
 
-/// Posts that the worker is ready, that it has got a message, and the answer to it.
+/// Posts that the worker is ready, that it has received a message, and the answer to it.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 pub fn until_closed(
     ready: JsValue,
     answer: impl Fn(&[u8]) -> Result<Vec<u8>, JsValue> + 'static,
@@ -28,7 +28,7 @@ pub fn until_closed(
         }
     });
     scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
-    // The worker listens as long as it lives.
+    // the worker listens as long as it lives
     on_message.forget();
     scope.post_message(&ready)
 }

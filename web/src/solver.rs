@@ -1,4 +1,4 @@
-//! What the worker does with a case.
+//! Solver of cases, run in the worker.
 
 use crate::catalog::Catalog;
 use crate::clock::now_ms;
@@ -6,13 +6,13 @@ use crate::protocol::{Fault, Job, News, Reply, decode, encode};
 use msape::library::DataError;
 use msape::{Library, Request, design};
 
-/// Solves jobs with the library that ships with the program.
+/// Solver with the built-in library.
 pub struct Solver {
     library: Library,
 }
 
 impl Solver {
-    /// A solver.
+    /// A new solver.
     ///
     /// # Errors
     /// A data file that cannot be read.
@@ -21,18 +21,18 @@ impl Solver {
         Ok(Solver { library })
     }
 
-    /// What is said first, as bytes.
+    /// The first message, as bytes.
     ///
     /// # Errors
-    /// What postcard cannot write.
+    /// Errors of postcard.
     pub fn ready(&self) -> Result<Vec<u8>, postcard::Error> {
         encode(&News::Ready(Box::new(Catalog::of(&self.library))))
     }
 
-    /// The news of a job, both as bytes.
+    /// Result of a job, both as bytes.
     ///
     /// # Errors
-    /// Bytes that are no job.
+    /// Bytes that are not a job.
     pub fn solve(&self, job: &[u8]) -> Result<Vec<u8>, postcard::Error> {
         let Job { id, case } = decode(job)?;
         let start_ms = now_ms();

@@ -1,4 +1,4 @@
-//! The app's state: signals that components read, and the few ways to change them.
+//! State of the app: signals that components read, and the functions that change them.
 
 pub mod check;
 pub mod document;
@@ -25,21 +25,21 @@ use preferences::Preferences;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// An answer together with the case that it belongs to.
+/// Answer with its case.
 #[derive(Clone, Debug)]
 pub struct Solved {
     /// Number of the job.
     pub id: u64,
-    /// What was asked.
+    /// Case of the job.
     pub case: Arc<Case>,
-    /// What came out.
+    /// Answer.
     pub answer: Answer,
-    /// Time that solving took, ms.
+    /// Solution time, ms.
     pub duration_ms: f64,
 }
 
 impl Solved {
-    /// What the toolbox is asked about.
+    /// Case and design, for questions to the toolbox.
     fn designed(&self) -> Designed {
         Designed {
             case: (*self.case).clone(),
@@ -54,18 +54,18 @@ impl PartialEq for Solved {
     }
 }
 
-/// How the newest answer stands to the input.
+/// Relation of the newest answer to the input.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Phase {
-    /// It belongs to the input.
+    /// Up to date.
     Fresh,
-    /// A newer one is being computed.
+    /// A newer answer is being computed.
     Updating,
-    /// The same, and it takes long, in words.
+    /// A newer answer is being computed and takes long; message.
     Long(String),
-    /// The input has faults; the answer is of the last input that had none.
+    /// The input has faults; the answer belongs to the last valid input.
     AtFault,
-    /// The solver failed.
+    /// The solver failed; message.
     Failed(String),
 }
 
@@ -74,47 +74,47 @@ pub enum Phase {
 pub struct State {
     /// The undo stack.
     pub history: RwSignal<History>,
-    /// Count of undos and redos: what was being typed before one is forgotten.
+    /// Number of undos and redos: fields discard text being typed when it changes.
     pub turns: RwSignal<u32>,
-    /// Its present document.
+    /// Current document of the stack.
     pub document: Memo<Arc<Document>>,
     /// The case of the document.
     pub case: Memo<Arc<Case>>,
-    /// How each input stands.
+    /// State of each input.
     pub checks: Memo<Arc<Checks>>,
     /// The newest answer.
     pub latest: RwSignal<Option<Arc<Solved>>>,
-    /// Faults of the newest input, as the solver found them.
+    /// Faults of the newest input, from the solver.
     pub faults: RwSignal<Arc<Vec<Fault>>>,
-    /// How the newest answer stands to the input.
+    /// Relation of the newest answer to the input.
     pub phase: RwSignal<Phase>,
-    /// Row of the time history under the cursor that all charts share.
+    /// Row of the time history at the cursor shared by all charts.
     pub cursor: RwSignal<Option<usize>>,
-    /// What the browser keeps.
+    /// State of storage.
     pub keeping: Keeping,
     /// Result of the last action, for the status line.
     pub notice: RwSignal<String>,
-    /// Faults of the last file that was opened.
+    /// Faults of the last opened file.
     pub file_faults: RwSignal<Vec<String>>,
-    /// What changed since the last case that was opened was made by an earlier version.
+    /// Changes since the version that made the last opened case.
     pub version_remarks: RwSignal<Vec<String>>,
-    /// Look and depth of the page.
+    /// Display preferences.
     pub preferences: Preferences,
-    /// What a case may name; absent until the worker is ready.
+    /// Library data; `None` until the worker is ready.
     pub catalog: RwSignal<Option<Arc<Catalog>>>,
-    /// Inputs that the next flight of an outline begins with.
+    /// Inputs with which the next flight of an outline starts.
     pub flight_fields: StoredValue<Option<Case>>,
     /// Time from navigation to the first answer, ms.
     pub first_answer_ms: RwSignal<Option<f64>>,
     solver: StoredValue<Option<WorkerLink>, LocalStorage>,
-    /// Started when it is first asked.
+    /// Connection to the toolbox, started with the first question.
     toolbox: StoredValue<Option<WorkerLink>, LocalStorage>,
-    /// What keeps documents.
+    /// Automatic saver.
     pub saver: StoredValue<Option<Saver>, LocalStorage>,
 }
 
 impl State {
-    /// The state around a first document; solving starts at once.
+    /// State with a first document; solving starts at once.
     pub fn new(document: Document, preferences: Preferences) -> State {
         let history = RwSignal::new(History::new(document));
         let document = Memo::new(move |_| history.with(|history| history.present().clone()));
@@ -149,14 +149,14 @@ impl State {
         state
     }
 
-    /// The state of the app around this component.
+    /// State provided by an ancestor of this component.
     pub fn expect() -> State {
         expect_context::<State>()
     }
 
     fn solve_on_change(self) {
         let newest = StoredValue::new(0_u64);
-        // The cases of jobs that have no reply yet.
+        // cases of jobs without a reply so far
         let asked: StoredValue<BTreeMap<u64, Arc<Case>>> = StoredValue::new(BTreeMap::new());
         let replies: StoredValue<Option<Reply>> = StoredValue::new(None);
         let take = move || {
@@ -172,7 +172,7 @@ impl State {
                 self.take(reply, newest.get_value(), case);
             }
         };
-        // Several times a second the same.
+        // the same phase arrives several times a second
         let say = move |phase: Phase| {
             if self.phase.with_untracked(|said| *said != phase) {
                 self.phase.set(phase);
@@ -182,7 +182,7 @@ impl State {
             News::Failed(message) => say(Phase::Failed(message)),
             News::Long(words) => say(Phase::Long(words)),
             News::Told(protocol::News::Ready(catalog)) => self.learn(*catalog),
-            // The screen shows one answer a frame; of several, the newest.
+            // the screen shows one answer per frame, the newest
             News::Told(protocol::News::Solved(reply)) => {
                 let waits = replies.with_value(Option::is_some);
                 replies.set_value(Some(*reply));
@@ -201,25 +201,25 @@ impl State {
         });
     }
 
-    /// A worker that is started anew says the same again: the lists on the screen stay.
+    /// Takes the catalog; a restarted worker sends the same one, which must not rebuild the lists on screen.
     fn learn(self, catalog: Catalog) {
         if self.catalog.with_untracked(Option::is_none) {
             self.catalog.set(Some(Arc::new(catalog)));
         }
     }
 
-    /// What an input may be.
+    /// Allowed values of an input.
     pub fn names(self, input: &Input) -> Names {
         self.catalog
             .with(|catalog| catalog::names(catalog.as_deref(), input))
     }
 
-    /// The line to the toolbox.
+    /// Connection to the toolbox.
     fn toolbox(self) -> WorkerLink {
         if let Some(link) = self.toolbox.get_value() {
             return link;
         }
-        // A question that is under way when it fails is told so.
+        // no news handler: the pending question gets the error if the worker fails
         let link = WorkerLink::start(Role::Toolbox, |_| {});
         self.toolbox.set_value(Some(link.clone()));
         link
@@ -251,7 +251,7 @@ impl State {
         }
     }
 
-    /// Ends the run that is under way.
+    /// Ends the active run.
     pub fn stop_solving(self) {
         if let Some(link) = self.solver.get_value() {
             link.stop();
@@ -266,20 +266,20 @@ impl State {
         }
     }
 
-    /// Time that a batch takes in the worker, ms.
+    /// Time of a batch in the worker, ms.
     ///
     /// # Errors
-    /// Why it could not be measured.
+    /// The reason why it could not be measured.
     pub async fn measure(self, batch: Batch) -> Result<f64, String> {
         self.toolbox().measure(batch).await
     }
 
-    /// A flight of a vehicle as it is, or every fault of its case; nothing if the asker asks anew.
+    /// Flight of a vehicle as it is, or all faults of its case; `None` if the asker has a newer question.
     pub async fn fly(self, asker: Asker, case: Case) -> Option<Result<Answer, Vec<Fault>>> {
         self.toolbox().fly(asker, case).await
     }
 
-    /// The flight of a design with its attitude, or every fault of its case; nothing if the asker asks anew.
+    /// Flight of a design with attitude, or all faults of its case; `None` if the asker has a newer question.
     pub async fn attitude(
         self,
         asker: Asker,
@@ -288,10 +288,10 @@ impl State {
         self.toolbox().attitude(asker, solved.designed()).await
     }
 
-    /// One entry of a design from a set of attitudes and rates, or every fault of its case.
+    /// One entry of a design from a set of attitudes and rates, or all faults of its case.
     ///
     /// # Errors
-    /// Why the worker did not answer.
+    /// The reason why the worker did not answer.
     pub async fn turn(
         self,
         solved: &Solved,
@@ -300,7 +300,7 @@ impl State {
         self.toolbox().turn(solved.designed(), number).await
     }
 
-    /// Curves of coefficients, or every fault of their case; nothing if the asker asks anew.
+    /// Curves of coefficients, or all faults of their case; `None` if the asker has a newer question.
     pub async fn aerodynamics(
         self,
         asker: Asker,
@@ -312,12 +312,12 @@ impl State {
     /// The rows of a file.
     ///
     /// # Errors
-    /// Every fault of it, or why the worker did not answer.
+    /// All faults of the file, or the reason why the worker did not answer.
     pub async fn read(self, kind: FileKind, bytes: Vec<u8>) -> Result<ReadRows, Vec<String>> {
         self.toolbox().read(kind, bytes).await
     }
 
-    /// The rows of a text that is being typed, or every fault of it; nothing if the asker asks anew.
+    /// Rows of a text that is being typed, or all of its faults; `None` if the asker has a newer question.
     pub async fn read_newest(
         self,
         asker: Asker,
@@ -331,24 +331,24 @@ impl State {
     /// A model as a file, in bytes.
     ///
     /// # Errors
-    /// Why the worker did not answer.
+    /// The reason why the worker did not answer.
     pub async fn write(self, format: Format, model: Model) -> Result<Vec<u8>, String> {
         self.toolbox().write(format, model).await
     }
 
-    /// Takes the last change back.
+    /// Undoes the last change.
     pub fn undo(self) {
         self.turns.update(|turns| *turns += 1);
         self.history.update(History::undo);
     }
 
-    /// Repeats the change last taken back.
+    /// Repeats the last undone change.
     pub fn redo(self) {
         self.turns.update(|turns| *turns += 1);
         self.history.update(History::redo);
     }
 
-    /// Replaces the document; edits with one `tag` in a row are one step to undo.
+    /// Replaces the document; consecutive edits with the same `tag` are one undo step.
     pub fn edit(self, label: &str, tag: Option<&str>, change: impl FnOnce(&Document) -> Document) {
         let document = self
             .history
@@ -357,12 +357,12 @@ impl State {
             .update(|history| history.edit(label, tag, document));
     }
 
-    /// Ends a row of edits.
+    /// Ends a sequence of edits.
     pub fn close_step(self) {
         self.history.update_untracked(History::close);
     }
 
-    /// How one input stands.
+    /// State of one input.
     pub fn check(self, key: &'static str) -> Memo<Check> {
         Memo::new(move |_| {
             let mut check = self
@@ -381,7 +381,7 @@ impl State {
         })
     }
 
-    /// A slice of the newest answer.
+    /// Part of the newest answer.
     pub fn of_answer<T>(self, get: impl Fn(&Answer) -> T + Send + Sync + 'static) -> Memo<Option<T>>
     where
         T: PartialEq + Send + Sync + 'static,

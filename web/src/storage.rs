@@ -1,5 +1,5 @@
-//! What is kept in the browser, in IndexedDB: case and units as they are now, imported outlines and tables, and the named runs,
-//! each a record of its own.
+//! Storage in the browser's IndexedDB: current case and units, imported outlines and tables, and named runs, each in a
+//! record of its own.
 
 pub mod ledger;
 pub mod record;
@@ -21,32 +21,32 @@ use wasm_bindgen_futures::JsFuture;
 const DATABASE: &str = "msape";
 const VERSION: u32 = 1;
 
-/// The database. It is opened when it is first needed, and anew after a failure.
+/// Database, opened on first use and again after a failure.
 #[derive(Clone, Default)]
 pub struct Store(Rc<RefCell<Line>>);
 
 #[derive(Default)]
 struct Line {
     database: Option<Rc<Database>>,
-    /// Resolved when the opening that is under way has ended, well or not.
+    /// Promise resolved when the active opening has ended, successfully or not.
     opening: Option<Promise>,
 }
 
 impl Store {
-    /// All records.
+    /// Reads all records.
     ///
     /// # Errors
-    /// Why the browser refuses, in words.
+    /// The browser's reason for refusing.
     pub async fn load(&self) -> Result<Vec<(Key, Found)>, String> {
         let database = self.database().await?;
         let loaded = load(&database).await;
         self.unless_failed(loaded)
     }
 
-    /// Makes all changes, or none: where a record is not as expected, where the browser gives the transaction up.
+    /// Makes all changes or none: the transaction is aborted if a record is not as expected.
     ///
     /// # Errors
-    /// Why the browser refuses, in words.
+    /// The browser's reason for refusing.
     pub async fn write(&self, changes: &[Change]) -> Result<Written, String> {
         if changes.is_empty() {
             return Ok(Written::All);
@@ -56,20 +56,20 @@ impl Store {
         self.unless_failed(written)
     }
 
-    /// Moves a record as it is, whatever it holds.
+    /// Moves a record unchanged, whatever its content.
     ///
     /// # Errors
-    /// Why the browser refuses, in words.
+    /// The browser's reason for refusing.
     pub async fn set_aside(&self, key: &Key, to: &Key) -> Result<(), String> {
         let database = self.database().await?;
         let moved = set_aside(&database, key, to).await;
         self.unless_failed(moved)
     }
 
-    /// Removes a record, whatever it holds.
+    /// Removes a record, whatever its content.
     ///
     /// # Errors
-    /// Why the browser refuses, in words.
+    /// The browser's reason for refusing.
     pub async fn remove(&self, key: &Key) -> Result<(), String> {
         let database = self.database().await?;
         let removed = remove(&database, key).await;
@@ -84,7 +84,7 @@ impl Store {
             let Some(opening) = self.0.borrow().opening.clone() else {
                 break;
             };
-            // It is never rejected; who waits looks again.
+            // the promise is never rejected; the caller checks the result itself
             let _ = JsFuture::from(opening).await;
         }
         let mut end = None;
@@ -97,7 +97,7 @@ impl Store {
             opening: None,
         };
         if let Some(end) = end {
-            // Resolving a promise throws nothing.
+            // resolving a promise does not throw
             let _ = end.call0(&JsValue::UNDEFINED);
         }
         opened
@@ -117,7 +117,7 @@ impl Store {
     }
 }
 
-/// Why the browser refuses, in words.
+/// The browser's reason for refusing.
 struct Failure(String);
 
 impl From<idb::Error> for Failure {
@@ -141,7 +141,7 @@ async fn open(store: Store) -> Result<Database, idb::Error> {
         }
     });
     let mut database = request.await?;
-    // A later version of the program wants to change the database, and must not wait for this tab.
+    // a later version of the program wants to upgrade the database and must not wait for this tab
     database.on_version_change(move |_| store.close());
     Ok(database)
 }
@@ -154,7 +154,7 @@ fn shelf(transaction: &Transaction, key: &Key) -> Result<ObjectStore, idb::Error
     transaction.object_store(key.shelf.name())
 }
 
-/// Waits until a transaction is on disk, as far as the browser says.
+/// Waits until a transaction is committed.
 async fn committed(transaction: Transaction) -> Result<(), Failure> {
     match transaction.commit()?.await? {
         TransactionResult::Committed => Ok(()),
@@ -186,19 +186,19 @@ async fn write(database: &Database, changes: &[Change]) -> Result<Written, Failu
     match clashes {
         Ok(clashes) if clashes.is_empty() => committed(transaction).await.map(|()| Written::All),
         Ok(clashes) => {
-            // Nothing was asked for that could be taken back.
+            // no change was requested that would need an abort
             let _ = transaction.abort();
             Ok(Written::Nothing(clashes))
         }
         Err(error) => {
-            // What was written before the failure must not stay alone; one that is over needs no abort.
+            // writes before the failure must not be committed alone; a finished transaction needs no abort
             let _ = transaction.abort();
             Err(error)
         }
     }
 }
 
-/// Asks for all changes if every record is as expected.
+/// Requests all changes if every record is as expected.
 async fn try_change(transaction: &Transaction, changes: &[Change]) -> Result<Vec<Clash>, Failure> {
     let mut clashes = Vec::new();
     for Change { key, expected, .. } in changes {
@@ -241,7 +241,7 @@ async fn remove(database: &Database, key: &Key) -> Result<(), Failure> {
     committed(transaction).await
 }
 
-/// What a value is; nothing where there is no record.
+/// Content of a value; `None` if there is no record.
 fn found(value: &JsValue) -> Option<Found> {
     if value.is_undefined() {
         return None;
@@ -257,12 +257,12 @@ fn found(value: &JsValue) -> Option<Found> {
     })
 }
 
-/// Whether the browser has promised never to clear what is kept.
+/// Whether the browser has promised not to clear the storage.
 pub async fn is_protected() -> bool {
     answer(leptos::prelude::window().navigator().storage().persisted()).await
 }
 
-/// Asks the browser never to clear what is kept; whether it promises.
+/// Asks the browser not to clear the storage; returns whether it promises.
 pub async fn protect() -> bool {
     answer(leptos::prelude::window().navigator().storage().persist()).await
 }

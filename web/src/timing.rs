@@ -1,28 +1,28 @@
-//! How often a job is repeated until its time is known.
+//! Number of repetitions needed to time a job.
 
-/// Time that a batch takes at least, ms: far above the grain of browsers' clocks, which is up to 1 ms.
+/// Shortest duration of a batch, ms: far above the resolution of browser clocks, which is up to 1 ms.
 const BATCH_MS: f64 = 20.0;
-/// Time for which a job is measured at least, ms.
+/// Shortest total duration of a measurement, ms.
 const ALL_MS: f64 = 300.0;
-/// Batches of which the median is taken at least.
+/// Least number of batches for the median.
 const BATCHES_MIN: usize = 9;
 
-/// Batches of one job.
+/// Measurement of one job.
 #[derive(Clone, Debug)]
 pub struct Timing {
-    /// Repetitions in the next batch.
+    /// Repetitions of the next batch.
     pub repetitions: u32,
     batches: Vec<Measured>,
-    /// Time of all batches, ms.
+    /// Total duration of the batches, ms.
     all_ms: f64,
 }
 
-/// How long a job takes.
+/// Measured time of a job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Time of one repetition, ms.
     pub time_ms: f64,
-    /// The same over that of the reference.
+    /// Ratio to the time of the reference.
     pub ratio: f64,
 }
 
@@ -37,8 +37,8 @@ impl Default for Timing {
 }
 
 impl Timing {
-    /// Whether a batch of this time, ms, is too short to be taken: then the next is twice as long. Meanwhile the browser
-    /// compiles what is repeated.
+    /// Whether a batch of this duration, ms, is too short to count; the next is then twice as long. Meanwhile the
+    /// browser compiles the code.
     pub fn is_short(&mut self, batch_ms: f64) -> bool {
         let short = self.batches.is_empty() && batch_ms < BATCH_MS;
         if short {
@@ -47,8 +47,8 @@ impl Timing {
         short
     }
 
-    /// Takes the time of a batch, ms, and that of one repetition of the reference beside it, ms: a busy moment of the
-    /// machine meets both.
+    /// Adds the duration of a batch, ms, and that of one repetition of the reference measured beside it, ms: load on
+    /// the machine affects both.
     pub fn take(&mut self, batch_ms: f64, reference_ms: f64) {
         let time_ms = batch_ms / f64::from(self.repetitions);
         let ratio = time_ms / reference_ms;
@@ -56,12 +56,12 @@ impl Timing {
         self.all_ms += batch_ms;
     }
 
-    /// Whether this is enough.
+    /// Whether there are enough measurements.
     pub fn is_done(&self) -> bool {
         self.all_ms >= ALL_MS && self.batches.len() >= BATCHES_MIN
     }
 
-    /// Medians over the batches.
+    /// Median of the batches.
     pub fn median(&self) -> Option<Measured> {
         let median = |of: fn(&Measured) -> f64| {
             let mut sorted: Vec<f64> = self.batches.iter().map(of).collect();
@@ -90,7 +90,7 @@ mod tests {
                 timing.take(batch_ms, 0.5);
             }
         }
-        // 1, 2, 4, 8, 16 are too short; 10 x 32 ms >= 300 ms.
+        // 1, 2, 4, 8, 16 are too short; 10 × 32 ms ≥ 300 ms
         assert_eq!((timing.repetitions, batches), (32, 5 + 10));
         let (time_ms, ratio) = (1.0, 2.0);
         assert_eq!(timing.median(), Some(Measured { time_ms, ratio }));
@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn a_busy_moment_moves_neither_median() {
         let mut timing = Timing::default();
-        // The third batch met it together with the reference, the fourth alone.
+        // load on the machine in the third batch affects both, in the fourth only the job
         for (batch_ms, reference_ms) in [
             (30.0, 10.0),
             (31.0, 10.0),

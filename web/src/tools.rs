@@ -1,4 +1,4 @@
-//! What the toolbox does: what the page asks for now and then, in a worker that is fetched on first use.
+//! Toolbox: occasional tasks of the page, in a worker that is loaded on first use.
 
 mod read;
 
@@ -16,20 +16,20 @@ use msape::progress::Unwatched;
 use msape::{Answer, Case, InputError, Library, Request, fly};
 use std::cell::OnceCell;
 
-/// Rows of a history of attitude: it turns several times a second for minutes.
+/// Number of rows of an attitude history: oscillations of several Hz over minutes.
 const ATTITUDE_ROWS: f64 = 8000.0;
 
-/// Answers questions with the library that ships with the program.
+/// Answers questions with the built-in library.
 pub struct Toolbox {
     library: Library,
-    /// Made when it is first asked for.
+    /// Benchmark jobs, created on first use.
     bench: OnceCell<Result<Bench, DataError>>,
-    /// The database that was last asked for.
+    /// Cache of the last aerodynamic database.
     aerodynamics: Kept,
 }
 
 impl Toolbox {
-    /// A toolbox.
+    /// A new toolbox.
     ///
     /// # Errors
     /// A data file that cannot be read.
@@ -41,10 +41,10 @@ impl Toolbox {
         })
     }
 
-    /// The answer to a question, both as bytes.
+    /// Answer to a question, both as bytes.
     ///
     /// # Errors
-    /// Bytes that are no question.
+    /// Bytes that are not a question.
     pub fn answer(&self, ask: &[u8]) -> Result<Vec<u8>, postcard::Error> {
         encode(&match decode(ask)? {
             Ask::Measure(batch) => Told::Measured(self.measure(batch)),
@@ -61,7 +61,7 @@ impl Toolbox {
         })
     }
 
-    /// The flight of a design with its attitude.
+    /// Flight of a design with attitude.
     fn attitude(&self, designed: &Designed) -> Result<Answer, Vec<Fault>> {
         let (_, flight) = vehicle(designed)?;
         let step_s = (flight.time_of_flight_s / ATTITUDE_ROWS).clamp(0.01, 10.0);
@@ -98,7 +98,7 @@ impl Toolbox {
     }
 }
 
-/// What a design has that could fly, and the flight of its point mass.
+/// Vehicle of a design and the flight of its point mass.
 fn vehicle(designed: &Designed) -> Result<(&Design, &Flight), Vec<Fault>> {
     let answer = &designed.answer;
     let vehicle = answer.design.as_ref().zip(answer.flight.as_ref());
@@ -135,7 +135,7 @@ mod tests {
         let own = fly(&designed.case, &toolbox.library, Request::Nothing).unwrap();
         let peak = |answer: &Answer| answer.flight.as_ref().unwrap().peak_deceleration_earth_g;
         assert_eq!(peak(&flown).value, peak(&own).value);
-        // A mass that no design has gives another flight: nothing is designed anew.
+        // a changed mass, which no design has, changes the flight: the vehicle is not designed again
         designed
             .answer
             .design

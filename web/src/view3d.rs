@@ -1,10 +1,10 @@
-//! A vehicle in three dimensions, by WebGL2: profiles that the graphics processor turns about the axis.
+//! Vehicle in three dimensions with WebGL2: profiles revolved by the graphics processor.
 //!
-//! - [`attitude`]: how a vehicle is turned in flight.
-//! - [`lathe`]: profiles as edges with normals. [`scene`]: the parts of a vehicle. [`camera`]: from where it is looked at.
-//! - [`pick`]: what is under the pointer. [`paint`]: colours. [`renderer`]: the only file that speaks to the graphics processor.
+//! - [`attitude`]: attitude of a vehicle in flight.
+//! - [`lathe`]: profiles as edges with normals. [`scene`]: the parts of a vehicle. [`camera`]: viewpoint.
+//! - [`pick`]: part under the pointer. [`paint`]: colors. [`renderer`]: the only file that uses WebGL.
 //!
-//! Only half-sections are uploaded, some thousand vertices: turning and cutting are done by the vertex shader, so that a moved
+//! Only half-sections are uploaded, a few thousand vertices: the vertex shader revolves and cuts them, so that a moved
 //! slider costs no more than sampling the profiles. The cut faces are filled through the stencil buffer.
 
 pub mod attitude;

@@ -1,7 +1,7 @@
-//! The page's end of the line to a worker: to the solver, or to the toolbox. Of jobs the newest wins: one is under way, at most one
-//! waits, and a worker that keeps it waiting is ended. Questions are answered one after the other, and of each asker the newest wins
-//! ([`queue`]). A worker that fails, or of which nothing is heard ([`watch`]), is started anew where something waits for it, later each
-//! time, until the user asks again.
+//! The page's connection to a worker: the solver or the toolbox. Only the newest job counts: one is active, at most one
+//! waits, and a worker that keeps it waiting is terminated. Questions are answered one after the other, and only the
+//! newest of each asker counts ([`queue`]). A worker that fails or is silent ([`watch`]) is restarted if something
+//! waits for it, with increasing delay, until the user asks again.
 
 mod questions;
 mod queue;
@@ -22,39 +22,39 @@ use wasm_bindgen_futures::JsFuture;
 use watch::{Phase, Verdict, Watch};
 use web_sys::{MessageEvent, Worker};
 
-/// What the page hears of the worker.
+/// News from a connection.
 pub enum News {
-    /// What the solver says.
+    /// Message of the solver.
     Told(protocol::News),
-    /// It takes long, in words.
+    /// The work takes long; message.
     Long(String),
-    /// The worker failed, in words.
+    /// The worker failed; message.
     Failed(String),
 }
 
-/// Time between two looks at the worker.
+/// Interval between checks of the worker.
 const LOOK: Duration = Duration::from_millis(250);
 
-/// What is said when the user ended a run.
+/// Error text after the user ended a run.
 const STOPPED: &str = "stopped";
-/// What is said to an older question of an asker, who does not listen any more.
+/// Error text for a question replaced by a newer one of its asker; nobody reads it.
 const OUTDATED: &str = "a newer question came";
 
-/// A worker and what it has to do.
+/// Connection to a worker, with its pending work.
 #[derive(Clone)]
 pub struct WorkerLink(Rc<RefCell<Line>>);
 
-/// Which worker a line leads to.
+/// Role of the worker.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Role {
-    /// The one that solves jobs.
+    /// Solves jobs.
     Solver,
-    /// The one that answers questions.
+    /// Answers questions.
     Toolbox,
 }
 
 impl Role {
-    /// What the worker is called.
+    /// Name of the worker.
     fn name(self) -> &'static str {
         match self {
             Role::Solver => "the solver",
@@ -67,19 +67,19 @@ struct Line {
     role: Role,
     worker: Option<Worker>,
     listening: Option<Listening>,
-    /// Counts the workers: what an ended one still says is not heard.
+    /// Number of the worker: messages of an older, terminated one are ignored.
     number: u32,
     on_news: Rc<dyn Fn(News)>,
     watch: Watch,
     waiting: Option<Job>,
-    /// The job that was sent last, and whether it is under way.
+    /// Job sent last; `at_job` is true while it is active.
     job: Option<Job>,
     at_job: bool,
-    /// Whether what is under way was asked before of a worker that is gone.
+    /// Whether the active work was already sent to a worker that has disappeared.
     again: bool,
-    /// Why the last worker failed.
+    /// Reason of the last failure.
     reason: String,
-    /// Questions that wait, and what resolves the promise of each.
+    /// Waiting questions with the functions that resolve their promises.
     questions: Queue<Ask, Asker, Function>,
 }
 
@@ -89,14 +89,14 @@ impl Line {
         self.waiting.is_some() || !self.questions.is_empty()
     }
 
-    /// Whether the first question was sent.
+    /// Whether the first question has been sent.
     fn is_at_question(&self) -> bool {
         !self.at_job && matches!(self.watch.phase, Phase::Sent(_) | Phase::Busy(_))
     }
 }
 
 impl WorkerLink {
-    /// Starts the worker; `on_news` is called with what the solver says and with each failure.
+    /// Starts the worker; `on_news` is called with each message of the solver and with each failure.
     pub fn start(role: Role, on_news: impl Fn(News) + 'static) -> WorkerLink {
         let link = WorkerLink(Rc::new(RefCell::new(Line {
             role,
@@ -114,12 +114,12 @@ impl WorkerLink {
         })));
         link.start_worker();
         let watched = link.clone();
-        // It lives as long as the page; a browser without timers only has no watchdog.
+        // the timer lives as long as the page; a browser without timers only lacks the watchdog
         let _ = set_interval_with_handle(move || watched.look(), LOOK);
         link
     }
 
-    /// Asks for a case to be solved; a job that still waits is dropped.
+    /// Requests the solution of a case; a waiting job is dropped.
     pub fn solve(&self, id: u64, case: Case) {
         let mut line = self.0.borrow_mut();
         line.waiting = Some(Job { id, case });
@@ -129,7 +129,7 @@ impl WorkerLink {
         self.send_next();
     }
 
-    /// Starts a worker for what waits, if there is none and one may be started now.
+    /// Starts a worker for waiting work, if there is none and a start is allowed now.
     fn start_if_due(&self) {
         let line = self.0.borrow();
         let due = line.is_needed() && line.watch.may_start(now_ms());
@@ -146,7 +146,7 @@ impl WorkerLink {
         }
     }
 
-    /// Ends what is under way; it is asked again by [`WorkerLink::try_again`].
+    /// Ends the active work; [`WorkerLink::try_again`] requests it again.
     pub fn stop(&self) {
         self.give_up();
         while self.settle(&STOPPED.into()) {}
@@ -154,7 +154,7 @@ impl WorkerLink {
         self.news(News::Failed(STOPPED.to_string()));
     }
 
-    /// Starts the worker anew, now, and asks for the newest case again.
+    /// Restarts the worker immediately and requests the newest case again.
     pub fn try_again(&self) {
         self.give_up();
         let mut line = self.0.borrow_mut();
@@ -164,7 +164,7 @@ impl WorkerLink {
         self.start_worker();
     }
 
-    /// The answer to a question, or why there is none.
+    /// Answer to a question, or the reason why there is none.
     async fn ask(&self, asker: Option<Asker>, ask: Ask) -> Result<Told, String> {
         let mut ask = Some(ask);
         let promise = Promise::new(&mut |answer, _| {
@@ -194,7 +194,7 @@ impl WorkerLink {
             .for_each(|answer| resolve(answer, &OUTDATED.into()));
     }
 
-    /// Ends the first question with the bytes of its answer or a reason; whether there was one.
+    /// Resolves the first question with the bytes of its answer or with a reason; returns whether there was one.
     fn settle(&self, told: &JsValue) -> bool {
         let first = self.0.borrow_mut().questions.pop();
         first.inspect(|answer| resolve(answer, told)).is_some()
@@ -232,7 +232,7 @@ impl WorkerLink {
         }
     }
 
-    /// Looks whether the worker lives.
+    /// Checks whether the worker is alive.
     fn look(&self) {
         let mut line = self.0.borrow_mut();
         let needed = line.is_needed();
@@ -273,7 +273,7 @@ impl WorkerLink {
             }
             Verdict::Silent => self.fail("gave no answer for two minutes and was ended"),
             Verdict::Outdated => {
-                // A question that was under way stays the first, and is asked again after the edit, unless its asker asked anew.
+                // an active question stays first and is repeated after the edit, unless its asker has a newer one
                 if !at_job && self.0.borrow().questions.first_is_outdated() {
                     self.settle(&OUTDATED.into());
                 }
@@ -283,8 +283,8 @@ impl WorkerLink {
         }
     }
 
-    /// Ends the worker, which `did` something, and starts another one after a while if something waits; what was under way is not
-    /// asked again by itself.
+    /// Terminates the worker, with `did` as the description of the failure, and schedules a restart if something waits;
+    /// active work is not repeated automatically.
     fn fail(&self, did: &str) {
         let line = self.0.borrow();
         let reason = format!("{} {did}", line.role.name());
@@ -293,7 +293,7 @@ impl WorkerLink {
         drop(line);
         self.give_up();
         if loads {
-            // None can be answered now; a job waits, since a later worker may load.
+            // no question can be answered now; a job stays, since a later worker may load
             while self.settle(&reason.as_str().into()) {}
         } else if at_question {
             self.settle(&reason.as_str().into());
@@ -320,7 +320,7 @@ impl WorkerLink {
         line.number += 1;
         line.at_job = false;
         if let Some(worker) = line.worker.take() {
-            // What hears it goes with the next start.
+            // the handlers are dropped with the next start
             worker.set_onmessage(None);
             worker.set_onerror(None);
             worker.terminate();
@@ -364,7 +364,7 @@ impl WorkerLink {
 
 /// Resolves the promise of a question.
 fn resolve(answer: &Function, told: &JsValue) {
-    // Resolving a promise throws nothing.
+    // resolving a promise does not throw
     let _ = answer.call1(&JsValue::UNDEFINED, told);
 }
 

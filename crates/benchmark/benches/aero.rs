@@ -1,4 +1,5 @@
-//! `cargo bench --package msape-benchmark --bench aero`: how long the database of a new outline and one look-up take.
+//! `cargo bench --package msape-benchmark --bench aero`: time to build the database of a new outline and time of one
+//! look-up.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
 #[path = "solve/measure.rs"]

@@ -1,5 +1,5 @@
-//! The least that a trajectory can cost: the same method at the same tolerance, over a sphere at rest with exponential
-//! air, constant drag, no heating, no events but the ground, no results.
+//! Lower bound for the cost of a trajectory: the same method at the same tolerance, over a non-rotating sphere with an
+//! exponential atmosphere, constant drag, no heating, no events except the ground, no results.
 
 use numerics::math;
 use numerics::ode::{Integrator, Method, Tolerance};
@@ -27,7 +27,7 @@ fn derivative(y: &[f64; 6]) -> [f64; 6] {
     ]
 }
 
-/// Flies 12 km/s at -8 deg from 125 km to the ground: time in s, and evaluations.
+/// Flight from 125 km at 12 km/s and -8 deg to the ground: time in s, and number of evaluations.
 pub fn bare_flight(tolerance: f64) -> (f64, u64) {
     let (speed, angle) = (12_000.0, -8.0 * math::RADIANS_PER_DEGREE);
     let start = [

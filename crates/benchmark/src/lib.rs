@@ -1,5 +1,5 @@
-//! Jobs by which speed is measured: `cargo bench` and the benchmark page time the same ones, as ratios to the first, so
-//! that figures of different machines can be compared. The clock is the caller's.
+//! Jobs for measuring speed: `cargo bench` and the benchmark page time the same ones, as ratios to the first, so that
+//! results of different machines can be compared. The caller supplies the clock.
 
 pub mod kernel;
 
@@ -13,39 +13,39 @@ use msape::problem::{DesignProblem, FlightProblem};
 use msape::vehicle;
 use std::hint::black_box;
 
-/// What the jobs work on.
+/// Input of the jobs.
 #[derive(Clone, Debug)]
 pub struct Bench {
     /// The built-in library.
     pub library: Library,
-    /// A flight of constant drag without radiation.
+    /// Flight with constant drag and without radiation.
     pub constant: FlightProblem,
-    /// The MSR vehicle with a heat shield of PICA, as text.
+    /// MSR vehicle with a PICA heat shield, unchecked.
     pub msr_case: Case,
-    /// The same, checked.
+    /// MSR case after the check.
     pub msr: DesignProblem,
-    /// The same as flight sees it before the first pass.
+    /// MSR vehicle as a body in flight, built from the first guesses of the coupling.
     pub msr_body: Body,
-    /// Where everything stands in it before the first pass.
+    /// Layout of the MSR vehicle, built from the first guesses of the coupling.
     pub msr_layout: vehicle::layout::Layout,
-    /// It designed, and its flight.
+    /// Converged design of the MSR vehicle, and its flight.
     pub msr_design: (Design, Flight),
-    /// A vehicle of another concept.
+    /// Design with another vehicle concept (Galahad).
     pub galahad: DesignProblem,
-    /// A spinning entry in six degrees of freedom with the database of its outline.
+    /// Spinning entry with six degrees of freedom and the aerodynamic database of its outline.
     pub spinning: FlightProblem,
-    /// The same as a case.
+    /// Case of the spinning entry.
     pub spinning_case: Case,
 }
 
-/// Declares what is measured: a name and what does it once. Names and jobs are two lists, so that a page can show the names
-/// without having the solver in it.
+/// Declares the jobs by name and function. Names and functions are two lists, so that a page can show the names without
+/// linking the solver.
 macro_rules! jobs {
     ($($name:literal => $run:expr,)*) => {
-        /// Names of what is measured; the first is the reference.
+        /// Names of the jobs; the first is the reference.
         pub static NAMES: &[&str] = &[$($name),*];
 
-        /// What does each of them once, in the order of [`NAMES`].
+        /// Functions that run each job once, in the order of [`NAMES`].
         pub static JOBS: &[fn(&Bench)] = &[$($run),*];
     };
 }
@@ -108,10 +108,10 @@ jobs! {
 }
 
 impl Bench {
-    /// What the jobs work on.
+    /// Prepares the input of all jobs.
     ///
     /// # Errors
-    /// A shipped file that cannot be used, which a test excludes.
+    /// A shipped file that is invalid, which a test rules out.
     pub fn new() -> Result<Bench, DataError> {
         let library = Library::builtin()?;
         let constant = shipped("cases/msape-ref-m2.toml", |case| {
@@ -190,7 +190,7 @@ mod tests {
                 Outcome::Converged
             );
         }
-        // 12 km/s at -8 deg: minutes, not seconds, and some hundred evaluations.
+        // 12 km/s at −8 deg: minutes, not seconds, and some hundred evaluations
         let (time_s, evaluations) = kernel::bare_flight(mission.solver.tolerance);
         assert!(time_s > 60.0 && evaluations > 100);
     }

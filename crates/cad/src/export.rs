@@ -1,12 +1,12 @@
 //! CAD and mesh files of a vehicle, as text and bytes: every writer is a pure function, so that the page and the command
 //! line give the same file.
 //!
-//! - [`model`]: what is exported: parts with name, material and colour.
-//! - [`chain`]: a profile cleaned for export: joined, without its pieces on the axis, run so that its outside is known.
-//! - [`mesh`]: triangles of a profile turned about the axis.
+//! - [`model`]: the exported model: parts with name, material and color.
+//! - [`chain`]: a profile prepared for export: segments joined, those on the axis removed, orientation fixed.
+//! - [`mesh`]: triangles of a profile revolved about the axis.
 //! - [`step`](mod@step): solids; [`iges`](mod@iges): surfaces; [`stl`](mod@stl) and [`gltf`](mod@gltf): triangles.
 //! - [`dxf`](mod@dxf) and [`table`]: the half-section; [`svg`](mod@svg): a drawing of it.
-//! - [`format`](mod@format): the list of them.
+//! - [`format`](mod@format): the list of the formats.
 
 pub mod chain;
 pub mod dxf;
@@ -23,17 +23,17 @@ pub mod table;
 pub use format::Format;
 pub use model::Model;
 
-/// What a file says about itself.
+/// Metadata written into a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Info {
-    /// When it was written, as `2000-01-01T12:00:00`.
+    /// Time of writing, as `2000-01-01T12:00:00`.
     pub time_stamp: String,
-    /// What wrote it.
+    /// Name of the writing program.
     pub program: &'static str,
 }
 
 impl Default for Info {
-    /// A moment that is always the same, so that the same design makes the same file.
+    /// A fixed time, so that the same design gives the same file.
     fn default() -> Self {
         Self {
             time_stamp: "2000-01-01T12:00:00".to_owned(),

@@ -1,13 +1,13 @@
-//! Outlines from files: CSV of points, DXF drawings. Both give the rows that `outline.points` holds.
+//! Outlines from files: CSV of points, DXF drawings. Both give the rows of `outline.points`.
 //!
 //! ```text
 //! 1 in = 0.0254 m        1 ft = 0.3048 m
 //! ```
 //!
-//! Rows are x and r in m and the bulge of the piece to the next point.
+//! Rows are x and r in m and the bulge of the segment to the next point.
 //!
 //! # Valid
-//! The kind of file is told by the ending of its name.
+//! The file name extension selects the reader.
 //!
 //! # References
 //! - \[nist-sp-811\] appendix B for the factors.
@@ -23,19 +23,19 @@ use crate::text::{Decoded, decode};
 use dxf::group::Place;
 use thiserror::Error;
 
-/// Faults are listed up to this number, assumed.
+/// Largest number of faults reported; assumed.
 pub const MOST_FAULTS: usize = 100;
-/// Characters of a text from a file that a message shows.
+/// Characters of file text quoted in a message.
 const MOST_SHOWN: usize = 40;
 
-/// A unit of length that files are drawn in.
+/// Unit of length of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthUnit {
-    /// Metre.
+    /// Meter.
     Metre,
-    /// Centimetre.
+    /// Centimeter.
     Centimetre,
-    /// Millimetre.
+    /// Millimeter.
     Millimetre,
     /// Inch.
     Inch,
@@ -44,7 +44,7 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
-    /// Metres in one.
+    /// Length of one unit, m.
     pub fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
@@ -55,7 +55,7 @@ impl LengthUnit {
         }
     }
 
-    /// Its symbol.
+    /// Symbol.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",
@@ -66,7 +66,7 @@ impl LengthUnit {
         }
     }
 
-    /// The unit of a symbol.
+    /// The unit with this symbol.
     pub fn of(symbol: &str) -> Option<Self> {
         match symbol.to_lowercase().as_str() {
             "m" | "meter" | "metre" | "meters" | "metres" => Some(Self::Metre),
@@ -79,21 +79,21 @@ impl LengthUnit {
     }
 }
 
-/// One thing wrong with a file; lines are counted from 1.
+/// Fault of a file; lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ImportFault {
-    /// The file holds no point.
+    /// File without points.
     #[error("the file holds no {0}")]
     Empty(&'static str),
-    /// Neither the file nor the case says the unit.
+    /// Unit given neither by the file nor by the case.
     #[error(
         "the file does not say its unit; name it in the header, such as \"x (mm), r (mm)\", or with outline.file_unit"
     )]
     NoUnitInHeader,
-    /// Neither the drawing nor the case says the unit.
+    /// Unit given neither by the drawing nor by the case.
     #[error("the drawing has no $INSUNITS; name its unit with outline.file_unit")]
     NoUnitInDrawing,
-    /// A field that is not a number.
+    /// Field that is not a number.
     #[error("line {line}: column {column}: got \"{text}\", must be a number")]
     NotANumber {
         /// Line of the file.
@@ -103,76 +103,75 @@ pub enum ImportFault {
         /// The field, shortened.
         text: String,
     },
-    /// A heading that is not known, or comes twice, or is missing.
+    /// Heading that is unknown, repeated or missing.
     #[error("header: {0}")]
     Header(String),
-    /// A fault of a table of points.
+    /// Fault of a table of points.
     #[error("{0}")]
     Table(TableFault),
-    /// A line that cannot be read.
+    /// Line that cannot be read.
     #[error("line {line}: {reason}")]
     Unreadable {
         /// Line of the file.
         line: u64,
-        /// Why.
+        /// Reason.
         reason: String,
     },
-    /// Something in a drawing that cannot be read.
+    /// Part of a drawing that cannot be read.
     #[error("{place}: {reason}")]
     Drawing {
-        /// Where.
+        /// Place in the file.
         place: Place,
-        /// Why.
+        /// Reason.
         reason: String,
     },
-    /// A drawing in another format.
+    /// File in the DWG format.
     #[error("the file is a DWG drawing ({0}); save it as DXF")]
     Dwg(String),
-    /// A file that is too large.
+    /// File that is too large.
     #[error("the file is larger than {0} MiB")]
     TooLarge(usize),
-    /// A kind of entity that may be part of an outline and is not read.
+    /// Entity that may be part of an outline and is not supported.
     #[error(
         "{place}: {kind} is not read; draw the outline with lines, arcs, polylines, ellipses and splines"
     )]
     Entity {
-        /// Where.
+        /// Place in the file.
         place: Place,
-        /// Its name in the drawing.
+        /// Entity type.
         kind: String,
     },
-    /// A point that is nowhere.
+    /// Point with non-finite coordinates.
     #[error(
         "point {0} of the outline comes out at no finite place in m, or its piece as no arc; the numbers of the file are too large or too small"
     )]
     NotFinite(usize),
-    /// Pieces that do not make one chain.
+    /// Pieces that do not form one chain.
     #[error("{0}")]
     Chain(String),
-    /// Bytes that are no text.
+    /// Bytes that are not text.
     #[error("is not text: byte {0} is not UTF-8")]
     NotText(usize),
-    /// A kind of file that is not read.
+    /// Unsupported file type.
     #[error("\"{0}\" is neither a CSV nor a DXF file; the name must end in .csv, .txt or .dxf")]
     UnknownKind(String),
 }
 
-/// A text from a file, short enough for a message.
+/// File text, shortened for a message.
 fn shown(text: &str) -> String {
     text.chars().take(MOST_SHOWN).collect()
 }
 
-/// An outline from a file.
+/// Imported outline.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Imported {
-    /// Rows of x and r in m, and the bulge to the next.
+    /// Rows of x and r in m, and the bulge of the segment to the next point.
     pub rows: Vec<Vec<f64>>,
-    /// What a reader of the file should know: what was left out, mirrored, or read in another unit.
+    /// Messages for the user: parts left out, mirrored, or read in another unit.
     pub remarks: Vec<String>,
 }
 
-/// The outline in the bytes of the file `name`, or everything that is wrong with it. A unit that is given stands above that of a
-/// drawing.
+/// The outline in the file `name`, or all of its faults. A given unit overrides that of a drawing.
 ///
 /// ```
 /// use cad::outline::read;
@@ -182,7 +181,7 @@ pub struct Imported {
 /// ```
 ///
 /// # Errors
-/// Every fault of the file, up to [`MOST_FAULTS`].
+/// All faults of the file, up to [`MOST_FAULTS`].
 pub fn read(
     name: &str,
     bytes: &[u8],
@@ -196,7 +195,7 @@ pub fn read(
     }
 }
 
-/// The outline by the kind of file that the ending of its name tells.
+/// The outline, read according to the file name extension.
 fn of_kind(
     name: &str,
     bytes: &[u8],

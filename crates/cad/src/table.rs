@@ -1,9 +1,9 @@
-//! Tables from text files, one reader for all of them: atmosphere, wind, heating, drag, lift, bank, aerodynamic coefficients, damping
-//! and the points of an outline.
+//! Tables from text files with one common reader: atmosphere, wind, heating, drag, lift, bank, aerodynamic
+//! coefficients, damping and the points of an outline.
 //!
-//! A file is read in four steps, each in a module of its own: bytes to text ([`crate::text`]), text to cells, cells to columns
-//! with names and units, columns to the rows that an input of a case takes. What had to be decided on the way comes back as
-//! remarks; what cannot be decided is a fault with its line.
+//! A file is read in four steps, each in a module of its own: bytes to text ([`crate::text`]), text to cells, cells to
+//! columns with names and units, columns to the rows of an input of a case. Decisions made on the way are returned as
+//! messages; an ambiguity that cannot be resolved is a fault with its line.
 
 mod aerodynamics;
 mod altitude;
@@ -32,31 +32,31 @@ use msape::{Case, Library};
 
 pub use fault::TableFault;
 
-/// Faults are listed up to this number.
+/// Largest number of faults reported.
 pub(crate) const MOST_FAULTS: usize = 100;
-/// Characters of a text from a file that a message shows.
+/// Characters of file text quoted in a message.
 const MOST_SHOWN: usize = 40;
 
-/// Facts of the planet that some columns need.
+/// Properties of the planet that some columns need.
 #[derive(Clone, Debug)]
 pub struct Ground {
-    /// Radius by which geopotential altitudes become geometric, m.
+    /// Radius used to convert geopotential to geometric altitude, m.
     pub radius_m: f64,
-    /// Gas constant of the air, J/(kg K), where it is known.
+    /// Gas constant of the atmosphere, J/(kg K), where known.
     pub gas_constant_j_kg_k: Option<f64>,
-    /// The standard atmosphere to which pressure altitudes belong: of the Earth only.
+    /// Standard atmosphere that defines pressure altitude; only for the Earth.
     pub standard: Option<Atmosphere>,
 }
 
-/// Name of the standard atmosphere of the Earth.
+/// Name of the Earth's standard atmosphere.
 const STANDARD: &str = "us-1976";
 
 /// Effective radius of the Earth in the standard atmosphere, m; \[coesa-1976\].
 const EARTH_RADIUS_M: f64 = 6_356_766.0;
 
 impl Ground {
-    /// That of the planet of a case, read as the case's check reads it; of a `[planet]` of the case its mean radius and the gas of
-    /// the planet that it names. What is faulty is left to that check.
+    /// Properties of the planet of a case, read as the check of the case reads it; for a `[planet]` table of the case
+    /// its mean radius and the gas of the planet that it names. Faults of the case are left to that check.
     pub fn of(case: &Case, library: &Library) -> Ground {
         let mut reader = Reader::new(case);
         let names: Vec<&str> = library.planets.iter().map(|(name, _)| &**name).collect();
@@ -86,7 +86,7 @@ impl Ground {
         }
     }
 
-    /// That of the Earth, as in its standard atmosphere.
+    /// Properties of the Earth, as in its standard atmosphere.
     pub fn earth(library: &Library) -> Ground {
         let standard = named(&library.atmospheres, STANDARD).map(|(_, standard)| standard);
         Ground {
@@ -107,13 +107,13 @@ fn gas_constant_j_kg_k(atmosphere: &Atmosphere) -> f64 {
 pub struct Table {
     /// Key of the input, such as `atmosphere.table`.
     pub key: &'static str,
-    /// Its rows, in SI and degrees.
+    /// Rows, in SI and degrees.
     pub rows: Vec<Vec<f64>>,
-    /// What the reader decided or left out, one sentence each without its full stop.
+    /// Decisions of the reader and parts left out, one sentence each without its full stop.
     pub remarks: Vec<String>,
 }
 
-/// The keys that name a file.
+/// Keys of the inputs that name a file.
 pub const FILES: [&str; 8] = [
     "atmosphere.file",
     "wind.file",
@@ -125,7 +125,7 @@ pub const FILES: [&str; 8] = [
     "vehicle.aerodynamics.damping_file",
 ];
 
-/// The rows of a file that a case names under `key`, or everything that is wrong with it.
+/// Rows of a file that a case names under `key`, or all faults of the file.
 ///
 /// ```
 /// use cad::table::{Ground, read};
@@ -139,16 +139,16 @@ pub const FILES: [&str; 8] = [
 /// ```
 ///
 /// # Errors
-/// Every fault of the file, up to a hundred.
+/// All faults of the file, up to a hundred.
 pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
     rows_of(key, None, bytes, ground)
 }
 
-/// As [`read`], for the one input `table` that is to take the rows. It says what the columns are that no heading names, and which of
-/// several named ones count.
+/// Like [`read`], for the one input `table` that is to take the rows. The input decides the meaning of columns without
+/// heading, and which of several named columns are used.
 ///
 /// # Errors
-/// As [`read`], and columns of another input.
+/// Like [`read`]; also columns of another input.
 pub fn read_for(
     table: &str,
     key: &str,
@@ -163,7 +163,7 @@ pub fn read_for(
     Err(vec![TableFault::OtherTable { found, wanted }])
 }
 
-/// The rows of a file for an input, or for whichever of its inputs the file is.
+/// Rows of a file for an input, or for the input that its columns indicate.
 fn rows_of(
     key: &str,
     input: Option<&str>,
@@ -197,7 +197,7 @@ fn rows_of(
     Ok(table)
 }
 
-/// Ends of lines of Unix in the place of others.
+/// Text with all line ends replaced by `\n`.
 pub(crate) fn with_plain_line_ends(text: String) -> String {
     if text.contains('\r') {
         text.replace("\r\n", "\n").replace('\r', "\n")
@@ -206,7 +206,7 @@ pub(crate) fn with_plain_line_ends(text: String) -> String {
     }
 }
 
-/// A text from a file, short enough for a message.
+/// File text, shortened for a message.
 fn shown(text: &str) -> String {
     text.chars().take(MOST_SHOWN).collect()
 }

@@ -1,4 +1,4 @@
-//! Bytes of a file as text, whatever its encoding.
+//! Decoding of file bytes to text, whatever the encoding.
 //!
 //! ```text
 //! byte order mark:   UTF-8, UTF-16 little or big endian
@@ -6,38 +6,38 @@
 //! ```
 //!
 //! # Valid
-//! Text in one of these encodings. Bytes with control characters that no text holds are refused.
+//! Text in one of these encodings. Bytes with control characters that do not occur in text are refused.
 //!
 //! # References
 //! - \[whatwg-encoding\] for the index of Windows-1252.
 
-/// What 0x80 to 0x9F stand for in Windows-1252; the five that stand for nothing stay what they are.
+/// Windows-1252 characters of 0x80 to 0x9F; the five undefined codes map to themselves.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
     '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
-/// Bytes that are looked at for zeros.
+/// Number of bytes examined for zeros.
 const LOOKED_AT: usize = 4096;
 
-/// Units below which no text is taken for UTF-16 without a mark.
+/// Fewest 16-bit units for which text without a byte order mark is taken for UTF-16.
 const FEWEST: usize = 4;
 
-/// Text of a file.
+/// Decoded text of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decoded {
-    /// The text, without byte order mark.
+    /// Text without byte order mark.
     pub text: String,
-    /// Encoding, where it is not UTF-8.
+    /// Encoding, if not UTF-8.
     pub encoding: Option<&'static str>,
 }
 
-/// Why bytes are no text.
+/// Reason why bytes are not text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotText {
-    /// Pieces that UTF-16 does not know.
+    /// Invalid UTF-16.
     #[error("is not text: it opens as UTF-16 and goes on as something else")]
     Utf16,
-    /// A control character that no text holds.
+    /// A control character that does not occur in text.
     #[error("is not text: byte {0} is a control character")]
     Control(usize),
 }
@@ -45,7 +45,7 @@ pub enum NotText {
 /// The text of a file.
 ///
 /// # Errors
-/// Bytes that are no text.
+/// Bytes that are not text.
 pub fn decode(bytes: &[u8]) -> Result<Decoded, NotText> {
     let decoded = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => utf_8(rest),
@@ -106,7 +106,7 @@ fn utf_16(
     }
 }
 
-/// Where zero bytes stand in what may be UTF-16 without a mark.
+/// Positions of zero bytes in possible UTF-16 without byte order mark.
 enum Zeros {
     First,
     Second,

@@ -22,9 +22,9 @@ use std::process::ExitCode;
 const SPEED_RATIO: f64 = 25.0;
 const WALL: &str = "vehicle.aerodynamics.wall_temperature_ratio";
 const ACCOMMODATION: &str = "vehicle.aerodynamics.accommodation";
-/// Decimals that are shown; files have all of them.
+/// Decimals in tables; files have full precision.
 const DECIMALS: usize = 5;
-/// More angles than this are no question.
+/// Largest number of angles accepted.
 const ANGLES_MAX: usize = 100_000;
 
 /// Arguments of `aero`.
@@ -87,7 +87,7 @@ pub enum Regime {
     Blended,
 }
 
-/// Answers and writes.
+/// Computes the coefficients and writes them.
 pub fn run(arguments: &Aero, data: &Data) -> Done {
     let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
     let (case, faults) = (&mut loaded.case, &mut loaded.faults);
@@ -172,7 +172,7 @@ fn theory(
                 .mach
                 .map(|mach| mach * (0.5 * heat_capacity_ratio).sqrt());
             let speed_ratio = arguments.speed_ratio.or(of_mach).unwrap_or(SPEED_RATIO);
-            // What is no number there is a fault that the check of the case finds.
+            // ignore invalid numbers here: the check of the case reports them
             let of_case = |key: &str| {
                 let text = case.text(key);
                 text.and_then(|text| text.parse().ok()).unwrap_or(1.0)
@@ -197,7 +197,7 @@ fn theory(
     }
 }
 
-/// Angles from a list with commas, each an angle or from:to:step.
+/// Angles from a comma-separated list, each an angle or from:to:step.
 fn angles(text: &str, faults: &mut Vec<String>) -> Vec<f64> {
     let mut angles = Vec::new();
     for part in text.split(',') {
@@ -228,7 +228,7 @@ fn angles(text: &str, faults: &mut Vec<String>) -> Vec<f64> {
     angles
 }
 
-/// Refuses places beyond a table whose rule says so.
+/// Fails for conditions outside a table that is set to refuse extrapolation.
 fn refuse(database: &Database, theory: &Theory, angles: &[f64]) -> Result<(), Failure> {
     let (Some(grid), Theory::Blended { mach, knudsen }) = (database.table(), *theory) else {
         return Ok(());
@@ -294,7 +294,7 @@ fn table(name: &str, body: &AeroBody, polar: &Polar, findings: &[Finding]) -> St
     text
 }
 
-/// A zero without a sign.
+/// Text without the sign of a negative zero.
 fn unsigned_zero(text: String) -> String {
     let nothing = text
         .trim_start_matches('-')

@@ -1,4 +1,4 @@
-//! The arguments.
+//! Command-line arguments.
 
 use crate::source::Source;
 use cad::export::Format;
@@ -29,7 +29,7 @@ Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input
 #[derive(Parser)]
 #[command(name = "msape", version, after_help = EXAMPLES, max_term_width = 120)]
 pub struct Arguments {
-    /// What to do.
+    /// Subcommand.
     #[command(subcommand)]
     pub command: Command,
     /// Folder with data files of your own, laid out as crates/msape/data: planets/NAME.toml, atmospheres, materials, concepts,
@@ -38,7 +38,7 @@ pub struct Arguments {
     pub data: Option<PathBuf>,
 }
 
-/// What to do.
+/// Subcommand.
 #[derive(Subcommand)]
 pub enum Command {
     /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, centre of gravity and inertia
@@ -214,7 +214,7 @@ pub enum List {
     Trajectory,
 }
 
-/// Shorter steps only fill the memory; longer ones see nothing.
+/// Range of output steps, s: shorter ones only fill memory, longer ones resolve nothing.
 const STEP_S: std::ops::RangeInclusive<f64> = 0.001..=100_000.0;
 
 /// Names of the formats.

@@ -1,4 +1,4 @@
-//! `export`.
+//! Command `export`.
 
 use crate::args::{Export, formats};
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use msape::{Case, InputError, Library, Request, problem};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Designs a case, or takes its outline, and writes it in a format of CAD, mesh or drawing.
+/// Designs a case, or takes its outline, and writes it in a CAD, mesh or drawing format.
 pub fn export(arguments: &Export, data: &Data) -> Done {
     let path = arguments.output.as_deref().filter(|p| *p != Path::new("-"));
     let format = format(arguments, path)?;
@@ -27,11 +27,11 @@ pub fn export(arguments: &Export, data: &Data) -> Done {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The format asked for, or that of the file's name.
+/// The requested format, or that of the file name extension.
 fn format(arguments: &Export, path: Option<&Path>) -> Result<Format, Failure> {
     if let Some(format) = arguments.format {
         return Ok(match (format, path.and_then(ending)) {
-            // a name that ends in .glb asks for the binary kind
+            // an extension .glb selects the binary form
             (Format::Gltf, Some(Format::Glb)) => Format::Glb,
             (format, _) => format,
         });
@@ -48,7 +48,7 @@ fn ending(path: &Path) -> Option<Format> {
     Format::named(path.extension()?.to_str()?)
 }
 
-/// What is exported: the faults of the case, or why there is no vehicle, or the model.
+/// The model to export; inner error if there is no vehicle, outer error for faults of the case.
 fn model(case: &Case, library: &Library) -> Result<Result<Model, Failure>, Vec<InputError>> {
     let designed = case.values.keys().any(|key| key.starts_with("design."));
     if !designed && let Some(body) = problem::rigid_body(case, library)? {

@@ -1,27 +1,27 @@
-//! What can go wrong, and the code to end with.
+//! Errors of the command, and its exit codes.
 
 use msape::library::DataError;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// Why there is no answer.
+/// Reason why there is no answer.
 #[derive(Debug)]
 pub enum Failure {
-    /// Bad input, every fault of it.
+    /// Bad input, with all faults.
     Input(Vec<String>),
-    /// A fault of the program.
+    /// Error of the program.
     Program(String),
-    /// Standard output was closed before the program began.
+    /// Standard output was closed before the program started.
     NoOutput,
-    /// The reader of our output went away.
+    /// The reader of standard output closed it.
     ReaderGone,
 }
 
-/// More faults than this are counted only.
+/// Largest number of faults printed; others are counted.
 const FAULTS_SHOWN: usize = 100;
 
 impl Failure {
-    /// One fault of the input.
+    /// A single fault of the input.
     pub fn input(message: impl Into<String>) -> Failure {
         Failure::Input(vec![message.into()])
     }
@@ -34,7 +34,7 @@ impl Failure {
         }
     }
 
-    /// Says what went wrong.
+    /// Prints the error and returns the exit code.
     pub fn report(&self) -> ExitCode {
         match self {
             Failure::Input(faults) => {
@@ -65,17 +65,17 @@ impl From<DataError> for Failure {
     }
 }
 
-/// What is said before a fault of the program.
+/// Prefix of a message on an error of the program.
 pub const OUR_FAULT: &str = "this is a fault of the program, please report it";
-/// Most characters of a text of the user that a message repeats.
+/// Largest number of characters of user text quoted in a message.
 const SHOWN_MAX: usize = 100;
 
-/// Says something on standard error. Where nobody can hear it, the code to end with still tells.
+/// Prints a line on standard error; if that fails, the exit code still reports the error.
 pub fn say(text: &str) {
     let _ = writeln!(io::stderr(), "msape: {}", printable(text));
 }
 
-/// A text of the user short enough for a message.
+/// User text shortened for a message.
 pub fn cut(text: &str) -> String {
     match text.char_indices().nth(SHOWN_MAX) {
         Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
@@ -83,7 +83,7 @@ pub fn cut(text: &str) -> String {
     }
 }
 
-/// Text of unknown origin without what would steer a terminal: control characters, and signs that turn the direction of reading.
+/// Untrusted text without characters that control a terminal: control characters and bidirectional formatting.
 pub fn printable(text: &str) -> String {
     text.chars()
         .map(|c| match c {

@@ -1,4 +1,4 @@
-//! The command `msape`: files, arguments and terminals around the core.
+//! Command `msape`: files, arguments and terminal around the core.
 
 mod aero;
 mod args;
@@ -24,14 +24,14 @@ use run::Entries;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    // A panic is a fault of the program: say so, and end with the code of such faults.
+    // a panic is an error of the program: report it as one and exit with its code
     std::panic::set_hook(Box::new(|panic| {
         failure::say(&format!("{}: {panic}", failure::OUR_FAULT));
         std::process::exit(1);
     }));
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        // help and version are output as any other
+        // help and version are ordinary output
         Err(told) if !told.use_stderr() && msape_stdout::is_closed() => {
             return Failure::NoOutput.report();
         }
@@ -66,7 +66,7 @@ fn done(Arguments { command, data }: Arguments) -> Done {
     }
 }
 
-/// Says what is wrong with the arguments, long ones cut; help and version are no faults.
+/// Prints errors of the arguments, with long ones shortened; help and version are not errors.
 fn refused(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
         let _ = error.print();
@@ -93,5 +93,5 @@ fn refused(error: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// What a command comes to: the code to end with.
+/// Result of a command: its exit code.
 type Done = Result<ExitCode, Failure>;

@@ -1,4 +1,4 @@
-//! `outline`: facts of the outline of a case.
+//! Command `outline`: properties of the outline of a case.
 
 use crate::args::Outline;
 use crate::failure::{Failure, printable};
@@ -9,10 +9,10 @@ use msape::problem;
 use msape::units::number::rounded;
 use std::process::ExitCode;
 
-/// Digits that are shown; JSON has all of them.
+/// Significant digits in tables; JSON has full precision.
 const DIGITS: usize = 8;
 
-/// Prints the facts of the outline of a case.
+/// Prints the properties of the outline of a case.
 pub fn outline(arguments: &Outline, data: &Data) -> Done {
     let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
     let found = problem::rigid_body(&loaded.case, &data.library);
@@ -37,7 +37,7 @@ pub fn outline(arguments: &Outline, data: &Data) -> Done {
             }
         }
         let lines: String = table.lines().map(|line| format!("  {line}\n")).collect();
-        // those of the file stand on standard error
+        // messages on the file go to standard error
         let notes: String = body
             .notes
             .iter()

@@ -1,4 +1,4 @@
-//! Writes to standard output, or to a file that is replaced only as a whole.
+//! Output to standard output, or to a file that is replaced only as a whole.
 
 use crate::failure::Failure;
 use std::fmt;
@@ -7,15 +7,15 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// Code after a signal that ends a program, as shells have it for Ctrl-C.
+/// Exit code after a terminating signal, as shells use it for Ctrl-C.
 const INTERRUPTED: i32 = 130;
 
-/// Writes text or bytes to the file, or to standard output when there is none.
+/// Writes text or bytes to the file, or to standard output if there is none.
 pub fn write(content: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
     write_with(path, |out| out.write_all(content.as_ref()))
 }
 
-/// Writes what is spelled piece by piece.
+/// Writes text that is generated piece by piece.
 pub fn write_text(
     path: Option<&Path>,
     spell: impl FnOnce(&mut dyn fmt::Write) -> fmt::Result,
@@ -30,7 +30,7 @@ pub fn write_text(
     })
 }
 
-/// Refuses to write over a file that was read.
+/// Fails if the output would overwrite a file that was read.
 pub fn check(path: Option<&Path>, files: &[PathBuf]) -> Result<(), Failure> {
     let Some(path) = path else {
         return Ok(());
@@ -51,7 +51,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
     matches!((identity(one), identity(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// Whether a path is a pipe, and not standard output under its name.
+/// Whether a path is a pipe other than standard output.
 #[cfg(unix)]
 fn is_foreign_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;
@@ -69,7 +69,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// Text on its way to bytes; keeps the error of the writer.
+/// Adapter from text to a byte writer that keeps the writer's error.
 struct Text<'w> {
     out: &'w mut dyn Write,
     error: Option<io::Error>,
@@ -115,7 +115,7 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
                 "it is a pipe, which may have no reader; write to standard output",
             ));
         }
-        // A device is written to, not replaced.
+        // a device is written to, not replaced
         let mut out = BufWriter::new(OpenOptions::new().write(true).open(path)?);
         return content(&mut out).and_then(|()| out.flush());
     }
@@ -128,7 +128,7 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
     {
         return Err(io::Error::other("it is read-only"));
     }
-    // A link stays: what it points to is replaced.
+    // keep a symbolic link: its target is replaced
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let beside = beside(&path)?;
     let unfinished = Unfinished::new(&beside);
@@ -148,7 +148,7 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
     done
 }
 
-/// The file that is being written; a signal that ends the program takes it away.
+/// Partly written file, which a terminating signal deletes.
 struct Unfinished;
 
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
@@ -157,7 +157,7 @@ static WATCHED: OnceLock<bool> = OnceLock::new();
 impl Unfinished {
     fn new(path: &Path) -> Unfinished {
         Self::put(Some(path.to_path_buf()));
-        // Where signals cannot be watched, a file may stay, which is no reason to write nothing.
+        // without a signal handler a partial file may remain, which is better than no output
         WATCHED.get_or_init(|| ctrlc::set_handler(Self::ended).is_ok());
         Unfinished
     }
@@ -181,7 +181,7 @@ impl Drop for Unfinished {
     }
 }
 
-/// A name in the same folder that nobody else takes.
+/// An unused name in the same folder.
 fn beside(path: &Path) -> io::Result<PathBuf> {
     let name = path
         .file_name()

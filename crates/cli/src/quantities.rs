@@ -1,4 +1,4 @@
-//! `quantities` and `schema`: what a case may hold and what an answer holds.
+//! Commands `quantities` and `schema`: content of cases and answers.
 
 use crate::args::{List, Plain, Quantities};
 use crate::show::columns::{Align, Columns};

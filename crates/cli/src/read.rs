@@ -1,7 +1,7 @@
-//! Reads a case from a file or from standard input, with what the command line sets and the files it names.
+//! Reads a case from a file or standard input, with the settings of the command line and the files that the case names.
 //!
-//! A case may come from anybody: the files it names are read below its own folder, or below `--root`, and nowhere else. A file
-//! that the command line names with `--set` is the user's own word and may lie anywhere.
+//! A case may be untrusted: files that it names are read from below its own folder, or below `--root`, and nowhere
+//! else. A file named on the command line with `--set` is trusted and may lie anywhere.
 
 mod data;
 mod place;
@@ -21,23 +21,23 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-/// Largest file that is read.
+/// Largest file size, bytes.
 const SIZE_MAX: u64 = 64 * 1024 * 1024;
 const OUTLINE: &str = "outline.file";
 
-/// A case with the rows of its files in the place of their names.
+/// Case with file names replaced by the rows of the files.
 pub struct Loaded {
     /// The case.
     pub case: Case,
-    /// Faults that do not keep it from being checked.
+    /// Faults that do not prevent the check of the case.
     pub faults: Vec<String>,
-    /// What the readers of the files decided.
+    /// Messages of the file readers.
     pub remarks: Vec<Remark>,
-    /// The files that were read, itself included.
+    /// Files that were read, including the case.
     pub files: Vec<PathBuf>,
 }
 
-/// What the reader of a file decided or left out.
+/// Message of a file reader on a decision or an omission.
 pub struct Remark {
     /// Key that names the file.
     key: &'static str,
@@ -46,7 +46,7 @@ pub struct Remark {
 }
 
 impl Loaded {
-    /// The remarks as findings.
+    /// The messages as findings.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
         self.remarks.iter().map(|Remark { key, message }| Finding {
             severity: Severity::Note,
@@ -60,7 +60,7 @@ impl Loaded {
         })
     }
 
-    /// What was found, unless reading or checking the case found faults: all of them.
+    /// The value, or the faults of reading and checking the case together.
     pub fn unless_at_fault<T>(&mut self, found: Result<T, Vec<InputError>>) -> Result<T, Failure> {
         let mut faults = std::mem::take(&mut self.faults);
         match found {
@@ -71,7 +71,7 @@ impl Loaded {
         Err(Failure::Input(faults))
     }
 
-    /// Says the remarks on standard error, where the output has no place for them.
+    /// Prints the messages on standard error, for output formats that cannot hold them.
     pub fn tell(&self) {
         for Remark { key, message } in &self.remarks {
             say(&format!("note: {key}: {message}"));
@@ -79,7 +79,7 @@ impl Loaded {
     }
 }
 
-/// The case that a command is asked for, whose files, and the data of one's own, its output must not replace.
+/// The case of a command; its output must not replace the files of the case or the user's data files.
 pub fn asked(source: &Source, output: Option<&Path>, data: &Data) -> Result<Loaded, Failure> {
     let loaded = case(source, &data.library)?;
     output::check(output, &loaded.files)?;
@@ -87,7 +87,7 @@ pub fn asked(source: &Source, output: Option<&Path>, data: &Data) -> Result<Load
     Ok(loaded)
 }
 
-/// The case with what is set in it applied; files that it names may lie below the root as well.
+/// The case with the settings of the command line; files that it names may also lie below the root.
 fn case(source: &Source, library: &Library) -> Result<Loaded, Failure> {
     let (path, root) = (source.case.as_path(), source.root.as_deref());
     let unreadable = |faults: Vec<InputError>| {
@@ -168,14 +168,14 @@ fn display(path: &Path) -> String {
     }
 }
 
-/// The text of a case: UTF-8, or UTF-16 with its mark.
+/// Text of a case: UTF-8, or UTF-16 with byte order mark.
 fn text(path: &Path) -> Result<String, Failure> {
     let name = display(path);
     let fault = |message: String| Failure::input(format!("{name}: {message}"));
     if !is_standard_input(path) && path.is_dir() {
         return Err(fault("is a folder; give the file of a case".to_string()));
     }
-    // a pipe may never end, or never begin
+    // reading a pipe may block or never end
     if !is_standard_input(path) && path.metadata().is_ok_and(|there| !there.is_file()) {
         return Err(fault(
             "is a pipe or a device, not a file; give the case on standard input, as -".to_string(),
@@ -217,7 +217,7 @@ fn bytes(from: impl Read) -> Result<Vec<u8>, String> {
 }
 
 impl Loaded {
-    /// Takes a key that names a file out of the case and reads the file.
+    /// Removes a key that names a file from the case and reads the file.
     fn file(&mut self, key: &'static str, place: &Place) -> Option<(String, Vec<u8>)> {
         let Some(Value::Text(name)) = self.case.values.get(key).cloned() else {
             return None;
@@ -268,7 +268,7 @@ impl Loaded {
     }
 }
 
-/// Puts the rows of a table in the place of the name of its file.
+/// Replaces the file name of a table by the rows of the file.
 fn resolve_table(loaded: &mut Loaded, key: &'static str, place: &Place, ground: &Ground) {
     let Some((name, bytes)) = loaded.file(key, place) else {
         return;
@@ -279,7 +279,7 @@ fn resolve_table(loaded: &mut Loaded, key: &'static str, place: &Place, ground: 
     }
 }
 
-/// Puts the points of an outline in the place of the name of its file.
+/// Replaces the file name of an outline by the points of the file.
 fn resolve_outline(loaded: &mut Loaded, place: &Place) {
     if !matches!(loaded.case.values.get(OUTLINE), Some(Value::Text(_))) {
         return;

@@ -1,4 +1,4 @@
-//! `reorientation`: entries of one vehicle from a set of attitudes and rates.
+//! Command `reorientation`: entries of one vehicle from a set of attitudes and rates.
 
 use crate::args::Reorientation;
 use crate::failure::printable;
@@ -14,7 +14,7 @@ use serde_json::json;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 
-/// What came of it: how the design ended where there is one, why, and the entries.
+/// Result: outcome and reason of the design, if there is one, and the entries.
 struct Flown {
     outcome: Option<&'static str>,
     reason: Option<String>,
@@ -57,7 +57,7 @@ fn flown(case: &Case, library: &Library) -> Result<Flown, Vec<InputError>> {
     }
 }
 
-/// Says on a terminal how far we are.
+/// Progress display on a terminal.
 pub fn watcher() -> impl Progress {
     let mut said = 0;
     move |done: f64| {
@@ -70,7 +70,7 @@ pub fn watcher() -> impl Progress {
     }
 }
 
-/// Clears what was said.
+/// Clears the progress display.
 pub fn watched() {
     terminal::progress("");
 }

@@ -1,4 +1,4 @@
-//! `fly` and `design`.
+//! Commands `fly` and `design`.
 
 use crate::args::{Form, Run};
 use crate::failure::Failure;
@@ -11,12 +11,12 @@ use msape::table::{self, Manner, Solved, kml};
 use msape::{Answer, Case, InputError, Library, Request, answer};
 use std::process::ExitCode;
 
-/// Which entries a design flies.
+/// Entries flown for a design.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Entries {
-    /// Its own.
+    /// The entry of the case.
     Nominal,
-    /// Also those from a set of attitudes and rates.
+    /// Also entries from a set of attitudes and rates.
     AnyAttitude,
 }
 
@@ -94,7 +94,7 @@ fn write(arguments: &Run, job: Job, case: &Case, answer: &Answer) -> Result<(), 
     }
 }
 
-/// The time history where one is asked for, else the results.
+/// Writes the time history if requested, else the results.
 fn csv(arguments: &Run, job: Job, solved: Solved, manner: Manner) -> Result<(), Failure> {
     let path = arguments.output.as_deref();
     if arguments.trajectory || arguments.trajectory_step.is_some() {

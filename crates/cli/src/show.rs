@@ -1,4 +1,4 @@
-//! An answer as tables to read.
+//! Answer as human-readable tables.
 
 pub mod columns;
 
@@ -16,9 +16,9 @@ use msape::quantity::{Job, input, trajectory};
 use msape::units::number::rounded;
 use msape::units::{Unit, canonical};
 
-/// Digits that are shown; files have all of them.
+/// Significant digits in tables; files have full precision.
 const DIGITS: usize = 6;
-/// Of the table of entries, which is wide.
+/// Significant digits of the table of entries, which is wide.
 const ENTRY_DIGITS: usize = 4;
 
 /// Columns of a time history that fit on a screen.
@@ -33,7 +33,7 @@ const HISTORY: [&str; 8] = [
     "total_heat_flux_w_m2",
 ];
 
-/// The answer as text; to a file without colour.
+/// The answer as text, without color for a file.
 pub fn answer(answer: &Answer, job: Job, to_file: bool) -> String {
     let paint = if to_file {
         Paint::Plain
@@ -190,7 +190,7 @@ fn time_history(history: &Trajectory, paint: Paint) -> String {
     section("Time history", &lines, paint)
 }
 
-/// Entries from a set of attitudes and rates.
+/// Table of the entries from a set of attitudes and rates.
 pub fn entries(turning: &Turning, paint: Paint) -> String {
     let mut table = Columns::new(&[Align::Right; turning::COLUMNS.len()]);
     table.push(turning::COLUMNS.map(|c| c.label.to_string()).to_vec());

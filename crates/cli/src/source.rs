@@ -1,4 +1,4 @@
-//! The argument that names a case.
+//! Argument that names a case.
 
 use clap::Args;
 use std::path::PathBuf;

@@ -1,18 +1,18 @@
-//! What a terminal is told besides the text: bold and colour, and how far we are.
+//! Terminal formatting: bold, color, and progress.
 
 use std::io::{IsTerminal, Write, stderr, stdout};
 
-/// Whether standard output is to be coloured.
+/// Use of color on standard output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// A terminal that wants colour.
+    /// A terminal with color.
     Colour,
-    /// A file, a pipe, or a terminal that does not.
+    /// A file, a pipe, or a terminal without color.
     Plain,
 }
 
 impl Paint {
-    /// For standard output: plain when it is not a terminal, when `NO_COLOR` is set, when the terminal is dumb.
+    /// Mode for standard output: plain if it is not a terminal, if `NO_COLOR` is set, or if the terminal is dumb.
     pub fn of_standard_output() -> Paint {
         let unwanted = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
             || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
@@ -35,32 +35,32 @@ impl Paint {
         self.with("1", text)
     }
 
-    /// What is well.
+    /// A good result.
     pub fn good(self, text: &str) -> String {
         self.with("32", text)
     }
 
-    /// What needs a look.
+    /// A result that needs attention.
     pub fn doubtful(self, text: &str) -> String {
         self.with("33", text)
     }
 
-    /// What is not well.
+    /// A bad result.
     pub fn bad(self, text: &str) -> String {
         self.with("1;31", text)
     }
 
-    /// What is only for reference.
+    /// Secondary information.
     pub fn faint(self, text: &str) -> String {
         self.with("2", text)
     }
 }
 
-/// Says on a terminal how far we are; says nothing elsewhere.
+/// Shows progress on a terminal; prints nothing elsewhere.
 pub fn progress(text: &str) {
     let mut err = stderr();
     if err.is_terminal() {
-        // The cursor goes back and the rest of the line is cleared.
+        // return to the start of the line and clear the rest of it
         let _ = write!(err, "\r\u{1b}[K{text}");
         let _ = err.flush();
     }

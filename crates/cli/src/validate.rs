@@ -1,4 +1,4 @@
-//! `validate`: the documented cases that ship with the program, beside their references, and predictions of flown capsules.
+//! Command `validate`: the shipped comparison cases beside their references, and predictions of flown capsules.
 
 use crate::args::Validate;
 use crate::failure::Failure;
@@ -12,7 +12,8 @@ use msape::validation::{self, File, Row, Verdict};
 use serde_json::json;
 use std::process::ExitCode;
 
-/// Compares and prints; ends with 1 when a judged value is beyond its tolerance. A missed prediction is no such end.
+/// Compares and prints; exit code 1 if a judged value is out of tolerance. A missed prediction does not affect the
+/// code.
 pub fn validate(arguments: &Validate, library: &Library) -> Done {
     let (files, capsules) = chosen(
         validation::files()?,
@@ -61,7 +62,7 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
 /// Comparisons by name, and capsules.
 type Chosen = (Vec<(String, File)>, Vec<Capsule>);
 
-/// The comparisons and the capsules that were named; all where none was.
+/// The comparisons and capsules named; all if none is named.
 fn chosen(
     mut files: Vec<(String, File)>,
     mut capsules: Vec<Capsule>,
@@ -92,7 +93,7 @@ fn chosen(
     Ok((files, capsules))
 }
 
-/// The predictions of a capsule as a table.
+/// Predictions for a capsule as a table.
 fn predicted(capsule: &Capsule, paint: Paint) -> String {
     let mut table = Columns::new(&[
         Align::Left,
@@ -143,7 +144,7 @@ fn predicted(capsule: &Capsule, paint: Paint) -> String {
     text
 }
 
-/// How many predictions were hit; nothing where none was made.
+/// Number of predictions that hit; empty if there are none.
 fn tally(capsules: &[Capsule]) -> String {
     let rows = || capsules.iter().flat_map(|capsule| &capsule.rows);
     let count = |verdict| {
@@ -220,7 +221,7 @@ fn section(name: &str, file: &File, rows: &[Row], paint: Paint) -> String {
     text
 }
 
-/// The cells of a row; reason, and a source that is not that of the file, go to a note that rows share.
+/// Cells of a row; the reason, and a source other than the file's, go to a note that rows share.
 fn cells(row: &Row, source: &str, notes: &mut Vec<String>) -> Vec<String> {
     let mut note = row.reason.clone();
     if row.source != source {

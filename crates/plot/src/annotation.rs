@@ -1,4 +1,4 @@
-//! What is added to the data: event and limit lines, legend and cursor.
+//! Additions to the data: event and limit lines, legend and cursor.
 
 use crate::compose::{Drawn, axis_of, occupied};
 use crate::figure::{Cursor, Figure, Kind, Marker};
@@ -12,11 +12,11 @@ use crate::scene::{Anchor, Label, Point, Shape, sharp};
 use crate::text::{Weight, shorten};
 use crate::theme::Rgb;
 
-/// Lengths of dash and gap of event lines, px.
+/// Dash and gap lengths of event lines, px.
 const EVENT_DASHES: [f64; 2] = [4.0, 3.0];
-/// Lengths of dash and gap of limit lines, px.
+/// Dash and gap lengths of limit lines, px.
 const LIMIT_DASHES: [f64; 2] = [7.0, 4.0];
-/// Most dots of a cursor on one line.
+/// Largest number of cursor dots on one line.
 const CURSOR_DOTS: usize = 8;
 
 impl Painter<'_> {
@@ -43,7 +43,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Limit lines, under the series.
+    /// Limit lines, drawn below the series.
     pub(crate) fn limit_lines(&mut self, figure: &Figure) {
         let plot = self.layout.mapping.plot;
         let places: Vec<f64> = figure
@@ -60,14 +60,14 @@ impl Painter<'_> {
         }
     }
 
-    /// Place of a value of the left axis, px, if it is in the plot.
+    /// Position of a value of the left axis, px, if it lies inside the plot.
     pub(crate) fn inside(&self, y: f64) -> Option<f64> {
         let Mapping { plot, y: axis, .. } = &self.layout.mapping;
         axis.px(y)
             .filter(|px| *px >= plot.top_px - 0.5 && *px <= plot.bottom_px + 0.5)
     }
 
-    /// Labels of limits, each at the end and on the side of its line with the fewest data under it.
+    /// Labels of limits, each at the end and on the side of its line that covers the least data.
     pub(crate) fn limit_labels(&mut self, figure: &Figure, drawn: &[Drawn], legend: &Legend) {
         let (plot, size_px) = (self.layout.mapping.plot, self.layout.sizes.small_px);
         let taken = occupied(figure, &self.layout.mapping, drawn);
@@ -203,7 +203,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Dot with a ring that sets it off.
+    /// Dot with a ring in the background color, which separates it from lines.
     pub(crate) fn cursor_dot(&mut self, at: Point, colour: Rgb) {
         let ring = Shape::Dot {
             at,

@@ -1,4 +1,4 @@
-//! A figure on an HTML canvas.
+//! Drawing of a figure on an HTML canvas.
 
 use crate::figure::Figure;
 use crate::mapping::Mapping;
@@ -13,27 +13,27 @@ use plotters_canvas::CanvasBackend;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-/// Plotters places by whole numbers; this many to a CSS px make lines smooth on any screen.
+/// Backend units per CSS px: plotters uses integer coordinates, and this many units make lines smooth on any screen.
 const UNITS_PER_PX: f64 = 16.0;
 
 /// Result of drawing on a canvas.
 type Drawn = Result<(), DrawingErrorKind<<CanvasBackend as DrawingBackend>::ErrorType>>;
 
-/// A canvas that counts in finer units than those of its bitmap, for which its context is scaled:
-/// plotters holds everything inside the size that the backend gives.
+/// Canvas with coordinates finer than the pixels of its bitmap, to which its context is scaled: plotters clips
+/// everything to the size reported by the backend.
 ///
-/// Lines of one look are collected into one path, which a browser draws many times faster than
-/// each dash for itself.
+/// Lines of the same color and width are collected into one path, which a browser draws many times faster than separate
+/// dashes.
 struct FineCanvas {
     inner: CanvasBackend,
     context: CanvasRenderingContext2d,
     size: (u32, u32),
-    /// Colour and width of the lines collected, if there are any.
+    /// Color and width of the collected lines, if there are any.
     look: Option<((u8, u8, u8), f64, u32)>,
 }
 
 impl FineCanvas {
-    /// Draws the lines collected.
+    /// Draws the collected lines.
     fn flush(&mut self) {
         if self.look.take().is_some() {
             self.context.stroke();
@@ -69,7 +69,7 @@ impl DrawingBackend for FineCanvas {
     ) -> Drawn {
         let BackendColor { rgb, alpha } = style.color();
         let look = Some((rgb, alpha, style.stroke_width()));
-        // Where lines that let the ground through cross, each is to be seen.
+        // translucent lines are drawn separately, so that crossings are visible
         if self.look != look || alpha < 1.0 {
             self.flush();
             let (r, g, b) = rgb;
@@ -120,7 +120,7 @@ impl DrawingBackend for FineCanvas {
     }
 }
 
-/// Size of a canvas on the page and px of the screen in a CSS px.
+/// Size of a canvas on the page, and screen pixels per CSS px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanvasSize {
     /// Width, CSS px.
@@ -131,11 +131,11 @@ pub struct CanvasSize {
     pub device_pixel_ratio: f64,
 }
 
-/// Draws a figure on a canvas, whose bitmap is made as fine as the screen. Its size on the page is
-/// left to the page's style.
+/// Draws a figure on a canvas, whose bitmap gets the resolution of the screen. Its size on the page is left to the
+/// style sheet.
 ///
 /// # Errors
-/// What the browser refuses: a context, or drawing on it.
+/// Browser errors: no context, or a failed drawing operation.
 pub fn canvas(
     figure: &Figure,
     theme: &Theme,
@@ -149,7 +149,7 @@ pub fn canvas(
     };
     let bitmap = |px: f64| (px * ratio).round().max(1.0) as u32;
     let (width, height) = (bitmap(size.width_px), bitmap(size.height_px));
-    // Setting a size empties the bitmap even if nothing changes.
+    // setting a size clears the bitmap even if the size stays the same
     if element.width() != width || element.height() != height {
         element.set_width(width);
         element.set_height(height);

@@ -1,4 +1,4 @@
-//! From a figure to the shapes that show it.
+//! Conversion of a figure to shapes.
 
 use crate::figure::{Figure, Kind, Series};
 use crate::layout::{Sheet, layout, visible_events};
@@ -10,17 +10,17 @@ use crate::scene::{Point, Scene};
 use crate::theme::{Rgb, Theme};
 use std::collections::BTreeSet;
 
-/// A series ready to be drawn.
+/// Series in px, ready to be drawn.
 pub(crate) struct Drawn<'a> {
     pub(crate) series: &'a Series,
     pub(crate) colour: Rgb,
     /// Parts inside the plot, px.
     pub(crate) parts: Vec<Vec<Point>>,
-    /// Filling of an area, px.
+    /// Filled polygons of an area, px.
     pub(crate) fillings: Vec<Vec<Point>>,
 }
 
-/// The shapes of a figure of the given size, px, and where its data are on them.
+/// Shapes of a figure of the given size, px, and its mapping from data to px.
 pub(crate) fn compose(
     figure: &Figure,
     theme: &Theme,
@@ -81,7 +81,7 @@ pub(crate) fn compose(
     (scene, layout_now.mapping)
 }
 
-/// The vertical axis of a series as drawn.
+/// Mapping of the vertical axis that a series uses.
 pub(crate) fn axis_of<'a>(figure: &Figure, series: &Series, mapping: &'a Mapping) -> &'a AxisMap {
     match (&mapping.y2, figure.is_right(series)) {
         (Some(right), true) => right,
@@ -99,7 +99,7 @@ fn series<'a>(figure: &'a Figure, theme: &Theme, mapping: &Mapping) -> Vec<Drawn
                 runs.into_iter()
                     .flatten()
                     .filter(|p| mapping.plot.grown(0.5).contains(*p))
-                    // Of points on the same px one is enough.
+                    // one point per px is enough
                     .filter(|p| seen.insert((p.0.round() as i64, p.1.round() as i64)))
                     .map(|p| vec![p])
                     .collect()
@@ -129,7 +129,7 @@ fn series<'a>(figure: &'a Figure, theme: &Theme, mapping: &Mapping) -> Vec<Drawn
     figure.series.iter().map(draw).collect()
 }
 
-/// Places that a legend or label should keep clear of.
+/// Positions that legend and labels should avoid.
 pub(crate) fn occupied(figure: &Figure, mapping: &Mapping, drawn: &[Drawn]) -> Vec<Point> {
     let plot = mapping.plot;
     let parts = drawn.iter().flat_map(|d| &d.parts);
@@ -148,7 +148,7 @@ mod tests {
     use crate::figure::{Axis, EventLine, LimitLine, Side};
     use crate::scene::Label;
 
-    /// A figure with something of everything.
+    /// A figure with every kind of element.
     fn busy() -> Figure {
         let wave = |k: f64| {
             (0..200)

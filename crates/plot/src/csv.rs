@@ -1,10 +1,10 @@
-//! The plotted data as CSV, in the units of the axes and with every digit.
+//! Plotted data as CSV, in the units of the axes and in full precision.
 
 use crate::figure::Figure;
 use crate::summary::heading;
 use std::fmt::Write as _;
 
-/// Whether all series have their points at the same x.
+/// Whether all series have the same x values.
 pub(crate) fn shares_x(figure: &Figure) -> bool {
     let xs = |i: usize| {
         figure
@@ -17,8 +17,8 @@ pub(crate) fn shares_x(figure: &Figure) -> bool {
     (1..figure.series.len()).all(|i| xs(i).eq(xs(0)))
 }
 
-/// The data, header "label (unit)". Series with the same x stand beside each other; others below
-/// each other, with the name of the series in the first column. A gap is an empty cell.
+/// Data with the header "label (unit)". Series with the same x are in adjacent columns; others follow each other, with
+/// the name of the series in the first column. A gap is an empty cell.
 pub fn csv(figure: &Figure) -> String {
     let mut text = String::new();
     let count = figure.series.len();
@@ -68,14 +68,14 @@ pub fn csv(figure: &Figure) -> String {
     text
 }
 
-/// The shortest digits that give the same number back; empty for what is not finite.
+/// The shortest form that reads back to the same number; empty for a value that is not finite.
 fn cell(value: f64) -> String {
     if !value.is_finite() {
         return String::new();
     }
     let mut digits = String::new();
     let size = value.abs();
-    // Writing to a string cannot fail.
+    // writing to a string cannot fail
     let _ = if size != 0.0 && !(1e-5..1e16).contains(&size) {
         write!(digits, "{value:e}")
     } else {

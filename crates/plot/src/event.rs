@@ -1,5 +1,4 @@
-//! Labels of event lines, in rows above the plot, so placed that none covers another or is cut by a
-//! line.
+//! Labels of event lines, in rows above the plot, placed so that no label covers another or is crossed by a line.
 
 use crate::text::{Weight, width_px};
 
@@ -8,22 +7,22 @@ const BESIDE_PX: f64 = 3.0;
 /// Space between two labels, px.
 const BETWEEN_PX: f64 = 6.0;
 
-/// A placed label.
+/// Placed label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Placed {
     /// Index of the event.
     pub(crate) index: usize,
-    /// Row, 0 next to the plot.
+    /// Row; 0 is next to the plot.
     pub(crate) row: usize,
     /// Left edge of the text, px.
     pub(crate) left_px: f64,
     /// Right edge of the text, px.
     pub(crate) right_px: f64,
-    /// Place of the line, px.
+    /// Position of the line, px.
     pub(crate) line_px: f64,
 }
 
-/// Where labels may stand.
+/// Space available for labels.
 pub(crate) struct Room {
     /// Left edge, px.
     pub(crate) left_px: f64,
@@ -35,11 +34,11 @@ pub(crate) struct Room {
     pub(crate) size_px: f64,
 }
 
-/// Events that are tried for a label.
+/// Largest number of events considered for a label.
 const MOST_LABELS: usize = 32;
 
-/// Places the labels of `lines` (index, place in px, label), the first the most important: a label
-/// for which there is no room beside the more important ones is left out.
+/// Places the labels of `lines` (index, position in px, label), most important first: a label that does not fit beside
+/// more important ones is left out.
 pub(crate) fn place(lines: &[(usize, f64, &str)], room: &Room) -> Vec<Placed> {
     let mut kept: Vec<(usize, f64, &str)> = Vec::new();
     let mut best = Vec::new();
@@ -55,8 +54,8 @@ pub(crate) fn place(lines: &[(usize, f64, &str)], room: &Room) -> Vec<Placed> {
     best
 }
 
-/// From right to left, each in the lowest row that is free: beside its line on the right, or else
-/// on the left. A line reaches up to its own row only. None if there is not room for all.
+/// Places all labels from right to left, each in the lowest free row: to the right of its line, else to the left. A
+/// line extends up to its own row only. `None` if not all labels fit.
 fn place_all(lines: &[(usize, f64, &str)], room: &Room) -> Option<Vec<Placed>> {
     let mut order: Vec<&(usize, f64, &str)> = lines.iter().collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -89,7 +88,7 @@ fn disturbs(a: &Placed, b: &Placed) -> bool {
     let shares = a.row == b.row
         && a.left_px < b.right_px + BETWEEN_PX
         && b.left_px < a.right_px + BETWEEN_PX;
-    // In the same row, the line of one stands beside its label and must not cut the other's.
+    // in the same row, the line of one label must not cross another label
     let strikes = |line: &Placed, label: &Placed| {
         line.row == label.row && line.line_px > label.left_px && line.line_px < label.right_px
     };
@@ -149,7 +148,7 @@ mod tests {
     fn what_finds_no_room_is_left_out() {
         let many: Vec<_> = (0..40).map(|i| (i, 100.0 + i as f64, "an event")).collect();
         let placed = place(&many, &ROOM);
-        // Right and left of their lines, in three rows each.
+        // three rows with a label on either side of its line
         assert!((3..=6).contains(&placed.len()), "{}", placed.len());
         assert!(placed.iter().any(|p| p.index == 0));
         check(&placed);

@@ -1,11 +1,11 @@
-//! What a figure shows: axes, series, event lines and limits, free of any drawing.
+//! Content of a figure: axes, series, event lines and limits, independent of drawing.
 
 /// A two-dimensional figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Heading above the plot, where there is room for one on the page.
+    /// Heading above the plot; `None` where the page has a heading.
     pub title: Option<String>,
-    /// What a reader who does not see the figure should know; if empty, [`crate::summary`] is used.
+    /// Description for readers who cannot see the figure; if empty, [`crate::summary`] is used.
     pub description: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -15,18 +15,18 @@ pub struct Figure {
     pub y2: Option<Axis>,
     /// Lines, point clouds and areas, drawn in this order.
     pub series: Vec<Series>,
-    /// Vertical dashed lines with a label above the plot, the most important first: it is theirs where
-    /// there is not room for all labels.
+    /// Vertical dashed lines with a label above the plot, most important first: the first get a label where there is
+    /// not room for all.
     pub events: Vec<EventLine>,
-    /// Horizontal dashed lines of the left axis.
+    /// Horizontal dashed lines on the left axis.
     pub limits: Vec<LimitLine>,
     /// Cursor linked with other figures.
     pub cursor: Option<Cursor>,
-    /// Whether a unit has the same length on both axes.
+    /// Whether both axes have the same scale.
     pub aspect: Aspect,
 }
 
-/// An axis: its caption, scale and, if it is not to follow the data, range.
+/// Axis: caption, scale and, unless it follows the data, range.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
     /// Quantity, such as "Altitude".
@@ -35,44 +35,44 @@ pub struct Axis {
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// First and last value shown; the first may be the greater. Follows the data if absent.
+    /// First and last value shown; the first may be the greater. `None` follows the data.
     pub range: Option<(f64, f64)>,
 }
 
 /// Scale of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
-    /// Equal steps for equal differences.
+    /// Linear.
     #[default]
     Linear,
-    /// Equal steps for equal ratios; values that are not positive are not drawn.
+    /// Logarithmic; values that are not positive are not drawn.
     Log,
 }
 
-/// Length of a unit on the two axes.
+/// Ratio of the scales of the two axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Aspect {
-    /// Each axis fills the plot.
+    /// Independent: each axis fills the plot.
     #[default]
     Free,
-    /// The same on both axes, as in a drawing to scale. Needs two linear axes.
+    /// Equal, as in a drawing to scale. Needs two linear axes.
     Equal,
 }
 
-/// Points of one name.
+/// Named set of points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
     /// Name in the legend.
     pub name: String,
-    /// Points (x, y); a point that is not finite breaks the line.
+    /// Points (x, y); a non-finite point breaks the line.
     pub points: Vec<(f64, f64)>,
-    /// Look.
+    /// Style.
     pub style: Style,
-    /// Vertical axis that the series is read on.
+    /// Vertical axis of the series.
     pub side: Side,
 }
 
-/// Vertical axis that a series is read on.
+/// Vertical axis of a series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
     /// The axis [`Figure::y`].
@@ -82,32 +82,32 @@ pub enum Side {
     Right,
 }
 
-/// Look of a series. Colour is never its only sign: see [`Style::nth`].
+/// Style of a series. Color is never the only distinction: see [`Style::nth`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Style {
     /// Index into the palette of the theme, taken modulo its length.
     pub colour: usize,
-    /// Dashes of the line.
+    /// Dash pattern of the line.
     pub dash: Dash,
-    /// Sign at points, thinned out along a line.
+    /// Marker at points, spaced along a line.
     pub marker: Option<Marker>,
     /// Line, point cloud or area.
     pub kind: Kind,
 }
 
-/// How the points of a series are joined.
+/// Representation of the points of a series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// By straight lines.
+    /// Straight lines between the points.
     #[default]
     Line,
-    /// Not at all: a marker at each.
+    /// A marker at each point, without lines.
     Points,
-    /// Into a closed outline with a light filling.
+    /// A closed outline with a light filling.
     Area,
 }
 
-/// Dashes of a line.
+/// Dash pattern of a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Dash {
@@ -119,7 +119,7 @@ pub enum Dash {
     LongDash,
 }
 
-/// Sign at a point.
+/// Marker shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Marker {
@@ -152,14 +152,14 @@ pub struct LimitLine {
 /// Cursor of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cursor {
-    /// Vertical line, with a dot where it meets each line.
+    /// Vertical line, with a dot where it crosses each series.
     X(f64),
-    /// Cross-hair at a point of the left axis, for figures whose line turns back in x.
+    /// Cross-hair at a point of the left axis, for figures whose lines are not single-valued in x.
     Point(f64, f64),
 }
 
 impl Axis {
-    /// Linear axis that follows the data.
+    /// A linear axis that follows the data.
     pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Self {
             label: label.into(),
@@ -168,13 +168,13 @@ impl Axis {
         }
     }
 
-    /// The same axis with another scale.
+    /// The axis with another scale.
     #[must_use]
     pub fn with_scale(self, scale: Scale) -> Self {
         Self { scale, ..self }
     }
 
-    /// The same axis with a fixed range.
+    /// The axis with a fixed range.
     #[must_use]
     pub fn with_range(self, from: f64, to: f64) -> Self {
         Self {
@@ -199,7 +199,7 @@ pub(crate) fn with_unit(label: &str, unit: &str) -> String {
 }
 
 impl Series {
-    /// Line on the left axis, in the look that is the `index`-th to be used.
+    /// A line on the left axis in the `index`-th style.
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>, index: usize) -> Self {
         Self {
             name: name.into(),
@@ -211,7 +211,7 @@ impl Series {
 }
 
 impl Style {
-    /// Look of the `index`-th series: colour and dashes change together, then markers are added.
+    /// Style of the `index`-th series: color and dashes change together, then markers are added.
     pub fn nth(index: usize) -> Self {
         const DASHES: [Dash; 5] = [
             Dash::Solid,
@@ -235,7 +235,7 @@ impl Style {
 }
 
 impl Marker {
-    /// The `index`-th marker, starting over after the last.
+    /// The `index`-th marker, cycling through all of them.
     pub fn nth(index: usize) -> Self {
         match index % 6 {
             0 => Self::Circle,
@@ -249,7 +249,7 @@ impl Marker {
 }
 
 impl Figure {
-    /// Axis that a series is read on: the right one only where there is one.
+    /// Axis of a series: the right one only where it exists.
     pub(crate) fn side_axis(&self, side: Side) -> &Axis {
         match (side, &self.y2) {
             (Side::Right, Some(axis)) => axis,
@@ -257,7 +257,7 @@ impl Figure {
         }
     }
 
-    /// Whether the series is read on an existing right axis.
+    /// Whether a series uses an existing right axis.
     pub(crate) fn is_right(&self, series: &Series) -> bool {
         series.side == Side::Right && self.y2.is_some()
     }

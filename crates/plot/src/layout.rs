@@ -1,4 +1,4 @@
-//! Where everything stands: margins follow the widths of labels, so that none is cut.
+//! Positions of all parts: margins follow the widths of labels, so that none is cut off.
 
 use crate::event::{Placed, Room, place};
 use crate::figure::{Aspect, Axis, Figure, Scale, Side};
@@ -10,11 +10,11 @@ use crate::tick::{Step, Tick, ticks};
 
 /// Space along the edges of the figure, px.
 pub(crate) const PAD_PX: f64 = 8.0;
-/// Length of a tick mark with the space to its label, px.
+/// Length of a tick mark with the gap to its label, px.
 pub(crate) const TICK_PX: f64 = 7.0;
-/// Distance of lines of text in font sizes.
+/// Line spacing in font sizes.
 const LEADING: f64 = 1.35;
-/// Least width and height of a plot, px, however small the figure.
+/// Smallest width and height of a plot, px, however small the figure.
 const LEAST_PLOT_PX: f64 = 24.0;
 
 /// Font sizes, px.
@@ -40,7 +40,7 @@ impl Sizes {
     }
 }
 
-/// Lines of text above each other; `top_px` is the upper edge of the first.
+/// Lines of text below each other; `top_px` is the upper edge of the first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Block {
     pub(crate) lines: Vec<String>,
@@ -59,7 +59,7 @@ impl Block {
     }
 }
 
-/// Places of all parts of a figure.
+/// Positions of all parts of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Layout {
     pub(crate) mapping: Mapping,
@@ -84,7 +84,7 @@ pub(crate) struct Sheet {
     pub(crate) legend_height_px: f64,
 }
 
-/// What one round of the layout learns for the next.
+/// Result of one round of the layout, used by the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Margins {
     left_px: f64,
@@ -92,7 +92,7 @@ struct Margins {
     event_rows: usize,
 }
 
-/// Lays a figure out. Margins and ticks depend on each other; three rounds settle them.
+/// Layout of a figure. Margins and ticks depend on each other; three rounds converge.
 pub(crate) fn layout(figure: &Figure, theme: &Theme, sheet: Sheet) -> Layout {
     let most_rows = if sheet.height_px < 300.0 { 2 } else { 4 };
     let margins = Margins {
@@ -152,7 +152,7 @@ fn round(
             .map(|t| width_px(&t.label, sizes.small_px, Weight::Normal))
             .fold(0.0, f64::max)
     };
-    // Half of the outermost labels of the horizontal axis may stand out beyond the plot.
+    // half of the outermost labels of the horizontal axis may extend beyond the plot
     let (mut out_left, mut out_right) = (0.0_f64, 0.0_f64);
     for tick in &x_ticks {
         let half = width_px(&tick.label, sizes.small_px, Weight::Normal) / 2.0;
@@ -195,7 +195,7 @@ fn round(
     (layout, next)
 }
 
-/// Captions of the vertical axes above their ends; below each other where they do not fit beside.
+/// Captions of the vertical axes above their ends; below each other where they do not fit side by side.
 fn vertical_captions(figure: &Figure, sizes: Sizes, limit: f64, top: &mut f64) -> (Block, Block) {
     let size = sizes.caption_px;
     let right = figure.y2.as_ref().map(Axis::caption).unwrap_or_default();
@@ -226,7 +226,7 @@ pub(crate) fn visible_events<'a>(
         .collect()
 }
 
-/// Which axes have something to show, and so ticks.
+/// Axes that have data, and so ticks.
 #[derive(Clone, Copy)]
 struct Shown {
     x: bool,
@@ -295,7 +295,7 @@ fn map(figure: &Figure, plot: Rect) -> (Mapping, Shown) {
     )
 }
 
-/// Widens the range with fewer units to the px about its middle until both have as many.
+/// Widens, about its middle, the range with fewer units per px until both scales are equal.
 fn equalize(x: &mut Range, y: &mut Range, plot: Rect) {
     let per_px_x = (x.to - x.from).abs() / plot.width_px();
     let per_px_y = (y.to - y.from).abs() / plot.height_px();
@@ -311,7 +311,7 @@ fn equalize(x: &mut Range, y: &mut Range, plot: Rect) {
     (range.from, range.to) = (middle - half, middle + half);
 }
 
-/// A vertical range that follows the data, moved outwards to the nearest ticks.
+/// Vertical range that follows the data, extended to the nearest ticks.
 fn rounded(range: Range, scale: Scale, plot: Rect) -> Range {
     if range.fixed {
         return range;
@@ -332,7 +332,7 @@ fn most_x(plot: Rect) -> usize {
 
 fn most_y(plot: Rect) -> usize {
     let height = plot.height_px();
-    // Four steps are worth a little crowding.
+    // accept dense labels rather than fewer than four steps
     (height / 42.0)
         .max((height / 24.0).min(4.0))
         .clamp(2.0, 9.0) as usize

@@ -1,4 +1,4 @@
-//! The legend: in a corner of the plot that is free of lines, or else in rows above the plot.
+//! Legend: in a corner of the plot that is free of lines, else in rows above the plot.
 
 use crate::figure::Figure;
 use crate::layout::{Layout, PAD_PX, Sizes};
@@ -6,11 +6,11 @@ use crate::mapping::Rect;
 use crate::scene::Point;
 use crate::text::{Weight, shorten, width_px};
 
-/// Length of the sample of a line, px.
+/// Length of a line sample, px.
 pub(crate) const SAMPLE_PX: f64 = 34.0;
 /// Space between a sample and its name, px.
 pub(crate) const GAP_PX: f64 = 6.0;
-/// Space inside the frame, and between entries beside each other, px.
+/// Padding of the frame, and space between adjacent entries, px.
 const INSIDE_PX: f64 = 7.0;
 /// Distance of the frame from the axes, px.
 const OUTSIDE_PX: f64 = 8.0;
@@ -23,7 +23,7 @@ pub(crate) struct Entry {
     pub(crate) at: Point,
 }
 
-/// A placed legend; its frame only where it lies in the plot.
+/// Placed legend; it has a frame only inside the plot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Legend {
     pub(crate) entries: Vec<Entry>,
@@ -32,7 +32,7 @@ pub(crate) struct Legend {
     pub(crate) height_px: f64,
 }
 
-/// Names in the legend; none where the figure has only one series.
+/// Names in the legend; empty for fewer than two named series.
 fn names(figure: &Figure) -> Vec<(usize, String)> {
     let named = figure
         .series
@@ -48,8 +48,8 @@ fn names(figure: &Figure) -> Vec<(usize, String)> {
     if all.len() > 1 { all } else { Vec::new() }
 }
 
-/// The legend in the first free corner: upper right, upper left, lower right, lower left. `occupied`
-/// are places along lines; of corners free of them, the one with the fewest event lines is taken.
+/// The legend in the first free corner: upper right, upper left, lower right, lower left. `occupied` are points along
+/// lines; among free corners, that with the fewest event lines is taken.
 pub(crate) fn in_corner(
     figure: &Figure,
     layout: &Layout,
@@ -114,7 +114,7 @@ pub(crate) fn in_corner(
     })
 }
 
-/// The legend in rows from `top_px` on.
+/// The legend in rows below `top_px`.
 pub(crate) fn above(figure: &Figure, sizes: Sizes, width: f64, top_px: f64) -> Legend {
     let (size, row) = (sizes.small_px, Sizes::row_px(sizes.small_px));
     let limit = width - 2.0 * PAD_PX - SAMPLE_PX - GAP_PX;

@@ -1,15 +1,15 @@
 //! Figures: one description, drawn on any plotters backend.
 //!
-//! A [`Figure`] says what is shown: axes, series, event and limit lines, cursor. A [`Theme`] says
-//! how it looks. From the two come
+//! A [`Figure`] describes the content: axes, series, event and limit lines, cursor. A [`Theme`] describes the style.
+//! They are drawn by
 //!
-//! - [`svg`]: a document, the same bytes everywhere, for tests, reports and exports;
-//! - `canvas`: the same on an HTML canvas, in the browser only;
-//! - [`draw`]: the same on any other plotters backend;
+//! - [`svg`]: an SVG document, the same bytes everywhere, for tests, reports and exports;
+//! - `canvas`: an HTML canvas, in the browser only;
+//! - [`draw`]: any other plotters backend;
 //! - [`csv`], [`table`] and [`summary`]: the data as a file, as a table and in words.
 //!
-//! Text is measured with a built-in table of widths, not with fonts: layout needs no font, file or
-//! DOM, and is the same everywhere. Sizes are CSS px.
+//! Text is measured with a built-in table of widths: layout needs no font, file or DOM, and is the same everywhere.
+//! Sizes are CSS px.
 //!
 //! ```
 //! use msape_plot::{Axis, Figure, Series, Theme, svg};
@@ -24,8 +24,8 @@
 //! assert!(text.contains("Altitude (km)"));
 //! ```
 //!
-//! Deliberately absent: pictures of fonts, animation, interaction. A page places its cursor with the
-//! [`Mapping`] that drawing returns, and reads values with [`readings`].
+//! Deliberately absent: font rendering, animation, interaction. A page places its cursor with the [`Mapping`] that
+//! drawing returns, and reads values with [`readings`].
 
 mod annotation;
 mod compose;

@@ -1,21 +1,21 @@
-//! Lines on their way to the backend: broken at gaps, thinned, clipped to the plot and dashed.
+//! Processing of lines for the backend: split at gaps, thinned, clipped to the plot and dashed.
 
 use crate::figure::Dash;
 use crate::mapping::{AxisMap, Rect};
 use crate::scene::Point;
 
-/// More points than this are thinned out.
+/// Number of points above which a line is thinned.
 const MOST_POINTS: usize = 4000;
-/// Width of the columns that points are thinned in, px: that of a device px on a fine screen.
+/// Width of the columns for thinning, px: a device pixel on a high-resolution screen.
 const COLUMN_PX: f64 = 0.5;
-/// Distance from a straight line that is not seen, px: half a unit of the SVG backend.
+/// Distance from a straight line that is not visible, px: half a unit of the SVG backend.
 const STRAIGHT_PX: f64 = 0.05;
-/// Most points between two of a straight line that are left out.
+/// Largest number of successive points removed from a straight line.
 const MOST_SKIPPED: usize = 24;
-/// Places are held within this many px, which whole numbers of any backend can hold.
+/// Coordinates are clamped to this many px, which the integers of any backend can hold.
 const FARTHEST_PX: f64 = 1e6;
 
-/// Runs of points that the axes have a place for, px.
+/// Runs of points that have a position on both axes, px.
 pub(crate) fn runs(points: &[(f64, f64)], x: &AxisMap, y: &AxisMap) -> Vec<Vec<Point>> {
     let mut runs = vec![Vec::new()];
     for point in points {
@@ -33,9 +33,9 @@ pub(crate) fn runs(points: &[(f64, f64)], x: &AxisMap, y: &AxisMap) -> Vec<Vec<P
     runs
 }
 
-/// The run with at most four points in each stay in a column: first, lowest, highest, last.
+/// The run with at most four successive points per column: first, lowest, highest, last.
 ///
-/// What is seen does not change, since a column is no wider than a px.
+/// The picture does not change, since a column is no wider than a px.
 pub(crate) fn thinned(run: Vec<Point>) -> Vec<Point> {
     if run.len() <= MOST_POINTS {
         return run;
@@ -70,7 +70,7 @@ fn keep_extremes(column: &[Point], kept: &mut Vec<Point>) {
     kept.extend(chosen.into_iter().filter_map(|i| column.get(i)));
 }
 
-/// The run without points that lie on the line between their neighbours to a small part of a px.
+/// The run without points that lie on the line between their neighbors to within a small fraction of a px.
 pub(crate) fn straightened(run: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
     let mut skipped: Vec<Point> = Vec::new();
@@ -100,7 +100,7 @@ fn is_between(a: Point, p: Point, b: Point) -> bool {
     across * across <= STRAIGHT_PX * STRAIGHT_PX * square && along >= 0.0 && along <= square
 }
 
-/// The parts of a line inside a rectangle (Liang and Barsky's way).
+/// Parts of a line inside a rectangle (Liang–Barsky algorithm).
 pub(crate) fn clipped(run: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     if let [only] = run
@@ -147,7 +147,7 @@ fn segment_inside(a: Point, b: Point, rect: &Rect) -> Option<(Point, Point)> {
     (enter <= leave).then_some((from, to))
 }
 
-/// The part of a polygon inside a rectangle (Sutherland and Hodgman's way).
+/// Part of a polygon inside a rectangle (Sutherland–Hodgman algorithm).
 pub(crate) fn clipped_polygon(polygon: Vec<Point>, rect: &Rect) -> Vec<Point> {
     type Depth = fn(Point, &Rect) -> f64;
     let sides: [Depth; 4] = [
@@ -173,7 +173,7 @@ pub(crate) fn clipped_polygon(polygon: Vec<Point>, rect: &Rect) -> Vec<Point> {
     })
 }
 
-/// Lengths of dash, gap, dash, gap, ... in line widths.
+/// Dash pattern, alternating dash and gap, in line widths.
 pub(crate) fn pattern(dash: Dash) -> &'static [f64] {
     match dash {
         Dash::Solid => &[],
@@ -184,7 +184,7 @@ pub(crate) fn pattern(dash: Dash) -> &'static [f64] {
     }
 }
 
-/// The dashes of a line; `pattern` in px. An empty pattern leaves the line whole.
+/// Dashes of a line; `pattern` in px. An empty pattern leaves the line whole.
 pub(crate) fn dashed(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     if pattern.is_empty() || pattern.iter().sum::<f64>() <= 0.0 {
         return vec![line.to_vec()];
@@ -220,7 +220,7 @@ pub(crate) fn dashed(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     dashes
 }
 
-/// Places about `every_px` apart along a line, the first half as far from its start.
+/// Positions about `every_px` apart along a line, the first at half that distance from its start.
 pub(crate) fn spaced(line: &[Point], every_px: f64) -> Vec<Point> {
     let mut places = Vec::new();
     let mut left = every_px / 2.0;
@@ -239,7 +239,7 @@ pub(crate) fn spaced(line: &[Point], every_px: f64) -> Vec<Point> {
     places
 }
 
-/// Values of y where a line takes the value `x`, at most `most` of them.
+/// Values of y where a line crosses `x`, at most `most` of them.
 pub(crate) fn crossings(points: &[(f64, f64)], x: f64, most: usize) -> Vec<f64> {
     let mut found = Vec::new();
     for pair in points.windows(2) {
@@ -328,7 +328,7 @@ mod tests {
             let (a, b) = (quarter[i], quarter[(i + 1) % n]);
             twice += a.0 * b.1 - b.0 * a.1;
         }
-        // 5 x 5.
+        // 5 × 5
         assert_eq!(twice / 2.0, 25.0);
     }
 
@@ -344,7 +344,7 @@ mod tests {
             })
             .collect();
         let thin = thinned(run.clone());
-        // 500 px in columns of half a px, four points each.
+        // 500 px in columns of half a px, four points each
         assert!(thin.len() <= 4 * 1000 + 4, "{}", thin.len());
         assert!(thin.contains(&run[peak as usize]));
         assert_eq!((thin.first(), thin.last()), (run.first(), run.last()));

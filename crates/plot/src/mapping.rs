@@ -1,4 +1,4 @@
-//! From data to px and back, so that a page can place a linked cursor on a drawn figure.
+//! Mapping from data to px and back, by which a page places a linked cursor on a drawn figure.
 
 use crate::figure::Scale;
 use numerics::math::{exp, ln};
@@ -35,7 +35,7 @@ impl Rect {
             && y_px <= self.bottom_px
     }
 
-    /// The rectangle with each side moved outwards.
+    /// The rectangle enlarged by the same amount on each side.
     pub(crate) fn grown(&self, by_px: f64) -> Self {
         Self {
             left_px: self.left_px - by_px,
@@ -54,7 +54,7 @@ impl Rect {
     }
 }
 
-/// An axis as drawn.
+/// Axis as drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisMap {
     /// Linear or logarithmic.
@@ -63,14 +63,14 @@ pub struct AxisMap {
     pub from: f64,
     /// Value at the right or upper end.
     pub to: f64,
-    /// Place of the left or lower end, px.
+    /// Position of the left or lower end, px.
     pub from_px: f64,
-    /// Place of the right or upper end, px.
+    /// Position of the right or upper end, px.
     pub to_px: f64,
 }
 
 impl AxisMap {
-    /// Place of a value, px; none where the axis has no place for it.
+    /// Position of a value, px; `None` for a value that the axis cannot show.
     pub fn px(&self, value: f64) -> Option<f64> {
         let part = match self.scale {
             Scale::Linear => (value - self.from) / (self.to - self.from),
@@ -81,7 +81,7 @@ impl AxisMap {
         px.is_finite().then_some(px)
     }
 
-    /// Value at a place.
+    /// Value at a position.
     pub fn value(&self, px: f64) -> f64 {
         let part = (px - self.from_px) / (self.to_px - self.from_px);
         match self.scale {
@@ -91,10 +91,10 @@ impl AxisMap {
     }
 }
 
-/// A figure as drawn, in CSS px from its upper left corner.
+/// Figure as drawn, in CSS px from its upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
-    /// The plot without its labels.
+    /// Plot area without labels.
     pub plot: Rect,
     /// Horizontal axis.
     pub x: AxisMap,

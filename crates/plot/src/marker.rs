@@ -1,4 +1,4 @@
-//! Markers: shapes about a place, told apart by their outline.
+//! Markers, distinguished by their shape.
 
 use crate::figure::Marker;
 use crate::scene::{Point, Scene, Shape};

@@ -1,11 +1,11 @@
-//! Numbers as people read them: grouped thousands, a true minus sign, powers of ten.
+//! Number formatting: grouped thousands, a true minus sign, powers of ten.
 
 use numerics::math::{log10, powi};
 
 /// Narrow no-break space between groups of three digits.
 const GROUP: char = '\u{202F}';
 
-/// 10 to a whole power.
+/// 10 to an integer power.
 pub(crate) fn power_of_ten(n: i32) -> f64 {
     let power = powi(10.0, n.unsigned_abs());
     if n < 0 { 1.0 / power } else { power }
@@ -17,10 +17,10 @@ pub(crate) fn scaled(m: f64, n: i32) -> f64 {
     if n < 0 { m / power } else { m * power }
 }
 
-/// Whole power of ten just below or at `x`, for `x` above 0.
+/// Exponent of the largest power of ten that is at most `x`, for `x` above 0.
 pub(crate) fn decade(x: f64) -> i32 {
     let n = log10(x).floor() as i32;
-    // The logarithm of a power of ten may round to either side.
+    // the logarithm of a power of ten may round to either side
     if scaled(1.0, n + 1) <= x {
         n + 1
     } else if scaled(1.0, n) > x {
@@ -82,7 +82,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
     let places = digits.max(1) as i32 - 1;
     let n = decade(value.abs());
-    // Rounding may carry into the next decade: 9.9996 to 4 digits is 10.00.
+    // rounding may carry into the next decade: 9.9996 to 4 digits is 10.00
     let mantissa = value / power_of_ten(n);
     let n = if format!("{:.*}", places as usize, mantissa.abs()).starts_with("10") {
         n + 1
@@ -97,7 +97,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// The number without zeros at the end of its fraction.
+/// The number without trailing zeros in its fraction.
 fn trimmed(text: String) -> String {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()

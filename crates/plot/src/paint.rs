@@ -1,4 +1,4 @@
-//! From shapes to a plotters backend.
+//! Drawing of shapes on a plotters backend.
 
 use crate::compose::compose;
 use crate::figure::Figure;
@@ -13,24 +13,24 @@ use plotters::prelude::DrawingBackend;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, RGBColor, ShapeStyle, TextStyle};
 
-/// Size of a figure, and how the backend counts px. Plotters places by whole numbers, so that lines
-/// are smooth only where a CSS px holds several units of the backend.
+/// Size of a figure and units of the backend. Plotters uses integer coordinates, so that lines are smooth only where a
+/// CSS px has several backend units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Width, CSS px.
     pub width_px: f64,
     /// Height, CSS px.
     pub height_px: f64,
-    /// Units of the backend in a CSS px.
+    /// Backend units per CSS px.
     pub units_per_px: f64,
-    /// What the backend divides font sizes by.
+    /// Divisor that the backend applies to font sizes.
     pub font_divisor: f64,
-    /// How far below its place the backend should be told to centre text, font sizes.
+    /// Downward shift needed to center text vertically, in font sizes.
     pub text_drop_em: f64,
 }
 
 impl Frame {
-    /// For a backend that keeps font sizes and centres text, with `units_per_px` units to a CSS px.
+    /// For a backend that keeps font sizes and centers text, with `units_per_px` units per CSS px.
     pub fn new(width_px: f64, height_px: f64, units_per_px: f64) -> Self {
         Self {
             width_px,
@@ -42,10 +42,10 @@ impl Frame {
     }
 }
 
-/// Draws a figure on any plotters backend and says where the data are.
+/// Draws a figure on any plotters backend and returns its mapping from data to px.
 ///
 /// # Errors
-/// Those of the backend.
+/// Errors of the backend.
 pub fn draw<DB: DrawingBackend>(
     figure: &Figure,
     theme: &Theme,
@@ -125,7 +125,7 @@ fn text_style<'a>(label: &Label, theme: &'a Theme, frame: &Frame) -> TextStyle<'
         Anchor::Middle => HPos::Center,
         Anchor::End => HPos::Right,
     };
-    // Whole units are also written shorter.
+    // integers also give shorter text
     let size = (label.size_px * frame.units_per_px).round() * frame.font_divisor;
     let family = FontFamily::Name(&theme.font_family);
     TextStyle {

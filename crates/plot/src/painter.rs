@@ -1,4 +1,4 @@
-//! The parts of a figure as shapes.
+//! Parts of a figure as shapes.
 
 use crate::compose::Drawn;
 use crate::figure::{Dash, Kind, Marker};
@@ -13,12 +13,12 @@ use crate::tick::Tick;
 
 /// Radius of markers, px.
 pub(crate) const MARKER_PX: f64 = 3.4;
-/// Distance of markers along a line, px.
+/// Spacing of markers along a line, px.
 const MARKER_EVERY_PX: f64 = 64.0;
-/// Mean distance of grid lines below which the minor ones are left out, px.
+/// Mean spacing of grid lines below which the minor ones are omitted, px.
 const DENSEST_PX: f64 = 8.0;
 
-/// Adds the parts of a laid-out figure to a scene.
+/// Adds the parts of a figure with a layout to a scene.
 pub(crate) struct Painter<'a> {
     pub(crate) scene: &'a mut Scene,
     pub(crate) theme: &'a Theme,
@@ -26,13 +26,13 @@ pub(crate) struct Painter<'a> {
 }
 
 impl Painter<'_> {
-    /// Level line one px wide.
+    /// Horizontal line one px wide.
     pub(crate) fn level(&mut self, (left, right): (f64, f64), y_px: f64, colour: Rgb) {
         let y = sharp(y_px);
         self.scene.path(vec![(left, y), (right, y)], colour, 1.0);
     }
 
-    /// Upright line one px wide.
+    /// Vertical line one px wide.
     pub(crate) fn upright(&mut self, x_px: f64, (top, bottom): (f64, f64), colour: Rgb) {
         let x = sharp(x_px);
         self.scene.path(vec![(x, top), (x, bottom)], colour, 1.0);
@@ -52,7 +52,7 @@ impl Painter<'_> {
         });
     }
 
-    /// Minor grid, where it is not too dense, under major grid; the right axis has none.
+    /// Minor grid, where it is not too dense, below the major grid; none for the right axis.
     pub(crate) fn grid(&mut self) {
         let (layout, theme) = (self.layout, self.theme);
         let Mapping { plot, x, y, .. } = layout.mapping;
@@ -130,7 +130,7 @@ impl Painter<'_> {
         let running = (sizes.caption_px, Weight::Normal);
         self.block(y_caption, PAD_PX, Anchor::Start, running);
         self.block(y2_caption, width_px - PAD_PX, Anchor::End, running);
-        // Under the middle of the plot, but not beyond the edges of the figure.
+        // centered below the plot, but kept inside the figure
         let widest = x_caption
             .lines
             .iter()
@@ -141,7 +141,7 @@ impl Painter<'_> {
         self.block(x_caption, middle, Anchor::Middle, running);
     }
 
-    /// Lines of text above each other.
+    /// Lines of text below each other.
     pub(crate) fn block(
         &mut self,
         block: &Block,
@@ -198,7 +198,7 @@ impl Painter<'_> {
                 continue;
             }
             for part in parts {
-                // A point alone between gaps is still seen.
+                // make an isolated point between gaps visible
                 if let [only] = part.as_slice() {
                     let marker = style.marker.unwrap_or(Marker::Circle);
                     marker::add(self.scene, marker, *only, MARKER_PX * 0.8, *colour);
@@ -217,7 +217,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Dashed line in the width of series.
+    /// Dashed line in the width of the series lines.
     pub(crate) fn stroke(&mut self, points: &[Point], dash: Dash, colour: Rgb) {
         let width = self.theme.line_width_px;
         let pattern: Vec<f64> = line::pattern(dash).iter().map(|d| d * width).collect();
@@ -226,7 +226,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Says that there is nothing to show.
+    /// Note that there is nothing to show.
     pub(crate) fn no_data(&mut self) {
         let plot = self.layout.mapping.plot;
         let middle = (
@@ -244,7 +244,7 @@ impl Painter<'_> {
     }
 }
 
-/// Places and labels of the major or the minor ticks, px.
+/// Positions and labels of the major or the minor ticks, px.
 fn places<'a>(ticks: &'a [Tick], axis: &AxisMap, is_major: bool) -> Vec<(f64, &'a str)> {
     ticks
         .iter()

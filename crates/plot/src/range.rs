@@ -3,16 +3,16 @@
 use crate::figure::{Aspect, Figure, Kind, Scale, Side};
 use crate::number::{decade, scaled};
 
-/// Range of an axis before it is rounded to ticks.
+/// Range of an axis before rounding to ticks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Whether the figure asks for just this range.
+    /// Whether the figure prescribes exactly this range.
     pub(crate) fixed: bool,
 }
 
-/// Smallest and greatest of values that the scale can show.
+/// Smallest and largest of the values that the scale can show.
 fn extent(values: impl Iterator<Item = f64>, scale: Scale) -> Option<(f64, f64)> {
     values
         .filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0))
@@ -33,16 +33,16 @@ fn asked(range: Option<(f64, f64)>, scale: Scale) -> Option<Range> {
     })
 }
 
-/// Part of the largest value below which a value on the other side of 0 is taken for 0.
+/// Fraction of the largest value below which a value on the other side of 0 counts as 0.
 const ROUNDING: f64 = 1e-6;
 
-/// A range that has a length, and starts at 0 where the data nearly do.
+/// A range of nonzero length, which starts at 0 where the data nearly do.
 fn widened((low, high): (f64, f64), scale: Scale, margin: f64) -> Range {
     let (from, to) = match scale {
         Scale::Log if high <= low * (1.0 + 1e-9) => (low / 2.0, high * 2.0),
         Scale::Log => (low, high),
         Scale::Linear => {
-            // A computed end may miss 0 by its rounding: that does not open a negative range.
+            // an end may miss 0 by rounding, which must not give a negative range
             let noise = ROUNDING * low.abs().max(high.abs());
             let low = if low < 0.0 && low >= -noise { 0.0 } else { low };
             let high = if high > 0.0 && high <= noise {
@@ -51,7 +51,7 @@ fn widened((low, high): (f64, f64), scale: Scale, margin: f64) -> Range {
                 high
             };
             let span = high - low;
-            // Differences lost in rounding do not make a range.
+            // differences lost in rounding do not make a range
             if span <= 1e-12 * low.abs().max(high.abs()) || span == 0.0 {
                 let half = if low == 0.0 { 1.0 } else { 0.05 * low.abs() };
                 (low - half, high + half)
@@ -77,7 +77,7 @@ fn widened((low, high): (f64, f64), scale: Scale, margin: f64) -> Range {
     }
 }
 
-/// Range of the horizontal axis, or none if nothing can be shown.
+/// Range of the horizontal axis, or `None` if nothing can be shown.
 pub(crate) fn horizontal(figure: &Figure) -> Option<Range> {
     let scale = figure.x.scale;
     let shown = figure.series.iter().flat_map(|s| {
@@ -92,7 +92,7 @@ pub(crate) fn horizontal(figure: &Figure) -> Option<Range> {
         let lines_only = figure.series.iter().all(|s| s.style.kind == Kind::Line);
         let near_zero = low >= 0.0 && low < 0.05 * high;
         if lines_only && scale == Scale::Linear && !near_zero && high > low {
-            // A line may touch both ends of its axis.
+            // a line may touch both ends of its axis
             return Some(Range {
                 from: low,
                 to: high,
@@ -107,7 +107,7 @@ pub(crate) fn horizontal(figure: &Figure) -> Option<Range> {
     })
 }
 
-/// Range of a vertical axis, or none if nothing can be shown on it.
+/// Range of a vertical axis, or `None` if nothing can be shown on it.
 pub(crate) fn vertical(figure: &Figure, side: Side, x: Range) -> Option<Range> {
     let axis = figure.side_axis(side);
     let (x_low, x_high) = (x.from.min(x.to), x.from.max(x.to));
@@ -121,14 +121,14 @@ pub(crate) fn vertical(figure: &Figure, side: Side, x: Range) -> Option<Range> {
         .map(|p| p.1);
     asked(axis.range, axis.scale).or_else(|| {
         let data = extent(points, axis.scale)?;
-        // A limit is not to lie on the edge of the plot.
+        // keep limits off the edge of the plot
         let limits = figure
             .limits
             .iter()
             .filter(|_| !on_right)
             .map(|l| 1.05 * l.y);
         let all = extent([data.0, data.1].into_iter().chain(limits), axis.scale)?;
-        // A drawing to scale is not moved outwards to ticks, which gives others their margin.
+        // a drawing to scale is not extended to ticks, which gives other figures their margin
         let margin = if figure.aspect == Aspect::Equal {
             0.04
         } else {
@@ -138,7 +138,7 @@ pub(crate) fn vertical(figure: &Figure, side: Side, x: Range) -> Option<Range> {
     })
 }
 
-/// The range moved outwards to 1, 2 or 5 times a power of ten; at most a third of a decade or so.
+/// The range extended to 1, 2 or 5 times a power of ten, by about a third of a decade at most.
 pub(crate) fn around_decades((low, high): (f64, f64)) -> (f64, f64) {
     let (below, above) = (decade(low), decade(high));
     let mantissas = [1.0, 2.0, 5.0, 10.0];

@@ -4,21 +4,20 @@ use crate::figure::Figure;
 use crate::line::crossings;
 use crate::number::significant;
 
-/// Value of a series under a cursor.
+/// Value of a series at the cursor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// Index of the series.
     pub series: usize,
     /// Name of the series.
     pub name: String,
-    /// Value in the unit of its axis, interpolated.
+    /// Interpolated value in the unit of its axis.
     pub value: f64,
-    /// The value to five digits, with its unit.
+    /// Value to five digits, with its unit.
     pub text: String,
 }
 
-/// Values of the series at `x`, the first where a line turns back; series that do not reach `x` are
-/// left out.
+/// Values of the series at `x`, the first where a line is not single-valued; series that do not reach `x` are left out.
 pub fn readings(figure: &Figure, x: f64) -> Vec<Reading> {
     let read = |(index, series): (usize, &crate::figure::Series)| {
         let value = crossings(&series.points, x, 1).first().copied()?;

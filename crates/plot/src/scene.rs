@@ -1,20 +1,20 @@
-//! What is drawn, as shapes in px: the same for every backend, and open to tests.
+//! Scene of shapes in px: the same for every backend, and accessible to tests.
 
 use crate::mapping::Rect;
 use crate::text::{Weight, width_px};
 use crate::theme::Rgb;
 
-/// A place, px from the upper left corner.
+/// Position, px from the upper left corner.
 pub(crate) type Point = (f64, f64);
 
-/// How text stands to its place; vertically it is centred.
+/// Horizontal alignment of text; vertically it is centered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anchor {
-    /// Text begins there.
+    /// Text begins at the position.
     Start,
-    /// Text is centred there.
+    /// Text is centered at the position.
     Middle,
-    /// Text ends there.
+    /// Text ends at the position.
     End,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Label {
 }
 
 impl Label {
-    /// The space that the text takes at most.
+    /// Largest extent of the text.
     pub(crate) fn bounds(&self) -> Rect {
         let width = width_px(&self.text, self.size_px, self.weight);
         let left = match self.anchor {
@@ -127,7 +127,7 @@ impl Scene {
     }
 }
 
-/// The middle of the px that a thin upright or level line is drawn on, so that it stays sharp.
+/// Center of the px that contains a position, where a thin horizontal or vertical line is sharp.
 pub(crate) fn sharp(px: f64) -> f64 {
     px.floor() + 0.5
 }

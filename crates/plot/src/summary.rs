@@ -1,9 +1,9 @@
-//! What a figure shows, in words, for readers who do not see it.
+//! Description of a figure in words, for readers who cannot see it.
 
 use crate::figure::{Figure, with_unit};
 use crate::number::significant;
 
-/// One sentence for each series, with its ends and extremes, then limits and events.
+/// One sentence per series, with its ends and extremes, then limits and events.
 pub fn summary(figure: &Figure) -> String {
     let mut text = format!("{} over {}.", figure.y.caption(), figure.x.caption());
     let x_unit = &figure.x.unit;

@@ -1,4 +1,4 @@
-//! A figure as SVG: text stays text, and the same figure gives the same bytes everywhere.
+//! Drawing of a figure as SVG: text stays text, and the same figure gives the same bytes everywhere.
 
 use crate::figure::Figure;
 use crate::paint::{Frame, draw};
@@ -6,11 +6,12 @@ use crate::summary::summary;
 use crate::theme::Theme;
 use plotters::prelude::{IntoDrawingArea, SVGBackend};
 
-/// Tenths of a px are fine enough for print.
+/// Backend units per CSS px: a tenth of a px is fine enough for print.
 const UNITS_PER_PX: f64 = 10.0;
-/// Plotters' SVG backend divides font sizes by this.
+/// Divisor that plotters' SVG backend applies to font sizes.
 const FONT_DIVISOR: f64 = 1.24;
-/// It centres small letters; figures and capitals are centred a tenth of the font size lower.
+/// Downward shift of text, in font sizes: the backend centers lower-case letters; digits and capitals are centered
+/// lower.
 const TEXT_DROP_EM: f64 = 0.1;
 
 /// The figure as an SVG document with title and description.
@@ -27,7 +28,7 @@ pub fn svg(figure: &Figure, theme: &Theme, width_px: u32, height_px: u32) -> Str
     {
         let size = (units(width_px), units(height_px));
         let area = SVGBackend::with_string(&mut drawn, size).into_drawing_area();
-        // Writing to a string cannot fail.
+        // writing to a string cannot fail
         let done = draw(figure, theme, &frame, &area).is_ok() && area.present().is_ok();
         debug_assert!(done);
     }
@@ -45,7 +46,7 @@ pub fn svg(figure: &Figure, theme: &Theme, width_px: u32, height_px: u32) -> Str
     )
 }
 
-/// Text for the inside of an element; characters that XML does not allow are left out.
+/// Text escaped for an element; characters that XML does not allow are removed.
 fn escaped(text: &str) -> String {
     let mut safe = String::new();
     for c in text.chars() {
@@ -53,7 +54,7 @@ fn escaped(text: &str) -> String {
             '<' => safe.push_str("&lt;"),
             '>' => safe.push_str("&gt;"),
             '&' => safe.push_str("&amp;"),
-            // no characters of XML
+            // noncharacters, not allowed in XML
             '\u{fffe}' | '\u{ffff}' => {}
             c if c.is_control() => safe.push(' '),
             c => safe.push(c),

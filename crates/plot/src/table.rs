@@ -1,4 +1,4 @@
-//! The table twin of a figure: the same data for readers who do not see it.
+//! Table of a figure: the same data for readers who cannot see it.
 
 use crate::csv::shares_x;
 use crate::figure::Figure;
@@ -6,7 +6,7 @@ use crate::number::significant;
 use crate::summary::heading;
 use std::collections::BTreeSet;
 
-/// Digits shown.
+/// Number of significant digits.
 const DIGITS: usize = 5;
 
 /// Rows of text under a header.
@@ -16,13 +16,13 @@ pub struct Table {
     pub header: Vec<String>,
     /// Rows, each as long as the header.
     pub rows: Vec<Vec<String>>,
-    /// Number of rows of the data, of which `rows` may be a choice.
+    /// Number of data rows, from which `rows` may be a selection.
     pub total: usize,
 }
 
-/// At most about `most_rows` rows: evenly chosen, with the ends and the extremes of each series.
+/// At most about `most_rows` rows: evenly spaced, with the ends and the extremes of each series.
 ///
-/// Series that do not have the same x are listed below each other, with their name first.
+/// Series with different x are listed one after the other, with their name first.
 pub fn table(figure: &Figure, most_rows: usize) -> Table {
     let number = |v: f64| significant(v, DIGITS);
     if shares_x(figure) {

@@ -1,7 +1,7 @@
 //! Widths of text without a font: the same on every machine.
 //!
-//! The advance widths are those of DejaVu Sans, among the widest of the usual sans-serif fonts, so
-//! that what is laid out with them is not cut when a narrower font is used.
+//! The advance widths are those of DejaVu Sans, one of the widest common sans-serif fonts, so that text also fits in a
+//! narrower font.
 
 /// Advance widths of the characters from space to tilde, thousandths of the font size.
 const ASCII: [u16; 95] = [
@@ -12,7 +12,7 @@ const ASCII: [u16; 95] = [
     278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838,
 ];
 
-/// Bold text is at most this much wider.
+/// Largest ratio of the width of bold text to that of normal text.
 const BOLD: f64 = 1.12;
 
 /// Weight of a font.
@@ -51,8 +51,7 @@ pub(crate) fn width_px(text: &str, size_px: f64, weight: Weight) -> f64 {
     }
 }
 
-/// The text in at most `rows` lines no wider than `limit_px`, broken at spaces; what is left over
-/// is replaced by an ellipsis.
+/// The text in at most `rows` lines no wider than `limit_px`, broken at spaces; the rest is replaced by an ellipsis.
 pub(crate) fn wrap(
     text: &str,
     size_px: f64,
@@ -78,7 +77,7 @@ pub(crate) fn wrap(
         .collect()
 }
 
-/// The text, or as much of its start as fits with an ellipsis.
+/// The text, or as much of its beginning as fits with an ellipsis.
 pub(crate) fn shorten(text: &str, size_px: f64, weight: Weight, limit_px: f64) -> String {
     if width_px(text, size_px, weight) <= limit_px {
         return text.to_owned();
@@ -100,7 +99,7 @@ mod tests {
 
     #[test]
     fn km_at_10_px_is_15_53_px() {
-        // k 579 and m 974 thousandths: 1553 / 1000 x 10.
+        // k 579 and m 974 thousandths: 1553 / 1000 × 10
         assert!((width_px("km", 10.0, Weight::Normal) - 15.53).abs() < 1e-12);
     }
 

@@ -1,16 +1,16 @@
-//! Colours, font and line widths of a figure.
+//! Colors, font and line widths of a figure.
 //!
-//! The palette has the hues of Okabe and Ito, which readers with any colour vision can tell apart,
-//! darkened (lightened on dark ground) where a line would have less than 3 : 1 contrast.
+//! The palette has the hues of Okabe and Ito, which are distinguishable with any color vision, darkened (lightened on a
+//! dark background) where a line would have less than 3 : 1 contrast.
 
-/// An opaque colour: red, green, blue.
+/// An opaque color: red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rgb(pub u8, pub u8, pub u8);
 
-/// Look of a figure.
+/// Colors, font and line widths of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theme {
-    /// Ground around and in the plot.
+    /// Background of figure and plot.
     pub background: Rgb,
     /// Title and captions.
     pub text: Rgb,
@@ -18,9 +18,9 @@ pub struct Theme {
     pub muted: Rgb,
     /// Axis lines and ticks.
     pub axis: Rgb,
-    /// Grid at labelled ticks.
+    /// Major grid, at labeled ticks.
     pub grid: Rgb,
-    /// Grid between them.
+    /// Minor grid.
     pub minor_grid: Rgb,
     /// Event lines.
     pub event: Rgb,
@@ -28,11 +28,11 @@ pub struct Theme {
     pub limit: Rgb,
     /// Cursor.
     pub cursor: Rgb,
-    /// Colours of series.
+    /// Colors of series.
     pub palette: [Rgb; 8],
-    /// Font families as in CSS.
+    /// Font families, as in CSS.
     pub font_family: String,
-    /// Size of captions, px; ticks and events are a little smaller.
+    /// Font size of captions, px; tick and event labels are slightly smaller.
     pub font_size_px: f64,
     /// Width of series lines, px.
     pub line_width_px: f64,
@@ -95,7 +95,7 @@ impl Theme {
         }
     }
 
-    /// Black on white, heavier lines, nothing paler than 4.5 : 1 but the grid.
+    /// Black on white, heavier lines, contrast of at least 4.5 : 1 except the grid.
     pub fn high_contrast_light() -> Self {
         Self {
             text: Rgb(0, 0, 0),
@@ -121,7 +121,7 @@ impl Theme {
         }
     }
 
-    /// White on black, heavier lines, nothing paler than 4.5 : 1 but the grid.
+    /// White on black, heavier lines, contrast of at least 4.5 : 1 except the grid.
     pub fn high_contrast_dark() -> Self {
         Self {
             background: Rgb(0, 0, 0),
@@ -137,7 +137,7 @@ impl Theme {
         }
     }
 
-    /// Colour of a series.
+    /// Color of a series.
     pub(crate) fn colour(&self, index: usize) -> Rgb {
         self.palette
             .get(index % self.palette.len())
@@ -151,7 +151,7 @@ mod tests {
     use super::*;
     use numerics::math::pow;
 
-    /// Contrast ratio as WCAG 2 defines it.
+    /// Contrast ratio as defined by WCAG 2.
     fn contrast(a: Rgb, b: Rgb) -> f64 {
         let part = |c: u8| {
             let c = f64::from(c) / 255.0;
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn text_has_4_5_to_1_and_lines_have_3_to_1() {
-        // WCAG 2.2, success criteria 1.4.3 and 1.4.11.
+        // WCAG 2.2, success criteria 1.4.3 and 1.4.11
         for theme in [Theme::light(), Theme::dark()] {
             for text in [theme.text, theme.muted, theme.limit] {
                 assert!(contrast(text, theme.background) >= 4.5, "{text:?}");

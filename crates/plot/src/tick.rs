@@ -1,25 +1,25 @@
-//! Places and labels of ticks: steps of 1, 2 or 5 times a power of ten, or decades.
+//! Positions and labels of ticks: steps of 1, 2 or 5 times a power of ten, or decades.
 
 use crate::figure::Scale;
 use crate::number::{decade, fixed, power_of_ten, scaled, ten_to_the};
 
-/// A tick of an axis.
+/// Tick of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
-    /// Where it stands.
+    /// Value.
     pub value: f64,
-    /// What is written at it; empty at a minor tick.
+    /// Label; empty at a minor tick.
     pub label: String,
 }
 
 impl Tick {
-    /// Whether the tick carries a label.
+    /// Whether the tick has a label.
     pub fn is_major(&self) -> bool {
         !self.label.is_empty()
     }
 }
 
-/// A step of 1, 2 or 5 times a power of ten.
+/// Step of 1, 2 or 5 times a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step {
     mantissa: f64,
@@ -31,7 +31,7 @@ impl Step {
     pub(crate) fn at_least(least: f64) -> Self {
         let exponent = decade(least);
         let mantissa = least / power_of_ten(exponent);
-        // A step may be too small by rounding alone.
+        // rounding alone must not make a step too small
         let slack = 1.0 + 1e-9;
         match mantissa {
             m if m <= slack => Self {
@@ -80,7 +80,7 @@ impl Step {
         }
     }
 
-    /// The range moved outwards to whole steps.
+    /// The range extended to whole steps.
     pub(crate) fn around(self, (low, high): (f64, f64)) -> (f64, f64) {
         let step = self.value();
         let down = (low / step + 1e-9).floor();
@@ -105,7 +105,7 @@ fn linear(range: (f64, f64), step: Step) -> Vec<Tick> {
     let largest = majors
         .iter()
         .fold(0.0_f64, |a, n| a.max(step.times(*n).abs()));
-    // Beyond six digits, a power of ten (a multiple of three) common to all labels.
+    // from 1e6 on, factor out a power of ten (a multiple of three) common to all labels
     let common = if largest >= 1e6 || (largest > 0.0 && step.exponent < -4) {
         decade(largest).div_euclid(3) * 3
     } else {
@@ -137,7 +137,7 @@ fn linear(range: (f64, f64), step: Step) -> Vec<Tick> {
     major_ticks.chain(minor_ticks).collect()
 }
 
-/// Ticks of a logarithmic axis: labels at `mantissas` of every `stride`-th decade.
+/// Ticks of a logarithmic axis: labels at `mantissas` in every `stride`-th decade.
 fn logarithmic((low, high): (f64, f64), stride: i32, mantissas: &[u8]) -> Vec<Tick> {
     let inside = |v: f64| v >= low * (1.0 - 1e-9) && v <= high * (1.0 + 1e-9);
     let (first, last) = (decade(low), decade(high));
@@ -165,10 +165,10 @@ fn logarithmic((low, high): (f64, f64), stride: i32, mantissas: &[u8]) -> Vec<Ti
     ticks
 }
 
-/// The densest ticks of an axis whose labels, measured by `fits`, do not crowd. `most` is the
-/// greatest number of labels to try.
+/// The densest ticks of an axis whose labels, measured by `fits`, are not too close. `most` is the largest number of
+/// labels to try.
 ///
-/// The range may run either way; on a logarithmic axis both ends are above 0.
+/// The range may run in either direction; on a logarithmic axis both ends are positive.
 pub fn ticks(
     (from, to): (f64, f64),
     scale: Scale,
@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn minor_ticks_stand_between() {
-        // Major step 0.1, minor step 0.02: four in each of five intervals.
+        // major step 0.1, minor step 0.02: four minor ticks in each of five intervals
         let found = ticks((0.0, 0.5), Scale::Linear, 5, |_| true);
         assert_eq!(found.iter().filter(|t| !t.is_major()).count(), 20);
     }
@@ -302,7 +302,7 @@ mod tests {
         let sparse = ticks((1e-30, 1.0), Scale::Log, 5, |t| {
             t.iter().filter(|t| t.is_major()).count() <= 7
         });
-        // 0, -5, ... -30.
+        // 0, −5, ... −30
         assert_eq!(sparse.iter().filter(|t| t.is_major()).count(), 7);
     }
 

@@ -7,7 +7,7 @@ use msape_plot::{
 use numerics::math::{exp, ln, pow, sin};
 use std::path::Path;
 
-/// A made-up entry: time s, altitude km, speed km/s, heat flux W/cm², deceleration g.
+/// An invented entry: time s, altitude km, speed km/s, heat flux W/cm², deceleration g.
 fn entry() -> Vec<[f64; 5]> {
     let (mut altitude, mut speed, mut rows) = (125.0, 12.0, Vec::new());
     for i in 0..1300_u32 {
@@ -236,7 +236,7 @@ fn empty() -> Figure {
     }
 }
 
-/// Compares with the committed file, or rewrites it.
+/// Compares a figure with the committed file, or rewrites the file.
 fn check(name: &str, figure: &Figure, theme: &Theme, (width, height): (u32, u32)) {
     let now = svg(figure, theme, width, height);
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -1,8 +1,9 @@
-//! The deployable folder `dist/`: static files that work in any folder of any host.
+//! Build of the deployable folder `dist/`: static files that work in any folder of any host.
 //!
-//! The page `index.html` refers to its code as `./name`. Code is what is in `web/page` and, for each binary of `web`, the
-//! pair `name.js` and `name_bg.wasm` that wasm-bindgen makes. In `dist/` all code is in one folder named by its content, so
-//! that a browser may keep it for ever and an app never meets the worker of another release.
+//! The page `index.html` refers to its code as `./name`. Code is the content of `web/page` and, for each binary of
+//! `web`, the pair `name.js` and `name_bg.wasm` that wasm-bindgen generates. In `dist/` all code is in one folder named
+//! by a hash of its content, so that a browser may cache it indefinitely and an app never loads the worker of another
+//! release.
 
 use std::{
     env, fs,
@@ -21,7 +22,7 @@ use crate::{
 /// Binaries of the package `msape-web`.
 const BINARIES: [&str; 3] = ["app", "worker", "tools"];
 
-/// Builds `dist/` and prints the sizes of what is in it; returns those of its parts.
+/// Builds `dist/` and prints the sizes of its files; returns those of its parts.
 pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     setup::for_build(project)?;
     compile(project)?;
@@ -42,19 +43,19 @@ pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     )?;
     fs::rename(&code, project.dist.join(&named))?;
     let sizes = sizes::print(&project.dist)?;
-    // not counted: a browser gets it when somebody asks for it
+    // not counted: loaded only on request
     licences::write(project)?;
     Ok(sizes)
 }
 
-/// Builds the command as the README does: `target/release/msape`.
+/// Builds the command as described in the README: `target/release/msape`.
 pub fn command(project: &Project) -> Result<()> {
     announce("Building the command");
     let package = ["build", "--locked", "--release", "--package", "msape-cli"];
     run(project.command("cargo").args(package))
 }
 
-/// Compiles the binaries, with no path of this machine in them: the same source gives the same files anywhere.
+/// Compiles the binaries without local paths in them: the same source gives the same files anywhere.
 fn compile(project: &Project) -> Result<()> {
     announce("Building the app for the browser");
     let crates = env::var_os("CARGO_HOME")
@@ -63,7 +64,7 @@ fn compile(project: &Project) -> Result<()> {
         .context("no home folder")?;
     let paths = [(&crates, "cargo"), (&project.root, "msape")]
         .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()));
-    // Leptos with one type for all views: less code to download.
+    // type erasure of Leptos views: less code to download
     let flags = [paths.as_slice(), &["--cfg=erase_components".to_string()]].concat();
     let arguments = [
         "build",
@@ -75,14 +76,14 @@ fn compile(project: &Project) -> Result<()> {
         "--target",
         setup::WASM,
     ];
-    // The flags are separated by the character for that, so that a path may hold a space.
+    // CARGO_ENCODED_RUSTFLAGS separates flags by 0x1f, so that a path may contain spaces
     run(project
         .command("cargo")
         .args(arguments)
         .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}")))
 }
 
-/// Makes the pairs of JavaScript and WebAssembly.
+/// Generates the pairs of JavaScript and WebAssembly.
 fn bind(project: &Project, code: &Path) -> Result<()> {
     let modules = project.target.join(setup::WASM).join("web");
     let modules = BINARIES.map(|binary| modules.join(binary).with_extension("wasm"));
@@ -92,7 +93,7 @@ fn bind(project: &Project, code: &Path) -> Result<()> {
         .args(modules))
 }
 
-/// Makes the WebAssembly smaller, if wasm-opt happens to be installed.
+/// Optimizes the WebAssembly for size if wasm-opt is installed.
 fn shrink(project: &Project, code: &Path) -> Result<()> {
     let Some(wasm_opt) = project.locate("wasm-opt") else {
         return Ok(());
@@ -110,7 +111,7 @@ fn shrink(project: &Project, code: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Copies all files below one folder into another.
+/// Copies all files of a folder into another, recursively.
 pub fn copy(from: &Path, to: &Path) -> Result<()> {
     for file in files_below(from)? {
         let copied = to.join(file.strip_prefix(from)?);
@@ -120,7 +121,7 @@ pub fn copy(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// A number that another name or content of any file would change.
+/// Hash over the names and contents of all files.
 fn digest(folder: &Path) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
     for file in files_below(folder)? {
@@ -130,7 +131,7 @@ fn digest(folder: &Path) -> Result<u64> {
     Ok(hasher.finish())
 }
 
-/// The page with every `"./name"` leading into the folder `named`; a name that is not in `code` is an error.
+/// The page with every `"./name"` replaced by its path in the folder `named`; a name that is not in `code` is an error.
 fn with_code_in(named: &str, page: &str, code: &Path) -> Result<String> {
     for name in page
         .split("\"./")

@@ -1,4 +1,4 @@
-//! The exported files, read back by other programs: OpenCASCADE, a reader of DXF, the validator of glTF.
+//! Checks of exported files with other programs: OpenCASCADE, a DXF reader, the glTF validator.
 
 use std::{fs, path::PathBuf};
 
@@ -8,7 +8,7 @@ use crate::project::{Project, announce, files_below, output, run};
 
 const REQUIREMENTS: &str = "tests/cad/requirements.txt";
 
-/// The Python of an environment of its own.
+/// Python of a separate virtual environment.
 fn python(project: &Project) -> PathBuf {
     let programs = if cfg!(windows) { "Scripts" } else { "bin" };
     environment(project).join(programs).join("python")
@@ -18,7 +18,7 @@ fn environment(project: &Project) -> PathBuf {
     project.target.join("cad/python")
 }
 
-/// Installs the packages of `tests/cad/requirements.txt` beside what cargo builds, when the file has changed.
+/// Installs the packages of `tests/cad/requirements.txt` in the build folder when the file has changed.
 pub fn set_up(project: &Project) -> Result<()> {
     let wanted = fs::read_to_string(project.root.join(REQUIREMENTS))
         .with_context(|| format!("cannot read {REQUIREMENTS}"))?;
@@ -54,7 +54,7 @@ pub fn set_up(project: &Project) -> Result<()> {
     Ok(())
 }
 
-/// Exports vehicles and compares what other programs read with what was meant.
+/// Exports vehicles and compares the import by other programs with the model.
 pub fn check(project: &Project) -> Result<()> {
     let build = ["build", "--locked", "--package", "msape-cli"];
     run(project.command("cargo").args(build))?;

@@ -1,5 +1,5 @@
-//! Instructions that the command needs, counted by valgrind: the same binary gives the same number on a busy machine and on an idle
-//! one, so that a change that makes the solver slower fails a test, which a clock cannot say.
+//! Instructions executed by the command, counted by valgrind: the same binary gives the same number on a busy and on an
+//! idle machine, so that a slower solver fails a test, which a clock cannot do reliably.
 
 use std::{fs, path::PathBuf};
 
@@ -9,12 +9,13 @@ use serde_json::Value;
 use crate::project::Project;
 use crate::{build, setup};
 
-/// Commands and their counts, in the release build of the README.
+/// Commands and their counts, for the release build of the README.
 const FILE: &str = "tests/counts.json";
-/// Room above a count, per cent: other processors take other paths through the C library. Assumed; the same machine gives 0.1.
+/// Allowed excess over a count, percent: other processors take other paths through the C library. Assumed; the same
+/// machine gives 0.1.
 const ROOM_PERCENT: u64 = 20;
 
-/// Counts each command of the file and compares.
+/// Counts each command of the file and compares with its record.
 pub fn check(project: &Project) -> Result<()> {
     build::command(project)?;
     let text = fs::read_to_string(project.root.join(FILE))
@@ -63,7 +64,7 @@ fn counted(project: &Project, command: &str) -> Result<u64> {
     collected(&said).with_context(|| format!("valgrind says no count for msape {command}:\n{said}"))
 }
 
-/// What follows `Collected :` in what valgrind says.
+/// The number after `Collected :` in valgrind's output.
 fn collected(said: &str) -> Option<u64> {
     let (_, rest) = said.split_once("Collected :")?;
     rest.split_whitespace().next()?.parse().ok()

@@ -1,13 +1,14 @@
-//! The random tests for as long as one likes: `tests/properties/hostile`, which `cargo xtask test` runs for a bounded number.
+//! Random tests of any duration: `tests/properties/hostile`, which `cargo xtask test` runs for a limited number of
+//! cases.
 
 use anyhow::{Context, Result, bail};
 
 use crate::project::{Project, announce, run};
 
-/// Seconds of each kind when none are given.
+/// Default duration of each kind, s.
 const SECONDS: u64 = 60;
 
-/// The kinds: tests below `hostile` that draw by the seed.
+/// Kinds: tests below `hostile` that draw from the seed.
 const KINDS: [&str; 9] = [
     "entries::entries_of_a_point_mass",
     "entries::entries_of_a_rigid_body",
@@ -54,7 +55,7 @@ pub fn run_kinds(project: &Project, arguments: &[&str]) -> Result<()> {
         .env("MSAPE_FUZZ_SECONDS", seconds.to_string()))
 }
 
-/// The kinds in whose names a text stands.
+/// Kinds whose names contain a text.
 fn named(part: &str) -> Result<impl Iterator<Item = &'static str>> {
     if !KINDS.iter().any(|kind| kind.contains(part)) {
         bail!(
@@ -103,7 +104,7 @@ mod tests {
             let path = entry.unwrap().path();
             let text = std::fs::read_to_string(&path).unwrap();
             let module = path.file_stem().unwrap().to_string_lossy().into_owned();
-            // each test up to the next function
+            // a test extends to the next function
             for test in text.split("\n#[test]\nfn ").skip(1) {
                 let test = test.split("\nfn ").next().unwrap();
                 if test.contains("    hold(") {

@@ -1,8 +1,8 @@
-//! The licence texts of the crates that the app is made of, as one file beside it.
+//! License texts of the crates linked into the app, as one file beside it.
 //!
-//! Which crates: all that `msape-web` depends on when it is compiled for the browser, without what only builds (build
-//! scripts, procedural macros and what those depend on). Which texts: the files of each crate's source that bear a licence's
-//! usual name. Equal texts are printed once.
+//! Crates: all dependencies of `msape-web` when compiled for the browser, except those used only for building (build
+//! scripts, procedural macros and their dependencies). Texts: the files in each crate's source with a usual license
+//! name. Equal texts are printed once.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -21,10 +21,10 @@ use crate::{
 /// Name of the file in `dist/`.
 const FILE: &str = "licences.txt";
 
-/// Beginnings of the names of files that hold a licence or a notice, in lower case.
+/// Prefixes of the names of license and notice files, in lower case.
 const NAMES: [&str; 5] = ["licen", "copying", "notice", "unlicense", "copyright"];
 
-/// Writes the file.
+/// Writes the file of licenses.
 pub fn write(project: &Project) -> Result<()> {
     announce("Collecting licence texts");
     let metadata = metadata(project)?;
@@ -84,7 +84,7 @@ fn metadata(project: &Project) -> Result<Value> {
     serde_json::from_slice(&output.stdout).context("cargo metadata")
 }
 
-/// The packages from elsewhere that are linked into the app, by name and version.
+/// Third-party packages linked into the app, by name and version.
 fn linked(metadata: &Value) -> Result<Vec<&Value>> {
     let packages: BTreeMap<&str, &Value> = list(metadata, "packages")?
         .iter()
@@ -135,7 +135,7 @@ fn only_builds(package: &Value) -> Result<bool> {
     }))
 }
 
-/// The licence texts in a folder and its folders, without spaces at ends of lines.
+/// License texts in a folder and its subfolders, without trailing spaces.
 fn texts_in(folder: &Path) -> Result<Vec<String>> {
     let mut texts = Vec::new();
     for file in files_below(folder)? {

@@ -1,4 +1,4 @@
-//! The commands of the project that are more than one line: `cargo xtask help`.
+//! Project commands that need more than one line: `cargo xtask help`.
 
 mod build;
 mod cad;

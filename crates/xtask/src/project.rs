@@ -1,4 +1,4 @@
-//! Where things are, and how other programs are called.
+//! Folders of the project, and calls of other programs.
 
 use std::{
     env,
@@ -10,27 +10,27 @@ use std::{
 
 use anyhow::{Context, Result, bail};
 
-/// The folders of the project.
+/// Folders of the project.
 pub struct Project {
     /// Root of the repository.
     pub root: PathBuf,
     /// The deployable app.
     pub dist: PathBuf,
-    /// Where cargo puts everything.
+    /// Build folder of cargo.
     pub target: PathBuf,
-    /// Where it puts the programs of crates/web-tools.
+    /// Build folder for the programs of crates/web-tools.
     pub tools: PathBuf,
 }
 
 impl Project {
-    /// The project that this program was built from.
+    /// The project from which this program was built.
     pub fn find() -> Result<Self> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"))
             .ancestors()
             .nth(2)
             .context("crates/xtask is not in a repository")?
             .to_path_buf();
-        // This program is target/debug/xtask, wherever target is.
+        // this program is target/debug/xtask, wherever target is
         let program = env::current_exe()?;
         let target = program
             .ancestors()
@@ -44,14 +44,14 @@ impl Project {
         })
     }
 
-    /// A program, to be run at the root.
+    /// A command to be run in the root folder.
     pub fn command(&self, program: impl AsRef<OsStr>) -> Command {
         let mut command = Command::new(program);
         command.current_dir(&self.root);
         command
     }
 
-    /// The file that runs when `program` is called, if there is one; Node's packages of the project come first.
+    /// Path of the executable for `program`, if found; the project's Node packages take precedence.
     pub fn locate(&self, program: &str) -> Option<PathBuf> {
         let file = format!("{program}{}", env::consts::EXE_SUFFIX);
         let path = env::var_os("PATH").unwrap_or_default();
@@ -62,12 +62,12 @@ impl Project {
     }
 }
 
-/// Says what begins.
+/// Prints the name of the next step.
 pub fn announce(what: impl std::fmt::Display) {
     eprintln!("\n==> {what}");
 }
 
-/// Runs a command to its end; a failure names it.
+/// Runs a command to completion; an error names it.
 pub fn run(command: &mut Command) -> Result<()> {
     let status = command
         .status()
@@ -78,7 +78,7 @@ pub fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// What a command prints, if it succeeds.
+/// Output of a command, if it succeeds.
 pub fn output(command: &mut Command) -> Option<String> {
     let output = command
         .output()
@@ -89,7 +89,7 @@ pub fn output(command: &mut Command) -> Option<String> {
         .map(|text| text.trim().to_owned())
 }
 
-/// A command as one would type it.
+/// Command line as one would type it.
 pub fn line(command: &Command) -> String {
     let words: Vec<_> = std::iter::once(command.get_program())
         .chain(command.get_args())
@@ -98,7 +98,7 @@ pub fn line(command: &Command) -> String {
     words.join(" ")
 }
 
-/// All files below a folder, in the order of their names.
+/// All files below a folder, sorted by name.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in

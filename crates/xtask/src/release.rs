@@ -1,6 +1,6 @@
-//! The files of a release in `target/release-VERSION/`: the app and the command for Linux as archives, and their hashes.
+//! Release files in `target/release-VERSION/`: the app and the command for Linux as archives, and their hashes.
 //!
-//! The archives are the same bytes for the same source and toolchain: sorted, without owner, with the date of the commit.
+//! The archives have the same bytes for the same source and toolchain: sorted, without owner, dated by the commit.
 
 use std::{env, fs, path::Path};
 
@@ -11,7 +11,7 @@ use crate::{
     project::{Project, announce, output, run},
 };
 
-/// Files that go with the command.
+/// Documents packed with the command.
 const PAPERS: [&str; 6] = [
     "README.md",
     "CHANGELOG.md",
@@ -65,7 +65,7 @@ pub fn run_all(project: &Project) -> Result<()> {
     Ok(())
 }
 
-/// GNU tar, so that order, owner and date of the files do not depend on the machine.
+/// Packs with GNU tar, so that order, owner and date of the files do not depend on the machine.
 fn pack(project: &Project, folder: &Path, archive: &str, content: &str, date: &str) -> Result<()> {
     run(project
         .command("tar")

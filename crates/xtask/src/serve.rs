@@ -13,7 +13,7 @@ use anyhow::{Context, Result};
 
 use crate::{build, project::Project};
 
-/// Where the app is served if nothing else is asked for.
+/// Default port.
 pub const DEFAULT_PORT: u16 = 8080;
 
 /// Builds the app and serves it until the program is interrupted.
@@ -29,7 +29,7 @@ pub fn run(project: &Project, port: u16) -> Result<()> {
     Ok(())
 }
 
-/// Serves a folder in the background, for as long as this program runs.
+/// Serves a folder in the background, as long as this program runs.
 pub fn in_background(folder: &Path) -> Result<SocketAddr> {
     let listener = listen(0)?;
     let address = listener.local_addr()?;
@@ -38,7 +38,7 @@ pub fn in_background(folder: &Path) -> Result<SocketAddr> {
     Ok(address)
 }
 
-/// Listens on a port of this machine alone, or on any free one where that is taken.
+/// Listens on a local port, or on any free one if that is taken.
 fn listen(port: u16) -> Result<TcpListener> {
     TcpListener::bind((Ipv4Addr::LOCALHOST, port))
         .or_else(|_| TcpListener::bind((Ipv4Addr::LOCALHOST, 0)))
@@ -48,7 +48,7 @@ fn listen(port: u16) -> Result<TcpListener> {
 fn accept(listener: &TcpListener, folder: &Path) {
     for stream in listener.incoming().flatten() {
         let folder = folder.to_owned();
-        // A browser that goes away is no fault of ours.
+        // a browser that disconnects is not our error
         thread::spawn(move || answer(&stream, &folder).ok());
     }
 }
@@ -88,7 +88,7 @@ impl Response {
         let Some((file, content)) = find(folder, target) else {
             return Self::text("404 Not Found", "no such file\n");
         };
-        // Named by its content: see build.rs.
+        // folders named by their content can be cached: see build.rs
         let lasting = target.starts_with("/code-");
         Self {
             status: "200 OK",
@@ -127,7 +127,7 @@ impl Response {
     }
 }
 
-/// The file that a request's target means, and its content.
+/// File path and content for a request target.
 fn find(folder: &Path, target: &str) -> Option<(PathBuf, Vec<u8>)> {
     let mut file = folder.join(inside(target)?);
     if file.is_dir() {
@@ -137,7 +137,7 @@ fn find(folder: &Path, target: &str) -> Option<(PathBuf, Vec<u8>)> {
     Some((file, content))
 }
 
-/// A request's target as a path that does not leave the folder.
+/// A request target as a relative path that cannot leave the folder.
 fn inside(target: &str) -> Option<PathBuf> {
     let path = target.split(['?', '#']).next()?.strip_prefix('/')?;
     let path = PathBuf::from(decoded(path)?);
@@ -146,7 +146,7 @@ fn inside(target: &str) -> Option<PathBuf> {
         .then_some(path)
 }
 
-/// Text with its `%20` and the like resolved.
+/// Text with percent-encoding decoded.
 fn decoded(text: &str) -> Option<String> {
     let mut parts = text.split('%');
     let mut bytes = parts.next()?.as_bytes().to_vec();

@@ -1,4 +1,4 @@
-//! Installs what is missing, says what and why; where it may not, prints the command to run instead.
+//! Installs missing tools and says which and why; where it must not, it prints the command to run instead.
 
 use std::{fs, path::PathBuf, process::Command};
 
@@ -7,10 +7,10 @@ use anyhow::{Context, Result, bail};
 use crate::cad;
 use crate::project::{Project, announce, line, output, run};
 
-/// The target that the browser runs.
+/// Compilation target for the browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
 
-/// What building the app needs: rustup and a C linker are enough to start from.
+/// Tools for building the app; a computer with rustup and a C linker is sufficient to start.
 pub fn for_build(project: &Project) -> Result<()> {
     wasm_target(project)?;
     web_tool(
@@ -21,13 +21,13 @@ pub fn for_build(project: &Project) -> Result<()> {
     )
 }
 
-/// What checking format and lints needs.
+/// Tools for checking format and lints.
 pub fn for_lints(project: &Project) -> Result<()> {
     wasm_target(project)?;
     rust_components(project)
 }
 
-/// What the tests that are compiled for WebAssembly need.
+/// Tools for the tests compiled to WebAssembly.
 pub fn for_browser(project: &Project) -> Result<()> {
     wasm_target(project)?;
     debian_packages(project, &[CHROMIUM, CHROMEDRIVER])?;
@@ -40,26 +40,26 @@ pub fn for_browser(project: &Project) -> Result<()> {
     )
 }
 
-/// What the end-to-end tests need.
+/// Tools for the end-to-end tests.
 pub fn for_end_to_end(project: &Project) -> Result<()> {
     for_build(project)?;
     debian_packages(project, &[CHROMIUM, NODE, NPM])?;
     node_packages(project)
 }
 
-/// What counting instructions needs.
+/// Tools for counting instructions.
 pub fn for_counts(project: &Project) -> Result<()> {
     debian_packages(project, &[VALGRIND])
 }
 
-/// What reading the exported files back needs.
+/// Tools for reading exported files back.
 pub fn for_cad(project: &Project) -> Result<()> {
     debian_packages(project, &[PYTHON, NODE, NPM])?;
     node_packages(project)?;
     cad::set_up(project)
 }
 
-/// A program that Debian has, and why it is needed.
+/// Program available as a Debian package, and the reason why it is needed.
 struct Needed {
     program: &'static str,
     package: &'static str,
@@ -97,7 +97,7 @@ const NPM: Needed = Needed {
     reason: "it installs the packages of the end-to-end tests",
 };
 
-/// The file of a program that tests use: `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or the one on the path.
+/// Path of a program used by tests: from `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or from the search path.
 pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
     std::env::var_os(program.to_uppercase())
         .map(PathBuf::from)
@@ -170,7 +170,7 @@ fn node_packages(project: &Project) -> Result<()> {
         .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
 }
 
-/// Whether a program is missing or, of Python, the part of it that Debian packs apart.
+/// Whether a program is missing or, for Python, the part that Debian packages separately.
 fn is_missing(project: &Project, needed: &Needed) -> bool {
     match program_of_tests(project, needed.program) {
         None => true,
@@ -182,7 +182,7 @@ fn is_missing(project: &Project, needed: &Needed) -> bool {
     }
 }
 
-/// Installs the programs that are missing, all at once.
+/// Installs the missing programs in one step.
 fn debian_packages(project: &Project, needed: &[Needed]) -> Result<()> {
     let missing = || needed.iter().filter(|needed| is_missing(project, needed));
     if missing().next().is_none() {

@@ -1,4 +1,4 @@
-//! How much a browser downloads.
+//! Download sizes of the app.
 
 use std::{fs, io::Write, path::Path};
 
@@ -6,13 +6,13 @@ use anyhow::{Context, Result, bail};
 
 use crate::project::files_below;
 
-/// What a browser fetches together.
+/// Files that a browser loads together.
 struct Part {
-    /// What it is, another for each part.
+    /// Unique name.
     name: &'static str,
-    /// What it may be, compressed, bytes.
+    /// Largest compressed size, bytes.
     budget_bytes: usize,
-    /// Beginnings of the names of its files; the first part has all that no other names.
+    /// Prefixes of the file names; the first part has all files that no other part names.
     files: &'static [&'static str],
 }
 
@@ -22,7 +22,7 @@ const PARTS: [Part; 2] = [
         budget_bytes: 1_340_000,
         files: &[],
     },
-    // Readers and writers of files, aerodynamics, six degrees of freedom, flights of an outline, the benchmark.
+    // readers and writers of files, aerodynamics, six degrees of freedom, flights of an outline, the benchmark
     Part {
         name: "the toolbox, on first use",
         budget_bytes: 800_000,
@@ -30,10 +30,10 @@ const PARTS: [Part; 2] = [
     },
 ];
 
-/// Sizes of the parts, compressed, bytes.
+/// Compressed sizes of the parts, bytes.
 pub type Sizes = [usize; PARTS.len()];
 
-/// Prints the size of every file, plain and compressed as a host may send it, part by part; returns the sums of the parts.
+/// Prints the size of every file, plain and compressed as a host may send it, by part; returns the sums of the parts.
 pub fn print(dist: &Path) -> Result<Sizes> {
     let files = files_below(dist)?;
     let mut sums = [0; PARTS.len()];
@@ -88,7 +88,7 @@ struct Size {
 
 impl Size {
     fn of(content: &[u8]) -> Result<Self> {
-        // Quality 9: within a few per cent of the best, in a tenth of its time. Window 2^22 bytes.
+        // quality 9: within a few percent of the best, in a tenth of its time; window 2^22 bytes
         let mut compressed = brotli::CompressorWriter::new(Vec::new(), 1 << 16, 9, 22);
         compressed.write_all(content).context("cannot compress")?;
         let compressed_bytes = compressed.into_inner().len();

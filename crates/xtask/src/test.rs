@@ -1,4 +1,4 @@
-//! All checks, in the order in which they fail soonest.
+//! All checks, fastest to fail first.
 
 use std::time::Instant;
 
@@ -63,7 +63,8 @@ const STAGES: [Stage; 8] = [
     },
 ];
 
-/// Sets up what the stages named need, or all; what may not be installed is known before the first check.
+/// Sets up the tools of the named stages, or of all; a tool that may not be installed is reported before the first
+/// check.
 pub fn set_up(project: &Project, names: &[&str]) -> Result<()> {
     if let Some(unknown) = names
         .iter()
@@ -75,7 +76,7 @@ pub fn set_up(project: &Project, names: &[&str]) -> Result<()> {
     chosen(names).try_for_each(|stage| (stage.set_up)(project))
 }
 
-/// Runs the stages named, or all, and stops at the first that fails.
+/// Runs the named stages, or all, and stops at the first failure.
 pub fn run_stages(project: &Project, names: &[&str]) -> Result<()> {
     set_up(project, names)?;
     let mut times = Vec::new();
@@ -111,12 +112,12 @@ fn lints(project: &Project) -> Result<()> {
             .args(arguments)
             .args(strict))
     };
-    // web-tools is two lines around a large crate.
+    // web-tools is two lines around a large crate
     clippy(&["--workspace", "--exclude", "msape-web-tools"])?;
     clippy(&["--package", "msape-web", "--target", WASM])
 }
 
-/// What `deny.toml` says of the crates, without cargo-deny, which takes minutes to build.
+/// Checks the crates against `deny.toml`, without cargo-deny, which takes minutes to build.
 fn licences_and_sources(project: &Project) -> Result<()> {
     let tests = [
         "--locked",
@@ -134,7 +135,7 @@ fn native(project: &Project) -> Result<()> {
     run(project.command("cargo").arg("test").args(everything))
 }
 
-/// The parity tests, compiled for WebAssembly and run in Chromium.
+/// Parity tests, compiled for WebAssembly and run in Chromium.
 fn browser(project: &Project) -> Result<()> {
     let driver =
         setup::program_of_tests(project, "chromedriver").context("chromedriver is missing")?;
@@ -158,7 +159,7 @@ fn browser(project: &Project) -> Result<()> {
         .env("CHROMEDRIVER", driver))
 }
 
-/// The tests in `tests/e2e`, against the app as it would be deployed.
+/// Tests of `tests/e2e`, against the app as it would be deployed.
 fn end_to_end(project: &Project) -> Result<()> {
     sizes::check(build::dist(project)?)?;
     let address = serve::in_background(&project.dist)?;

@@ -1,12 +1,12 @@
-//! How a file is changed by accident or with bad intent.
+//! Changes of a file by accident or with bad intent.
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-/// Bytes that mean something to a reader of text, TOML, JSON, tables or drawings.
+/// Bytes with a meaning for a reader of text, TOML, JSON, tables or drawings.
 const SIGNS: &[u8] = b"0123456789.,;:-+eE#\"'[]{}()=\t\n\r \0/%$\x1b\x85\xb0\xff";
 
-/// Numbers at the ends of what a number can be, and words that stand for none.
+/// Numbers at the limits of floating point, and words for missing ones.
 const NUMBERS: &[&str] = &[
     "0",
     "-0",
@@ -42,34 +42,34 @@ const NUMBERS: &[&str] = &[
     "9e7",
 ];
 
-/// One change.
+/// Change of a file.
 #[derive(Clone, Debug)]
 pub(crate) enum Edit {
-    /// Another byte in the place of one.
+    /// Replace a byte.
     Byte(Index, u8),
-    /// Bytes before one.
+    /// Insert bytes.
     Put(Index, Vec<u8>),
-    /// So many bytes less.
+    /// Remove a number of bytes.
     Cut(Index, usize),
-    /// Nothing from here on.
+    /// Truncate the file.
     End(Index),
-    /// Another number in the place of one.
+    /// Replace a number.
     Number(Index, String),
-    /// A line less.
+    /// Remove a line.
     LineOut(Index),
-    /// A line once more, elsewhere.
+    /// Duplicate a line elsewhere.
     LineAgain(Index, Index),
-    /// A line of the other file.
+    /// Insert a line of the other file.
     LineFromOther(Index, Index),
-    /// An open bracket so many times.
+    /// Insert an opening bracket a number of times.
     Nest(Index, u8, usize),
-    /// In another encoding.
+    /// Change the encoding.
     Encode(Encoding),
-    /// Every one of these bytes as another.
+    /// Replace all occurrences of a byte.
     Each(u8, u8),
 }
 
-/// How bytes stand for a text.
+/// Text encoding.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Encoding {
     Utf8WithMark,
@@ -126,7 +126,7 @@ fn lines(bytes: &[u8]) -> Vec<&[u8]> {
     bytes.split_inclusive(|byte| *byte == b'\n').collect()
 }
 
-/// Where the numbers of a file stand.
+/// Positions of the numbers of a file.
 fn numbers(bytes: &[u8]) -> Vec<(usize, usize)> {
     let of_number = |byte: u8| byte.is_ascii_digit() || b"+-.eE".contains(&byte);
     let mut found = Vec::new();
@@ -210,7 +210,7 @@ fn changed(mut bytes: Vec<u8>, edit: &Edit, other: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// A file after the changes; lines may come from another.
+/// A file after the changes; lines may come from another file.
 pub(crate) fn after(file: &[u8], edits: &[Edit], other: &[u8]) -> Vec<u8> {
     let mut bytes = file.to_vec();
     for edit in edits {

@@ -1,5 +1,5 @@
-//! Entries that a person might ask for, at all planets: each ends, on finite numbers, where it should, without energy from air, and
-//! the same again.
+//! Plausible entries at all planets: each ends with finite numbers, where it should, without energy from the
+//! atmosphere, and reproducibly.
 
 use super::truths::{at_its_end, finite, no_energy_from_air, repeated};
 use super::{Tally, hold};
@@ -23,7 +23,7 @@ fn circular_m_s(planet: &str) -> f64 {
     }
 }
 
-/// Keys and what is typed for them.
+/// Keys and their typed values.
 type Typed = Vec<(&'static str, String)>;
 
 fn number(key: &'static str, range: std::ops::Range<f64>) -> BoxedStrategy<Typed> {
@@ -44,7 +44,7 @@ fn one_of(key: &'static str, words: &[&'static str]) -> BoxedStrategy<Typed> {
         .boxed()
 }
 
-/// Nothing, or what is drawn; nothing is five times as likely.
+/// Nothing, or the drawn value; nothing is five times as likely.
 fn perhaps(drawn: BoxedStrategy<Typed>) -> BoxedStrategy<Typed> {
     prop_oneof![5 => Just(Vec::new()), 1 => drawn].boxed()
 }
@@ -83,7 +83,7 @@ fn state() -> impl Strategy<Value = Typed> {
     )
 }
 
-/// Choices of models, ends and methods.
+/// Choices of models, end conditions and methods.
 fn options() -> impl Strategy<Value = Typed> {
     let wind = (
         number("wind.eastward_m_s", -80.0..80.0),
@@ -232,7 +232,7 @@ fn check(case: &Case, again: bool, tally: &Tally) -> Result<(), TestCaseError> {
     finite(&answer, Job::Fly)?;
     let given = |key: &str| case.text(key).and_then(|text| text.parse::<f64>().ok());
     let planet = case.text("entry.planet").unwrap_or_default();
-    // without a final altitude it is the ground, and with a final time alone the planet's lowest
+    // the default end is the ground, and with a final time alone the planet's lowest altitude
     let lowest_m = named(&LIBRARY.planets, &planet).map(|world| world.planet.lowest_altitude_m);
     let ground_m = match given("stop.time_s") {
         Some(_) => lowest_m.unwrap_or_default(),

@@ -1,4 +1,5 @@
-//! Files that a case names: nothing panics; what is taken is finite, is the same again, reads back as written, and can be checked.
+//! Files that a case names: nothing panics; what is accepted is finite, reproducible, reads back as written, and can be
+//! checked.
 
 use super::edits::{after, edits};
 use super::samples::{TABLES, outlines};
@@ -14,7 +15,7 @@ use msape_tests::text::{PLAIN, case};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-/// Faults of one file are listed up to this number.
+/// Largest number of faults listed for one file.
 const FAULTS_MAX: usize = 100;
 
 fn told<T: ToString>(faults: &[T]) -> Result<(), TestCaseError> {
@@ -35,13 +36,13 @@ fn all_finite(rows: &[Vec<f64>]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Rows as the plainest file with the names of the columns of their input.
+/// Rows as a plain file with the column names of their input.
 fn plain_file(key: &str, rows: &[Vec<f64>]) -> String {
     let Some(Kind::Rows(columns)) = find(key).map(|input| input.kind) else {
         panic!("{key} takes no rows");
     };
     let width = rows.iter().map(Vec::len).max().unwrap_or_default();
-    // a table over altitude has a column of Knudsen numbers that nobody gave, and a file may name one of them
+    // a table over altitude has a column of Knudsen numbers that was not given, and a file may name only one of them
     let by_altitude = columns.iter().take(width).any(|c| c.name == "altitude_m");
     let kept = |place: usize| {
         let name = columns.get(place).map_or("", |column| column.name);
@@ -63,7 +64,7 @@ fn plain_file(key: &str, rows: &[Vec<f64>]) -> String {
     head + &body
 }
 
-/// Where the flight is, for tables that need its radius and gas.
+/// Planets for tables that need radius and gas.
 fn grounds() -> [Ground; 3] {
     ["earth", "mars", "jupiter"].map(|planet| {
         let mut case = Case::default();
@@ -72,7 +73,7 @@ fn grounds() -> [Ground; 3] {
     })
 }
 
-/// The case that flies by the table, checked: an answer or faults.
+/// Checks the case that flies with the table: an answer or faults.
 fn checked(table: &Table) -> Result<bool, TestCaseError> {
     let mut case = case(PLAIN, &[]);
     if table.key == "atmosphere.table" {

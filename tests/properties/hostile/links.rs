@@ -1,4 +1,4 @@
-//! Links to a design: what is sent arrives, and a link that was changed on its way says so.
+//! Links to a design: they arrive as sent, and a link changed in transit says so.
 
 use super::edits::{after, edits};
 use super::samples::cases;
@@ -10,17 +10,17 @@ use msape_web::presets::{Start, starts};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// A case as the page holds it, of the present version, from a file that somebody changed; what it has of no input is left out, since
-/// links leave it out.
+/// A case as the page holds it, of the current version, from a changed file; keys that are not inputs are left out, as
+/// in links.
 fn case_of(text: &str) -> Option<Case> {
     let mut case = Case::from_text(text).ok()?;
     let known = |key: &str| msape::quantity::input::find(key).is_some();
-    // a table without rows is none on the page
+    // on the page a table without rows does not exist
     let is_empty = |value: &Value| matches!(value, Value::Rows(rows) if rows.is_empty());
     case.values
         .retain(|key, value| known(key) && !is_empty(value));
     case.version = Version::CURRENT;
-    // as if it were typed: what is held is the number or word that it stands for, nothing where it is empty
+    // as if typed: the value is the number or word that it stands for, or nothing if it is empty
     for (key, value) in case.values.clone() {
         if let Value::Text(text) | Value::Other(text) = value {
             case.set(&key, &text);
@@ -29,7 +29,7 @@ fn case_of(text: &str) -> Option<Case> {
     Some(case)
 }
 
-/// As text, in which a number that is none is itself, or as numbers, in which 0 is -0.
+/// Equality as text, in which NaN equals itself, or as numbers, in which 0 equals −0.
 fn is_same(a: &Case, b: &Case) -> bool {
     a == b || format!("{a:?}") == format!("{b:?}")
 }

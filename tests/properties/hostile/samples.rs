@@ -1,4 +1,4 @@
-//! Files to change: cases that ship, cases that once were wrong, and a table or drawing of each dialect.
+//! Files to change: shipped cases, cases that once gave wrong results, and a table or drawing of each dialect.
 
 use crate::designs::LIBRARY;
 use cad::export::{Format, Info, Model};
@@ -8,7 +8,7 @@ use msape_tests::text::PLAIN;
 use std::fs;
 use std::path::Path;
 
-/// Texts of the files of a folder of this crate, in the order of their names.
+/// Texts of the files in a folder of this crate, sorted by name.
 fn folder(name: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
     let mut paths: Vec<_> = fs::read_dir(folder)
@@ -102,7 +102,7 @@ const POINTS: [&str; 4] = [
     "x,r\nin,in\n0,0\n12,6\n20,0\n",
 ];
 
-/// Curves and what is passed over, in one drawing.
+/// Curves and ignored entities, in one drawing.
 const DRAWING: &str = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n1\n0\nLAYER\n2\nouter\n70\n0\n62\n7\n0\nENDTAB\n0\nENDSEC\n\
 0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nnose\n70\n0\n10\n0\n20\n0\n0\nARC\n8\n0\n10\n100\n20\n0\n40\n100\n50\n90\n51\n180\n0\nENDBLK\n0\nENDSEC\n\
 0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nnose\n10\n0\n20\n0\n41\n1\n42\n1\n50\n0\n\
@@ -110,7 +110,7 @@ const DRAWING: &str = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\
 0\nLWPOLYLINE\n90\n3\n70\n0\n10\n250\n20\n150\n42\n-0.2\n10\n280\n20\n120\n10\n300\n20\n60\n\
 0\nELLIPSE\n10\n300\n20\n0\n11\n0\n21\n60\n40\n0.5\n41\n0\n42\n1.5707963267948966\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n0\nTEXT\n1\nx\n0\nENDSEC\n0\nEOF\n";
 
-/// A drawing in binary: the same pairs, each value by the kind that its code has.
+/// Binary form of a drawing: the same pairs, each value with the type of its code.
 fn binary(text: &str) -> Vec<u8> {
     let mut bytes = b"AutoCAD Binary DXF\r\n\x1a\0".to_vec();
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
@@ -168,7 +168,7 @@ mod tests {
     use super::*;
     use cad::outline::read;
 
-    /// What is changed is right before it is.
+    /// The unchanged samples are valid.
     #[test]
     fn every_kind_of_table_has_samples() {
         let keys = TABLES.map(|(key, _)| key);

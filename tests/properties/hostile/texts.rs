@@ -1,4 +1,4 @@
-//! Texts of cases: nothing panics, what is read is written and read again as it was, and what is answered stands.
+//! Texts of cases: nothing panics, a case that was read reads back as written, and answers are consistent.
 
 use super::edits::{after, edits};
 use super::samples::cases;
@@ -12,7 +12,7 @@ use msape::{Case, InputError, Request};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// Faults that each say something, in short.
+/// Requires faults with messages, shortened.
 fn told(faults: &[InputError]) -> Result<(), TestCaseError> {
     prop_assert!(!faults.is_empty(), "refused without a word");
     for fault in faults {
@@ -22,13 +22,13 @@ fn told(faults: &[InputError]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// TOML and JSON give the case back; dates and what is no finite number, which JSON has not, from TOML alone.
+/// TOML and JSON give the case back; dates and non-finite numbers, which JSON does not have, from TOML only.
 fn reads_back(case: &Case) -> Result<(), TestCaseError> {
-    // as text, in which a number that is none is itself
+    // compared as text, in which NaN equals itself
     let shown = |case: Result<&Case, &Vec<InputError>>| format!("{case:?}");
     let toml = case.to_toml();
     let read = Case::from_text(&toml);
-    // what no key takes is kept as it is spelled, with the keys of a table in its own order or in that of letters
+    // unknown values keep their spelling, with the keys of a table in their own or in alphabetical order
     let odd = |value: &Value| matches!(value, Value::Other(_));
     if case.values.values().any(odd) {
         let keys = |case: &Case| case.values.keys().cloned().collect::<Vec<_>>();

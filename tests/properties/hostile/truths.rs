@@ -1,4 +1,4 @@
-//! What holds for every answer, whatever was asked.
+//! Conditions that hold for every answer.
 
 use crate::designs::LIBRARY;
 use msape::answer::{self, outputs};
@@ -9,10 +9,10 @@ use msape::quantity::Job;
 use msape::{Answer, Case, InputError, Outcome, Request};
 use proptest::prelude::*;
 
-/// Rise of the energy of motion relative to the planet that rounding and steps may make, of its largest part.
+/// Largest rise of the energy relative to the planet by rounding and integration, relative to its largest part.
 const ENERGY: f64 = 1e-6;
 
-/// The answer, which is the same to the bit when it is asked for once more.
+/// The answer, which must be the same to the bit when repeated.
 pub(crate) fn repeated(
     case: &Case,
     job: Job,
@@ -33,7 +33,7 @@ pub(crate) fn repeated(
     Ok(one)
 }
 
-/// An outcome stands on finite numbers; one that is none says why.
+/// An answer with a result has finite numbers; one without says why.
 pub(crate) fn finite(answer: &Answer, job: Job) -> Result<(), TestCaseError> {
     let text = answer::text(answer, job);
     prop_assert!(
@@ -60,7 +60,7 @@ pub(crate) fn finite(answer: &Answer, job: Job) -> Result<(), TestCaseError> {
     let density = history.column("density_kg_m3").unwrap();
     for (column, values) in history.columns() {
         let named = values.iter().all(|x| history.name(column, *x).is_some());
-        // where there is next to no air, molecules fly farther than a number tells
+        // in a near vacuum the mean free path exceeds the range of numbers
         let empty = |i: usize| column.key == "knudsen" && density[i] < 1e-290;
         let found = values
             .iter()
@@ -89,7 +89,7 @@ pub(crate) fn at_its_end(answer: &Answer, stop_altitude_m: f64) -> Result<(), Te
     Ok(())
 }
 
-/// Potential of gravity and rotation at a place of the planet, J/kg.
+/// Potential of gravity and rotation at a position, J/kg.
 fn potential_j_kg(planet: &Planet, r: [f64; 3]) -> Option<f64> {
     let Gravity::Zonal {
         mu_m3_s2: mu,
@@ -112,7 +112,7 @@ fn potential_j_kg(planet: &Planet, r: [f64; 3]) -> Option<f64> {
     Some(-mu / distance * (1.0 - zonal) - 0.5 * spin * spin * (x * x + y * y))
 }
 
-/// Air that turns with the planet takes energy from the motion relative to it, and gives none.
+/// An atmosphere that rotates with the planet can only reduce the energy relative to the planet.
 pub(crate) fn no_energy_from_air(answer: &Answer, planet: &str) -> Result<bool, TestCaseError> {
     let history = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
     let (Some(history), Some(planet)) = (

@@ -1,4 +1,4 @@
-//! Designs, outlines and what is exported of them: masses add up, coefficients and files hold finite numbers, files read back.
+//! Designs, outlines and their exports: masses add up, coefficients and files hold finite numbers, files read back.
 
 use super::truths::{finite, mass_adds_up, repeated};
 use super::{Tally, hold};
@@ -12,14 +12,14 @@ use msape::{Case, Outcome, Request, problem};
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// Numbers of a text file that are none: words that a writer of floating-point numbers makes.
+/// Words of a text file that stand for non-finite numbers.
 fn no_numbers(text: &str) -> Option<&str> {
     let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
     let mut words = words.map(|word| word.trim_start_matches('-'));
     words.find(|word| ["NaN", "nan", "inf", "Infinity"].contains(word))
 }
 
-/// Whether no piece is so short that the reader of drawings takes its ends for one.
+/// Whether all pieces are long enough for the reader of drawings to keep their ends apart.
 fn is_coarse(model: &Model) -> bool {
     let size_m = model
         .outline
@@ -33,13 +33,13 @@ fn is_coarse(model: &Model) -> bool {
     lengths.into_iter().all(|length_m| length_m > 1e-4 * size_m)
 }
 
-/// Every format, whole and finite; drawing and table read back with the volume of the model.
+/// Every format is complete and finite; drawing and table read back with the volume of the model.
 fn exports(model: &Model, tally: &Tally) -> Result<(), TestCaseError> {
     for format in Format::ALL {
         let bytes = format.write(model, &Info::default());
         tally.one("exported files");
         prop_assert!(!bytes.is_empty(), "{}: empty", format.name());
-        // what a glTF holds as base64 may spell anything
+        // base64 in a glTF may contain any word
         if format.is_text() && format != Format::Gltf {
             let text = String::from_utf8(bytes.clone()).unwrap();
             prop_assert_eq!(no_numbers(&text), None, "{}", format.name());
@@ -78,7 +78,7 @@ fn exports(model: &Model, tally: &Tally) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Coefficients at a Mach number, from nose first to tail first.
+/// Checks the coefficients at a Mach number, from nose first to tail first.
 fn coefficients(case: &Case, mach: f64, knudsen: f64, tally: &Tally) -> Result<(), TestCaseError> {
     let (body, database) = match problem::aero(case, &LIBRARY) {
         Ok(found) => found,
@@ -151,7 +151,7 @@ fn designs_with_and_without_an_impact_sphere() {
     );
 }
 
-/// Outlines by points or by dimensions, sensible or not.
+/// Outlines by points or by dimensions, plausible or not.
 fn outline() -> impl Strategy<Value = Case> {
     let size = || prop_oneof![6 => 0.0..3.0_f64, 1 => -1.0..10.0, 1 => select(vec![0.0, 1e-9, 1e4, 1e-320])];
     let bulge = prop_oneof![4 => Just(0.0), 2 => -1.0..1.0_f64, 1 => -20.0..20.0_f64];

@@ -31,7 +31,7 @@ fn circular_plate_under_pressure() {
     );
     fourth_order(clamped, 1e-5);
     fourth_order(supported, 1e-5);
-    // p a² (1 + ν) / 16 in the middle, −p a² / 8 at the edge
+    // p a² (1 + ν) / 16 at the center, −p a² / 8 at the edge
     let moment = |elements, last: bool| {
         let samples = plate(t, elements).samples([None, CLAMPED]);
         let sample = if last {
@@ -53,8 +53,8 @@ fn circular_plate_under_pressure() {
         PRESSURE / 8.0,
         |n| moment(n, true),
     );
-    // at the edge from the balance of the element, exact: the turn of the edge that goes with it is quadratic; on the axis
-    // carried on in a line from the Gauss points: second order
+    // at the edge exact from the balance of the element, as its edge rotation is quadratic; on the axis extrapolated
+    // linearly from the Gauss points: second order
     assert!(edge.0 < 1e-11, "{:.1e}", edge.0);
     assert!(
         inner.0 < 4e-3 && inner.1 > 1.9,
@@ -85,7 +85,7 @@ fn cylinder_with_clamped_edge_under_pressure() {
     let modulus = re.hypot(im);
     let (a, b) = (((modulus + re) / 2.0).sqrt(), ((modulus - re) / 2.0).sqrt());
     let moment = PRESSURE / (3.0 * a * a - b * b);
-    // where e^{−ax} is 1e-11 the other end is felt no more
+    // where e^{−ax} is 1e-11 the other end has no effect
     let length = 25.0 / a;
     let shell = |elements| cylinder(length, t, elements);
     let meshes = [16, 32, 64, 128];
@@ -130,8 +130,8 @@ fn cylinder_with_clamped_edge_under_pressure() {
     );
     fourth_order(radial, 1e-5);
     fourth_order(nearby, 1e-4);
-    // D w′ w‴ − D w″²/2 + k w²/2 is the same everywhere, and so it is in the model: two Gauss points keep what is
-    // quadratic. What is left is the other end, e⁻²⁵
+    // D w′ w‴ − D w″²/2 + k w²/2 is constant, also in the model: two Gauss points integrate quadratic terms exactly.
+    // The remainder is the effect of the other end, e⁻²⁵
     assert!(edge.0 < 1e-9, "{:.1e}", edge.0);
 }
 
@@ -204,7 +204,7 @@ fn cone_carries_pressure_as_a_membrane() {
 
 #[test]
 fn cylinder_under_its_weight_across_the_axis_bends_like_a_beam() {
-    // balance of moments, whatever the theory: N_s + M_s / R = μ g (L − x)² / R at θ = 0, for R = 1
+    // moment equilibrium, in any theory: N_s + M_s / R = μ g (L − x)² / R at θ = 0, for R = 1
     let (length, elements) = (4.0, 32);
     let shell = cylinder(length, 0.01, elements);
     let freedoms = shell.freedoms(1, [CLAMPED, None]);
@@ -220,7 +220,7 @@ fn cylinder_under_its_weight_across_the_axis_bends_like_a_beam() {
         worst = worst.max(((n_s + m_s).abs() / (weight * arm * arm) - 1.0).abs());
     }
     println!("cylinder, lateral weight: balance of moments within {worst:.1e}");
-    // the ends of elements are in balance; turns about the joints are kept to their geometry, here straight
+    // the ends of elements are in equilibrium; rotations at the joints follow their geometry, here straight
     assert!(worst < 1e-9);
 }
 

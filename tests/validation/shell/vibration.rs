@@ -1,11 +1,11 @@
-//! Frequencies.
+//! Natural frequencies.
 
 use super::*;
 
 #[test]
 fn clamped_circular_plate_vibrates_as_in_leissa() {
     let t = 1e-3;
-    // λ² of Leissa, NASA SP-160, Table 2.1; shear and rotary inertia take 1e-5 off at this thickness
+    // λ² of Leissa, NASA SP-160, Table 2.1; shear and rotary inertia reduce it by 1e-5 at this thickness
     for (harmonic, parameter) in [(0, 10.2158), (1, 21.26), (2, 34.88), (3, 51.04)] {
         let shell = plate(t, 1);
         let exact = parameter * (shell.bending() / (DENSITY * shell.thickness)).sqrt() / (2.0 * PI);
@@ -13,11 +13,11 @@ fn clamped_circular_plate_vibrates_as_in_leissa() {
         let (error, _) = row(&name, MESHES, exact, |elements| {
             plate(t, elements).frequency_hz(harmonic, [None, CLAMPED])
         });
-        // half a unit of the last digit printed is 2e-4 of 34.88; 51.04 is 51.03 to four digits
+        // half a unit of the last printed digit is 2e-4 of 34.88; 51.04 is 51.03 to four digits
         assert!(error < 4e-4, "{error:.1e}");
     }
     let thin = 2e-4;
-    // the roots of J_n(λ) I_n'(λ) = J_n'(λ) I_n(λ), to be closer than the printed digits
+    // the roots of J_n(λ) I_n'(λ) = J_n'(λ) I_n(λ), more accurate than the printed digits
     for (harmonic, root) in [(0, 3.196_220_617), (1, 4.610_899_879), (2, 5.905_678_236)] {
         let parameter: f64 = root * root;
         let shell = plate(thin, 1);
@@ -26,13 +26,13 @@ fn clamped_circular_plate_vibrates_as_in_leissa() {
         let (error, order) = row(&name, [2, 4, 8, 16], exact, |elements| {
             plate(thin, elements).frequency_hz(harmonic, [None, CLAMPED])
         });
-        // conditions on the axis keep n ≥ 1 from the full fourth order on coarse meshes
+        // conditions on the axis keep n ≥ 1 below the full fourth order on coarse meshes
         assert!(error < 1e-4 && order > 3.0, "{error:.1e}, {order:.2}");
     }
 }
 
-/// The lowest frequency of a cylinder between shear diaphragms in the theory of the model, exactly: the five amplitudes
-/// make a 5 by 5 matrix; its lowest eigenvalue by inverse iteration.
+/// Lowest frequency of a cylinder between shear diaphragms in the theory of the model, exactly: the five amplitudes
+/// give a 5 by 5 matrix; its lowest eigenvalue by inverse iteration.
 fn cylinder_exact_hz(length: f64, t: f64, m: u32, n: u32) -> f64 {
     let shell = cylinder(length, t, 1);
     let wall = shell.model.walls[0];
@@ -129,7 +129,7 @@ fn cylinder_between_diaphragms_vibrates_as_its_exact_solution() {
     }
 }
 
-/// The lowest ω² R² ρ (1 − ν²) / E of a cylinder between shear diaphragms after Flügge, in the form of Leissa, NASA SP-288:
+/// Lowest ω² R² ρ (1 − ν²) / E of a cylinder between shear diaphragms after Flügge, in the form of Leissa, NASA SP-288:
 /// Ω⁶ − K₂ Ω⁴ + K₁ Ω² − K₀ = 0, with λ = m π R / L and k = t² / 12 R².
 fn fluegge(length: f64, t: f64, n: u32) -> f64 {
     let (l2, n2, k) = ((PI / length).powi(2), f64::from(n * n), t * t / 12.0);
@@ -144,7 +144,7 @@ fn fluegge(length: f64, t: f64, n: u32) -> f64 {
         - 2.0 * (4.0 - NU) * l2 * n2 * n2
         - 2.0 * n2.powi(3);
     let k0 = half * ((1.0 - NU * NU) * l2 * l2 + k * sum.powi(4) + k * of_fluegge);
-    // the lowest root lies far below the two others: Newton's steps from nought rise to it
+    // the lowest root lies far below the two others: Newton's method from zero increases monotonically to it
     let mut y = 0.0;
     for _ in 0..50 {
         let value = ((y - k2) * y + k1) * y - k0;
@@ -172,7 +172,7 @@ fn cylinders_vibrate_as_after_fluegge() {
         println!(
             "cylinder, L/R {length}, R/t 100, n = {harmonic}: {ours:.6}, Fluegge {exact:.6}, {off:+.1e}"
         );
-        // shear deformation and rotary inertia take (n t / R)² off: 4e-3 at n = 6, of which a part
+        // shear deformation and rotary inertia reduce it by about (n t / R)²: 4e-3 at n = 6, of which a part
         assert!(off.abs() < 1e-3);
     }
 }

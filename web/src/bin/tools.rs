@@ -1,4 +1,4 @@
-//! The toolbox: a second worker for what is asked for now and then, fetched on first use.
+//! Toolbox: a second worker for occasional questions, loaded on first use.
 
 use msape_web::serve;
 use msape_web::tools::Toolbox;

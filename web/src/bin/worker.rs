@@ -1,4 +1,4 @@
-//! The worker: solves one case after the other, so that the page stays alive.
+//! Solver worker: solves one case after the other, so that the page stays responsive.
 
 use msape_web::serve;
 use msape_web::solver::Solver;

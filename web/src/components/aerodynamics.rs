@@ -1,4 +1,4 @@
-//! Aerodynamics of a body: which database, asked where, and what came back.
+//! Aerodynamics of a body: choice of the database, conditions, and resulting curves.
 
 pub mod figures;
 pub mod form;
@@ -22,28 +22,28 @@ use msape::quantity::input::{self, Preset};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
-/// Identifier of the vehicle of the present design.
+/// Identifier of the vehicle of the current design.
 pub const DESIGN: &str = "design";
-/// Key of a table of one's own in a case.
+/// Key of a user's table in a case.
 pub const TABLE: &str = "vehicle.aerodynamics.table";
 
-/// A body of the list.
+/// Entry in the list of bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Identifier in links.
     pub id: String,
-    /// Name on the screen.
+    /// Displayed name.
     pub title: String,
-    /// Its outline; the design's has none of its own.
+    /// Outline; `None` for the design.
     pub outline: Option<Entry>,
-    /// Named axial force that it begins with.
+    /// Named axial force preset for the body.
     pub axial_force: Option<String>,
 }
 
-/// Name of the built-in database: of its shape and of its axial force.
+/// Name of the built-in database, of its shape and of its axial force.
 const BUILT_IN: &str = "mmeev-60";
 
-/// All bodies: the built-in database, the present design, the outlines of the library.
+/// All bodies: built-in database, current design, outlines of the library.
 pub fn bodies(state: State) -> Vec<Body> {
     let is_built_in = |entry: &Entry| entry.id() == BUILT_IN;
     let (built_in, outlines): (Vec<Entry>, Vec<Entry>) =
@@ -72,7 +72,7 @@ pub fn bodies(state: State) -> Vec<Body> {
     bodies
 }
 
-/// The axial force that a design names, or has where it names none; absent where it is that of its own outline.
+/// Axial force that a design names or takes by default; `None` where it is computed from the design's outline.
 fn axial_force_of_design(case: &Case) -> Option<String> {
     let input = input::find("design.aerodynamics")?;
     let named = case.text(input.key).or(match input.preset {
@@ -82,7 +82,7 @@ fn axial_force_of_design(case: &Case) -> Option<String> {
     named.filter(|name| name != OWN_OUTLINE)
 }
 
-/// What is typed for the places of curves.
+/// Text of the fields for conditions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacesText {
     /// Mach numbers.
@@ -91,9 +91,9 @@ pub struct PlacesText {
     pub knudsen: String,
     /// Angles of attack, deg.
     pub alpha_deg: String,
-    /// Centre of gravity in diameters; empty for the body's own.
+    /// Center of gravity in diameters; empty for the body's own.
     pub cg: String,
-    /// What tells curves over the angle apart.
+    /// Parameter of the curves over the angle of attack.
     pub family: Family,
 }
 
@@ -109,7 +109,7 @@ impl Default for PlacesText {
     }
 }
 
-/// The numbers of a list such as `20, 5; 0.3`, each within a range; at most as many as a figure has curves.
+/// Numbers of a list such as `20, 5; 0.3`, each within a range; at most as many as a figure has curves.
 pub fn numbers(text: &str, low: f64, high: f64) -> Result<Vec<f64>, String> {
     let parts = text.split([',', ';', ' ']).filter(|part| !part.is_empty());
     let mut numbers = Vec::new();
@@ -161,20 +161,20 @@ impl PlacesText {
     }
 }
 
-/// What the parts of the page share.
+/// State shared by the parts of the page.
 #[derive(Clone, Copy)]
 pub struct AeroView {
     /// Identifier of the body.
     pub chosen: RwSignal<String>,
     /// The body.
     pub body: Memo<Option<Body>>,
-    /// Inputs of the database, as a case holds them.
+    /// Inputs of the database, as in a case.
     pub fields: RwSignal<Case>,
-    /// Name of the table of one's own that takes the place of what is computed.
+    /// Name of the user's table that replaces computed coefficients.
     pub table: RwSignal<Option<String>>,
-    /// What is typed for the places.
+    /// Text of the fields for conditions.
     pub typed: RwSignal<PlacesText>,
-    /// The whole case.
+    /// Complete case.
     pub case: Memo<Option<Case>>,
     /// The newest curves.
     pub curves: RwSignal<Option<Arc<Curves>>>,
@@ -183,7 +183,7 @@ pub struct AeroView {
 }
 
 impl AeroView {
-    /// The view of a body; what is asked follows what is chosen and typed.
+    /// View of a body; the question follows the choices and the fields.
     pub fn new(state: State, chosen: String) -> AeroView {
         let chosen = RwSignal::new(chosen);
         let list = Memo::new(move |_| bodies(state));
@@ -196,7 +196,7 @@ impl AeroView {
         });
         let fields = RwSignal::new(Case::default());
         let table = RwSignal::new(None::<String>);
-        // Another body begins with its own axial force.
+        // a new body starts with its own axial force
         Effect::new(move |before: Option<Option<String>>| {
             let (id, force) = body.with(|body| {
                 let body = body.as_ref();
@@ -253,7 +253,7 @@ impl AeroView {
         view
     }
 
-    /// The view around this component.
+    /// View provided by an ancestor of this component.
     pub fn expect() -> AeroView {
         expect_context::<AeroView>()
     }
@@ -267,7 +267,7 @@ impl AeroView {
             };
             spawn_local(async move {
                 let question = Question { case, places };
-                // Of several answers the newest counts.
+                // only the newest answer counts
                 match state.aerodynamics(asker, question).await {
                     Some(Ok(curves)) => {
                         self.faults.set(Vec::new());
@@ -280,7 +280,7 @@ impl AeroView {
         });
     }
 
-    /// The place of the centre of gravity as a text.
+    /// Center of gravity as text.
     pub fn cg_text(self) -> Option<String> {
         self.curves
             .with(|curves| Some(input_number(curves.as_ref()?.cg_over_diameter?)))

@@ -1,4 +1,4 @@
-//! Inputs of which one holds: the others follow from it.
+//! Alternative inputs: one is given, the others follow from it.
 
 use crate::components::number::NumberField;
 use crate::state::State;
@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use msape::answer::output;
 use msape::quantity::input::{Input, Kind, Preset, find};
 
-/// Inputs that exclude each other: heading and keys. The list of inputs does not know this yet.
+/// Mutually exclusive inputs: heading and keys. The list of inputs does not contain this yet.
 pub const ALTERNATIVES: &[(&str, &[&str])] = &[
     (
         "Payload size given by",
@@ -19,7 +19,7 @@ pub const ALTERNATIVES: &[(&str, &[&str])] = &[
     ("Start given by", &["entry.altitude_m", "entry.radius_m"]),
 ];
 
-/// The group of alternatives that an input is the first of.
+/// The group of alternatives of which an input is the first.
 pub fn group_of(key: &str) -> Option<(&'static str, &'static [&'static str])> {
     ALTERNATIVES
         .iter()
@@ -27,7 +27,7 @@ pub fn group_of(key: &str) -> Option<(&'static str, &'static [&'static str])> {
         .copied()
 }
 
-/// A choice which input holds, and the field of that input.
+/// A choice of the given input, and its field.
 #[component]
 pub fn Alternatives(title: &'static str, keys: &'static [&'static str]) -> impl IntoView {
     let state = State::expect();
@@ -78,7 +78,7 @@ pub fn Alternatives(title: &'static str, keys: &'static [&'static str]) -> impl 
     }
 }
 
-/// What the newest answer has for an input, rounded; else its default or the middle of its usual range.
+/// Value of an input in the newest answer, rounded; else its default or the middle of its usual range.
 fn solved_value(state: State, input: &Input) -> f64 {
     let name = input.key.rsplit('.').next().unwrap_or_default();
     let solved = state.latest.with_untracked(|latest| {

@@ -1,4 +1,4 @@
-//! The attitude of the design in flight: its inputs, its numbers, its charts, and the vehicle as it turns.
+//! Attitude of the design in flight: inputs, numbers, charts, and an animated view of the vehicle.
 
 mod inputs;
 mod player;
@@ -23,7 +23,7 @@ use scene::Scene;
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
-/// Numbers that are shown of a flight's attitude.
+/// Outputs shown for a flight with attitude.
 const SHOWN: [&str; 8] = [
     "initial_total_alpha_deg",
     "first_below_10_deg_time_s",
@@ -35,28 +35,28 @@ const SHOWN: [&str; 8] = [
     "final_total_alpha_amplitude_deg",
 ];
 
-/// What the parts of the card share.
+/// State shared by the parts of the card.
 #[derive(Clone, Copy)]
 pub struct AttitudeView {
     /// The newest flight with attitude, and the design that flew it.
     pub flown: RwSignal<Option<Arc<Flown>>>,
-    /// Its answer.
+    /// Answer of that flight.
     pub answer: Signal<Option<Arc<Answer>>>,
-    /// Attitude and velocity along it.
+    /// Attitude and velocity along that flight.
     pub course: Memo<Option<Arc<Course>>>,
-    /// Row of its history under the cursor.
+    /// Row of its time history at the cursor.
     pub cursor: RwSignal<Option<usize>>,
-    /// The time that is shown, s.
+    /// Displayed time, s.
     pub time_s: RwSignal<f64>,
-    /// The row where the cursor was put for a time.
+    /// Row at which the cursor was last set from a time.
     placed: StoredValue<Option<usize>>,
-    /// Whether time runs.
+    /// Whether the animation runs.
     pub playing: RwSignal<bool>,
     /// Faults of the newest question.
     pub faults: RwSignal<Vec<Fault>>,
 }
 
-/// A flight with attitude and the design that flew it.
+/// Flight with attitude and the design that flew it.
 #[derive(Debug)]
 pub struct Flown {
     /// The design.
@@ -97,12 +97,12 @@ impl AttitudeView {
         view
     }
 
-    /// The view around this component.
+    /// View provided by an ancestor of this component.
     pub fn expect() -> AttitudeView {
         expect_context::<AttitudeView>()
     }
 
-    /// Flies each design that is solved and wants it; of several answers the newest counts.
+    /// Flies each solved design that asks for it; only the newest answer counts.
     fn fly_on_change(self, state: State) {
         let asker = Asker::default();
         Effect::new(move |_| {
@@ -126,11 +126,11 @@ impl AttitudeView {
         });
     }
 
-    /// One time for the vehicle, the charts of the attitude and those of the design.
+    /// Links the time of the animation with the cursors of the attitude charts and the design's charts.
     fn link(self, state: State) {
         Effect::new(move |_| {
             let row = self.cursor.get();
-            // The exact time stays where it was set.
+            // the exact time stays where it was set
             if row.is_none() || row == self.placed.get_value() {
                 return;
             }
@@ -143,7 +143,7 @@ impl AttitudeView {
                 self.time_s.set(time_s);
             }
         });
-        // A new flight may be shorter.
+        // a new flight may be shorter
         Effect::new(move |_| {
             let ends = self
                 .course
@@ -172,7 +172,7 @@ impl AttitudeView {
         });
     }
 
-    /// Goes to a time: vehicle and charts follow.
+    /// Sets the time; vehicle and charts follow.
     pub fn go_to(self, time_s: f64) {
         let row = self
             .course
@@ -185,7 +185,7 @@ impl AttitudeView {
     }
 }
 
-/// Whether a design is flown with its attitude, too.
+/// Whether a design is also flown with attitude.
 fn is_rigid(case: &Case) -> bool {
     case.text("vehicle.dof")
         .is_some_and(|dof| dof.trim() == "6")

@@ -1,4 +1,4 @@
-//! The export menu: the files that the command line writes, from the same functions.
+//! Export menu: the same files as the command line, written by the same functions.
 
 use crate::components::export::save;
 use crate::files::{self, file_name};
@@ -32,7 +32,7 @@ pub fn CadMenu(#[prop(into)] model: Signal<Option<Model>>) -> impl IntoView {
             .set("There is no vehicle to export yet.".to_string()),
     };
     let menu = NodeRef::<Details>::new();
-    // A press elsewhere closes the menu.
+    // a press elsewhere closes the menu
     let presses = window_event_listener(leptos::ev::pointerdown, move |event: PointerEvent| {
         let Some(menu) = menu.get_untracked().filter(|menu| menu.open()) else {
             return;
@@ -68,7 +68,7 @@ fn close_on_escape(event: &leptos::ev::KeyboardEvent) {
         .current_target()
         .and_then(|menu| menu.dyn_into::<web_sys::Element>().ok());
     if let Some(menu) = menu {
-        // An open menu closes, and the focus goes to what opened it.
+        // close an open menu and return the focus to its button
         let _ = menu.remove_attribute("open");
         let summary = menu.first_element_child();
         if let Some(summary) = summary.and_then(|s| s.dyn_into::<web_sys::HtmlElement>().ok()) {

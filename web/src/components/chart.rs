@@ -1,4 +1,4 @@
-//! A figure on a canvas, with the cursor that all charts share above it.
+//! Figure on a canvas with the cursor shared by all charts.
 
 use crate::charts::ChartSpec;
 use crate::observe;
@@ -17,15 +17,15 @@ pub fn Chart(
     figure: Memo<Figure>,
     points: Memo<Vec<(f64, f64)>>,
     focused: RwSignal<bool>,
-    /// Whether it has no cursor.
+    /// Whether the chart has no cursor.
     #[prop(optional)]
     still: bool,
-    /// A cursor of its own, in the place of the one that all charts of the flight share.
+    /// A separate cursor instead of the one shared by all charts of the flight.
     #[prop(optional)]
     cursor: Option<RwSignal<Option<usize>>>,
 ) -> impl IntoView {
     let state = State::expect();
-    // A figure that is no flight's names no column: its first curve runs along x.
+    // a figure without columns of a flight: its first curve runs along x
     let is_history = move || spec.with_untracked(|spec| ["", "time_s"].contains(&spec.x.as_str()));
     let cursor = cursor.unwrap_or(state.cursor);
     let frame = NodeRef::<Div>::new();
@@ -62,7 +62,7 @@ pub fn Chart(
             draw();
             return;
         }
-        // A chart out of sight waits until the edits have settled.
+        // a chart out of sight waits until the edits pause
         let this = newest.get_value();
         figure.track();
         let draw_later = move || {
@@ -154,12 +154,12 @@ pub fn Chart(
     }
 }
 
-/// The theme of figures.
+/// Theme of figures.
 pub fn theme(dark: bool) -> Theme {
     if dark { Theme::dark() } else { Theme::light() }
 }
 
-/// Row of the point nearest to a place: along x where x rises with the rows, else in the plane.
+/// Row of the point nearest to a position: along x where x increases with the rows, else in the plane.
 fn nearest(
     points: &[(f64, f64)],
     mapping: &Mapping,

@@ -1,4 +1,4 @@
-//! What stands below a chart: its reading, the switch of its table twin, its exports.
+//! Footer of a chart: reading, table, exports.
 
 use crate::components::chart::theme;
 use crate::components::export::save;
@@ -9,7 +9,7 @@ use msape_plot::{CanvasSize, Figure, canvas, csv, svg};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
-/// Size of exported drawings, CSS px.
+/// Size of exported images, CSS px.
 const EXPORT_PX: (u32, u32) = (800, 500);
 
 /// Reading, table and exports of a figure.
@@ -17,13 +17,13 @@ const EXPORT_PX: (u32, u32) = (800, 500);
 pub fn ChartFoot(
     title: Signal<String>,
     figure: Memo<Figure>,
-    /// What stands under the cursor.
+    /// Values at the cursor.
     #[prop(into)]
     reading: Signal<Option<String>>,
-    /// Of all charts, only the one with the focus speaks.
+    /// Whether this chart has the focus: only that chart is announced.
     focused: RwSignal<bool>,
     table_open: RwSignal<bool>,
-    /// Names of files, without the ending.
+    /// File name without extension.
     #[prop(into)]
     stem: Signal<String>,
 ) -> impl IntoView {
@@ -56,10 +56,10 @@ fn drawn(figure: &Figure, title: &str) -> String {
     svg(&titled, &theme(false), EXPORT_PX.0, EXPORT_PX.1)
 }
 
-/// Hands a figure to the user as PNG.
+/// Offers a figure for download as PNG.
 ///
 /// # Errors
-/// What the browser refuses.
+/// Errors of the browser.
 fn png(figure: &Figure, name: String) -> Result<(), wasm_bindgen::JsValue> {
     let element: HtmlCanvasElement = document().create_element("canvas")?.unchecked_into();
     let size = CanvasSize {

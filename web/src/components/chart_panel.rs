@@ -1,4 +1,4 @@
-//! A chart with its reading, its table twin and its exports.
+//! Chart with its reading, table and exports.
 
 use crate::charts::{ChartSpec, Span};
 use crate::components::chart::Chart;
@@ -12,7 +12,7 @@ use msape::Answer;
 use msape::quantity::trajectory::{columns, find};
 use std::sync::Arc;
 
-/// A chart of one column over another.
+/// Chart of one column over another.
 #[component]
 pub fn ChartPanel(
     spec: RwSignal<ChartSpec>,
@@ -20,10 +20,10 @@ pub fn ChartPanel(
     /// Whether the columns can be chosen.
     #[prop(optional)]
     free: bool,
-    /// The answer whose flight is drawn, in the place of the newest.
+    /// Answer whose flight is drawn, instead of the newest.
     #[prop(optional)]
     answer: Option<Signal<Option<Arc<Answer>>>>,
-    /// A cursor of its own.
+    /// A separate cursor.
     #[prop(optional)]
     cursor: Option<RwSignal<Option<usize>>>,
 ) -> impl IntoView {

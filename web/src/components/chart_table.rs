@@ -1,17 +1,17 @@
-//! The numbers of a chart, a page at a time.
+//! Numbers of a chart, in pages.
 
 use crate::display::number;
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 use msape_plot::Figure;
 
-/// Rows on a page.
+/// Rows per page.
 const ROWS: usize = 25;
 
-/// Where a button or key of the pager leads: page now and last page, both from 0.
+/// Target page of a pager button or key, from the current and the last page, all from 0.
 type Turn = fn(usize, usize) -> usize;
 
-/// Buttons of the pager: words, what they say to a screen reader, and where they lead.
+/// Pager buttons: label, accessible name, target.
 const TURNS: [(&str, &str, Turn); 4] = [
     ("First", "First rows", |_, _| 0),
     ("Previous", "Previous rows", |now, _| now.saturating_sub(1)),
@@ -19,7 +19,7 @@ const TURNS: [(&str, &str, Turn); 4] = [
     ("Last", "Last rows", |_, last| last),
 ];
 
-/// The table twin of a chart.
+/// Table of a chart.
 #[component]
 pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView {
     let page = RwSignal::new(0_usize);
@@ -69,7 +69,7 @@ pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView 
             </table>
             <div class="pager" role="group" aria-label="Rows of the table">
                 {TURNS.map(|(words, label, leads)| {
-                    // A button that leads nowhere keeps the focus, so that the keyboard is not thrown out.
+                    // a button without effect keeps the focus, so that keyboard users do not lose it
                     let leads_nowhere = move || leads(now.get(), last.get()) == now.get();
                     view! {
                         <button type="button" class="small" aria-label=label
@@ -83,7 +83,7 @@ pub fn ChartTable(figure: Memo<Figure>, title: Signal<String>) -> impl IntoView 
     }
 }
 
-/// The last page of so many rows, from 0.
+/// Index of the last page for a number of rows, from 0.
 fn last_page(count: usize) -> usize {
     count.div_ceil(ROWS).saturating_sub(1)
 }

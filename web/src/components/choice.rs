@@ -1,4 +1,4 @@
-//! Names and yes-or-no as lists to choose from.
+//! Select fields for names and for yes or no.
 
 use crate::catalog::Names;
 use crate::components::field::{Field, control_id, described_by};
@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use msape::case::Value;
 use msape::quantity::input::{Input, Preset};
 
-/// A field for one of several names.
+/// Field for one of several names.
 #[component]
 pub fn ChoiceField(input: &'static Input) -> impl IntoView {
     let state = State::expect();
@@ -15,7 +15,7 @@ pub fn ChoiceField(input: &'static Input) -> impl IntoView {
     view! { <Select input choices to_value=|name: &str| Value::Text(name.to_string()) /> }
 }
 
-/// A field for yes or no.
+/// Field for yes or no.
 #[component]
 pub fn FlagField(input: &'static Input) -> impl IntoView {
     let choices = vec![
@@ -40,7 +40,7 @@ fn Select(
             _ => String::new(),
         })
     });
-    // A name that is not in the list stays visible, with its fault; as long as there is no list, none is.
+    // a name that is not in the list stays visible, with its fault; none is foreign before the list has arrived
     let foreign = Memo::new(move |_| {
         let now = now.get();
         let is_foreign = choices.with(|known| {
@@ -81,7 +81,7 @@ fn Select(
     }
 }
 
-/// `SuttonGraves` and `sutton-graves` are one name.
+/// Normalized name: `SuttonGraves` and `sutton-graves` are equal.
 fn squeezed(name: &str) -> String {
     name.chars()
         .filter(|c| c.is_alphanumeric())

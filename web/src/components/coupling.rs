@@ -1,4 +1,4 @@
-//! How the modules depend on each other, and what crosses between them: the report's Figure 4, alive.
+//! Coupling of the modules and the values exchanged between them: an interactive version of the report's Figure 4.
 
 use crate::components::notes::GoTo;
 use crate::components::residuals::Residuals;
@@ -10,7 +10,7 @@ use msape::quantity::Module;
 use msape::quantity::input::{self, Preset};
 use msape::units::{Unit, canonical};
 
-/// Inputs that decide when the passes end.
+/// Inputs that control when the passes end.
 const SOLVER: [&str; 3] = [
     "design.mass_criterion_kg",
     "design.max_iterations",
@@ -52,7 +52,7 @@ pub fn Coupling() -> impl IntoView {
     }
 }
 
-/// What crosses from one module to another, with its place in the record of a pass.
+/// Values passed from one module to another, with their positions in the record of a pass.
 fn crossing(from: Module, to: Module) -> Vec<(usize, &'static Crossing)> {
     CROSSINGS
         .iter()
@@ -84,7 +84,7 @@ fn cell(from: Module, to: Module, chosen: RwSignal<Option<(Module, Module)>>) ->
     .into_any()
 }
 
-/// The values of the chosen cell, pass by pass.
+/// Values of the selected cell, by pass.
 #[component]
 fn Values(chosen: RwSignal<Option<(Module, Module)>>) -> impl IntoView {
     let state = State::expect();

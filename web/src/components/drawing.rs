@@ -1,4 +1,4 @@
-//! The vehicle's section, to scale: components, dimensions, centre of gravity.
+//! Section of the vehicle, to scale: components, dimensions, center of gravity.
 
 use crate::components::mass_tree::{Detail, Legend};
 use crate::components::vehicle::VehicleView;
@@ -9,7 +9,7 @@ use msape::answer::output;
 use msape::units::{Dimension, Unit, canonical};
 use msape::vehicle::{ComponentKind, Dimensions, Vehicle};
 
-/// What can be shown or left out.
+/// Layer that can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Layer {
     HeatShield,
@@ -30,7 +30,7 @@ const LAYERS: [(Layer, &str); 6] = [
 ];
 
 impl Layer {
-    /// The components of a layer.
+    /// Components of a layer.
     fn kinds(self) -> &'static [ComponentKind] {
         match self {
             Layer::HeatShield => &[
@@ -56,7 +56,7 @@ impl Layer {
     }
 }
 
-/// The drawing with its legend and the detail of the chosen component.
+/// Drawing with its legend and the detail of the selected component.
 #[component]
 pub fn Drawing() -> impl IntoView {
     let view = VehicleView::expect();
@@ -162,7 +162,7 @@ fn sheet(
     }
 }
 
-/// Opposite quarters of the sign of a centre of gravity.
+/// Opposite quarters of the center-of-gravity symbol.
 fn quarters(y: f64, r: f64) -> String {
     format!(
         "M0 {y}V{}A{r} {r} 0 0 1 {r} {y}ZM0 {y}V{}A{r} {r} 0 0 1 {} {y}Z",
@@ -172,7 +172,7 @@ fn quarters(y: f64, r: f64) -> String {
     )
 }
 
-/// A length in the units shown.
+/// A length in the displayed units.
 fn length(metres: f64, units: UnitSystem) -> String {
     let unit = length_unit(units);
     format!(
@@ -199,7 +199,7 @@ fn describe(d: &Dimensions, units: UnitSystem) -> String {
     )
 }
 
-/// The main dimensions in a sentence.
+/// Main dimensions in a sentence.
 pub fn dimensions(d: &Dimensions, units: UnitSystem) -> String {
     format!(
         "Diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
@@ -225,7 +225,7 @@ fn dimension_lines(
     let (top, bottom) = (section.top_mm, section.bottom_mm);
     let middle = 0.5 * (top + bottom);
     let nose_r = d.nose_radius_m * 1e3;
-    // On the nose sphere, 20 deg off the axis, to the left.
+    // on the nose sphere, 20 deg off the axis, to the left
     let (nx, ny) = (-nose_r * 0.342, section.bottom_mm - nose_r * (1.0 - 0.940));
     let shoulder_r = d.shoulder_radius_m * 1e3;
     let shoulder_y = section.shoulder_mm;
@@ -246,7 +246,7 @@ fn dimension_lines(
     }
 }
 
-/// Height of the lid's dimension: above the lid, or above the shoulder's dimension where that stands higher.
+/// Height of the lid's dimension: above the lid, or above the shoulder's dimension where that is higher.
 fn lid_label_mm(section: &Section, font: f64) -> f64 {
     let shoulder = section.shoulder_mm - 0.26 * section.radius_mm - 2.6 * font;
     section.top_mm.min(shoulder)
@@ -260,7 +260,7 @@ fn cg_label(d: &Dimensions, units: UnitSystem) -> String {
     )
 }
 
-/// The cone's half-angle on the left, the wing's slope on the right.
+/// Half-angle of the cone on the left, slope of the wing on the right.
 fn angles(vehicle: &Vehicle, section: &Section, left: f64, font: f64) -> impl IntoView + use<> {
     let r = section.radius_mm;
     let outline = &vehicle.layout.outline;
@@ -295,7 +295,7 @@ fn angles(vehicle: &Vehicle, section: &Section, left: f64, font: f64) -> impl In
     }
 }
 
-/// The lid's radius on its left.
+/// Radius of the lid, on its left.
 fn lid(
     d: &Dimensions,
     section: &Section,
@@ -304,7 +304,7 @@ fn lid(
     font: f64,
 ) -> impl IntoView + use<> {
     let lid_r = d.lid_radius_m * 1e3;
-    // On the lid, 35 deg off the axis.
+    // on the lid, 35 deg off the axis
     let (x, y) = (-0.574 * lid_r, section.top_mm + (1.0 - 0.819) * lid_r);
     let label = lid_label_mm(section, font);
     let text_x = left + 0.02 * section.radius_mm;

@@ -1,4 +1,4 @@
-//! Files of the case and its answer.
+//! Export of the case and its answer.
 
 use crate::files::{self, file_name};
 use crate::state::State;
@@ -8,7 +8,7 @@ use msape::table::kml::{Instant, kml};
 use msape::table::{self, Manner};
 use msape::{Answer, Case};
 
-/// A kind of file.
+/// Export file type.
 #[derive(Clone, Copy)]
 struct Kind {
     button: &'static str,
@@ -23,7 +23,7 @@ fn of_case(state: State, write: fn(&Case) -> String) -> Option<String> {
     Some(state.case.with_untracked(|case| write(case)))
 }
 
-/// The newest answer with the case that it belongs to, written.
+/// Output of `write` for the newest answer and its case.
 fn of_answer(state: State, write: impl FnOnce(&Case, &Answer) -> Option<String>) -> Option<String> {
     let latest = state.latest.get_untracked()?;
     write(&latest.case, &latest.answer)
@@ -43,7 +43,7 @@ fn trajectory(state: State, manner: Manner) -> Option<String> {
     })
 }
 
-/// A flight has no date of its own: its track starts when the command line's does.
+/// Start time of KML tracks, the same as the command line's: a flight has no date.
 const EPOCH: &str = "2000-01-01T12:00:00Z";
 
 fn track(state: State) -> Option<String> {
@@ -133,7 +133,7 @@ pub fn Export() -> impl IntoView {
     }
 }
 
-/// Says what became of an export.
+/// Shows the result of an export.
 pub fn save(state: State, result: Result<(), wasm_bindgen::JsValue>) {
     state.notice.set(match result {
         Ok(()) => "Exported.".to_string(),

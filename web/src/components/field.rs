@@ -1,4 +1,4 @@
-//! What every input has around its control: label, state, help, reset, faults.
+//! Frame of an input around its control: label, state, help, reset, faults.
 
 use crate::state::State;
 use crate::state::check::Check;
@@ -7,20 +7,20 @@ use msape::Outcome;
 use msape::quantity::input::{Input, Kind, Preset};
 use msape::units::canonical;
 
-/// How an input stands, as sign and word.
+/// State of an input, shown as symbol and word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// At its default.
     Default,
     /// Changed by the user.
     Changed,
-    /// The closing rules used another value.
+    /// Replaced by another value by a closing rule.
     Adjusted,
     /// Outside its usual range.
     Unusual,
-    /// One of those between which something does not fit.
+    /// Part of a set of inputs that do not fit each other.
     Unfit,
-    /// At fault.
+    /// Faulty.
     Fault,
 }
 
@@ -68,18 +68,18 @@ pub fn control_id(key: &str) -> String {
     format!("in-{}", key.replace('.', "-"))
 }
 
-/// Identifiers of what describes the control.
+/// Identifiers of the elements that describe the control.
 pub fn described_by(key: &str) -> String {
     let id = control_id(key);
     format!("{id}-fault {id}-state")
 }
 
-/// The frame of an input. `caption` is the label with its unit, `children` the control.
+/// Frame of an input. `caption` is the label with its unit, `children` the control.
 #[component]
 pub fn Field(
     input: &'static Input,
     #[prop(into)] caption: Signal<String>,
-    /// What the input means in the canonical unit, shown with the help.
+    /// Value in the canonical unit, shown with the help.
     #[prop(into)]
     echo: Signal<Option<String>>,
     children: Children,

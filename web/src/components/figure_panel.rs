@@ -1,4 +1,4 @@
-//! A figure of several curves with its reading, its table twin and its exports.
+//! Figure of several curves with its reading, table and exports.
 
 use crate::charts::ChartSpec;
 use crate::components::chart::Chart;
@@ -7,18 +7,18 @@ use crate::display::number;
 use leptos::prelude::*;
 use msape_plot::{Figure, readings, table};
 
-/// Most rows of the table twin; the file has all of them.
+/// Largest number of rows of the table; the file has all of them.
 const ROWS: usize = 46;
 
-/// A figure whose curves share one cursor.
+/// Figure whose curves share one cursor.
 #[component]
 pub fn FigurePanel(
     #[prop(into)] title: Signal<String>,
     figure: Memo<Figure>,
-    /// Begins the names of files.
+    /// Prefix of file names.
     #[prop(into)]
     stem: Signal<String>,
-    /// What stands below the figure.
+    /// Content below the figure.
     #[prop(optional, into)]
     note: ViewFn,
 ) -> impl IntoView {

@@ -1,5 +1,5 @@
-//! What is imported from a file that is chosen or dropped, or from pasted text. What is faulty is told at its line, and replaces
-//! nothing.
+//! Import from a file that is chosen or dropped, or from pasted text. Faults are shown with their lines, and a faulty
+//! file replaces nothing.
 
 use crate::components::file_input::FileInput;
 use crate::files;
@@ -8,35 +8,35 @@ use leptos::ev::DragEvent;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
-/// What the import says.
+/// Texts of an import.
 #[derive(Clone, Copy)]
 pub struct Wording {
     /// Label of the file, such as "Import a table (CSV)".
     pub file: &'static str,
-    /// Endings and media types of the file.
+    /// File name extensions and media types.
     pub accept: &'static str,
     /// Identifier of the text field.
     pub id: &'static str,
     /// Label of the text field.
     pub paste: &'static str,
-    /// First line of what may be pasted.
+    /// Placeholder: first line of a possible text.
     pub placeholder: &'static str,
     /// Label of the button below it.
     pub button: &'static str,
-    /// Name of what was pasted, with the ending that tells its format.
+    /// Name for pasted text, with the extension of its format.
     pub pasted: &'static str,
 }
 
-/// A file that was not taken.
+/// Rejected file.
 #[derive(Clone, Debug, PartialEq)]
 struct Refused {
     name: String,
     faults: Vec<String>,
-    /// The lines at fault, with their numbers.
+    /// Faulty lines with their numbers.
     lines: Vec<(usize, String)>,
 }
 
-/// Where it is said what became of a file.
+/// Outcome of an import, shown to the user.
 #[derive(Clone, Copy)]
 pub struct Verdict {
     state: State,
@@ -44,13 +44,13 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// The file is taken.
+    /// Reports that the file was accepted.
     pub fn taken(self, notice: String) {
         self.refused.set(None);
         self.state.notice.set(notice);
     }
 
-    /// The file is refused for every one of its faults.
+    /// Reports that the file was rejected, with all of its faults.
     pub fn refused(self, name: String, text: &str, faults: Vec<String>) {
         let notice = format!("{name} was not imported; nothing has changed.");
         self.state.notice.set(notice);
@@ -62,12 +62,12 @@ impl Verdict {
     }
 }
 
-/// Choose, drop or paste; `import` gets name and bytes, and gives its verdict.
+/// Choose, drop or paste; `import` gets name and bytes and reports its verdict.
 #[component]
 pub fn FileImport(
     wording: Wording,
     import: impl Fn(String, Vec<u8>, Verdict) + Copy + Send + Sync + 'static,
-    /// What a user must know of the file.
+    /// Notes for the user on the file.
     children: Children,
 ) -> impl IntoView {
     let pasted = RwSignal::new(String::new());
@@ -88,7 +88,7 @@ pub fn FileImport(
     };
     let on_drop = move |event: DragEvent| {
         event.prevent_default();
-        // The page opens what is dropped elsewhere as a case.
+        // otherwise the page opens the dropped file as a case
         event.stop_propagation();
         over.set(false);
         let dropped = event.data_transfer().and_then(|data| data.files());
@@ -122,7 +122,7 @@ pub fn FileImport(
     }
 }
 
-/// What the reader of a file decided, as sentences after another one.
+/// Messages of the file reader, to be appended to another sentence.
 pub fn notes(remarks: &[String]) -> String {
     remarks
         .iter()
@@ -130,13 +130,13 @@ pub fn notes(remarks: &[String]) -> String {
         .collect()
 }
 
-/// The name of a file without its ending.
+/// File name without extension.
 pub fn stem(name: &str) -> String {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     stem.to_string()
 }
 
-/// The lines that faults speak of: "line 12: …".
+/// Lines that faults refer to: "line 12: …".
 fn lines_at_fault(text: &str, faults: &[String]) -> Vec<(usize, String)> {
     let mut numbers: Vec<usize> = faults
         .iter()

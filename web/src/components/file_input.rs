@@ -1,17 +1,17 @@
-//! A file to choose.
+//! File input.
 
 use leptos::prelude::*;
 use web_sys::File;
 
-/// A labelled field that opens the file that is chosen.
+/// Labeled field that opens the chosen file.
 #[component]
 pub fn FileInput(
-    /// Its label.
+    /// Label.
     #[prop(into)]
     label: String,
-    /// Endings and media types.
+    /// File name extensions and media types.
     accept: &'static str,
-    /// Takes the file.
+    /// Handler of the file.
     open: impl Fn(File) + 'static,
 ) -> impl IntoView {
     view! {
@@ -23,7 +23,7 @@ pub fn FileInput(
                     if let Some(file) = element.files().and_then(|files| files.get(0)) {
                         open(file);
                     }
-                    // The same file can be chosen again.
+                    // allows choosing the same file again
                     element.set_value("");
                 } />
         </label>

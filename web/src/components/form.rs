@@ -1,4 +1,4 @@
-//! The form: every input of the list, in its groups.
+//! Form with all inputs of the list, by group.
 
 use crate::components::alternatives::{Alternatives, group_of};
 use crate::components::choice::{ChoiceField, FlagField};
@@ -9,7 +9,8 @@ use leptos::prelude::*;
 use msape::quantity::input::phase::is_repeated;
 use msape::quantity::input::{Group, Input, Kind, Level, inputs};
 
-/// Inputs of a vehicle that is flown as it is, those of the attitude, which have a card of their own, and files that only the command line can read.
+/// Whether an input belongs in this form: not those of a vehicle flown as it is, not those of the attitude, which have
+/// a card of their own, and not files that only the command line can read.
 fn is_of_design(input: &Input) -> bool {
     !input.key.starts_with("vehicle.")
         && !input.key.starts_with("outline.")
@@ -18,7 +19,7 @@ fn is_of_design(input: &Input) -> bool {
         && input.kind != Kind::Text
 }
 
-/// The groups in the order of the form.
+/// Groups in the order of the form.
 const GROUPS: [Group; 9] = [
     Group::Mission,
     Group::Vehicle,
@@ -68,7 +69,7 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
             <summary><h3>{group.label()}</h3></summary>
             <div class="fields">
                 {fields.into_iter().map(|(input, alternative)| {
-                    // A field that is changed or at fault is never hidden.
+                    // a changed or faulty field is never hidden
                     let check = state.check(input.key);
                     let is_basic = input.level == Level::Basic;
                     let shown = Memo::new(move |_| {
@@ -88,7 +89,7 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
     }
 }
 
-/// Whether there is room for more than one column.
+/// Whether the window is wide enough for more than one column.
 fn is_wide() -> bool {
     let query = window().match_media("(min-width: 42rem)");
     query.ok().flatten().is_none_or(|query| query.matches())

@@ -1,4 +1,4 @@
-//! The frame's head: name, undo, units, depth, theme, share.
+//! Header: name, undo, units, expert mode, theme, share.
 
 use crate::app::Page;
 use crate::components::runs::Saved;

@@ -1,4 +1,4 @@
-//! The ten numbers that an engineer looks at first.
+//! The ten most important results.
 
 use crate::components::results::{Validity, validity};
 use crate::display::{number, symbol};
@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use msape::Outcome;
 use msape::answer::{Output, output};
 
-/// Keys of the headline numbers, with a short name for each.
+/// Keys of the headline results with short names.
 pub const HEADLINE: &[(&str, &str)] = &[
     ("total_entry_mass_kg", "Entry mass"),
     ("peak_total_margined_heat_flux_w_m2", "Peak heating"),
@@ -20,10 +20,10 @@ pub const HEADLINE: &[(&str, &str)] = &[
     ("max_payload_temperature_k", "Payload max T"),
 ];
 
-/// Keys of the strip that stays in view on a small screen.
+/// Number of results in the strip that stays visible on a small screen.
 pub const STRIP: usize = 4;
 
-/// Sign and words of an outcome.
+/// Symbol and words of an outcome.
 pub fn outcome_words(outcome: Outcome) -> (&'static str, &'static str) {
     match outcome {
         Outcome::Converged => ("✔", "Converged"),
@@ -37,7 +37,7 @@ pub fn outcome_words(outcome: Outcome) -> (&'static str, &'static str) {
     }
 }
 
-/// Line that says how fresh the numbers are.
+/// Line on whether the numbers are up to date.
 #[component]
 pub fn Freshness() -> impl IntoView {
     let state = State::expect();
@@ -141,13 +141,13 @@ fn Number(
     }
 }
 
-/// The output that holds the standard deviation of a thickness.
+/// Output with the standard deviation of a thickness.
 fn deviation_of(key: &str) -> Option<&'static Output> {
     output::find(&key.replace("_thickness_", "_standard_deviation_"))
         .filter(|output| output.key != key)
 }
 
-/// The first of them in one line, which stays in view on a small screen.
+/// First headline results in one line, which stays visible on a small screen.
 #[component]
 pub fn Strip() -> impl IntoView {
     let state = State::expect();

@@ -1,4 +1,4 @@
-//! What the user must know of what is stored, with what can be done about it: nothing here replaces anything by itself.
+//! Messages about stored work, with the possible actions: nothing here replaces anything by itself.
 
 use crate::display::date;
 use crate::files;
@@ -9,7 +9,7 @@ use crate::state::keeping::Stored;
 use crate::storage::stock::{KeptApart, Unreadable};
 use leptos::prelude::*;
 
-/// All of it; nothing where there is nothing to say.
+/// All messages; empty if there are none.
 #[component]
 pub fn Kept() -> impl IntoView {
     let state = State::expect();
@@ -45,7 +45,7 @@ fn Told(label: &'static str, words: RwSignal<Vec<String>>) -> impl IntoView {
     }
 }
 
-/// Shown while the page has something else than the stored work.
+/// Shown while the page displays something other than the stored work.
 #[component]
 fn ShownApart() -> impl IntoView {
     let state = State::expect();
@@ -187,7 +187,7 @@ fn Record(record: Unreadable) -> impl IntoView {
     }
 }
 
-/// Asks once more, since no undo brings it back.
+/// Asks for confirmation, since undo cannot restore it.
 #[component]
 fn Discard(what: String, discard: impl Fn() + Send + Sync + 'static) -> impl IntoView {
     let sure = RwSignal::new(false);
@@ -217,7 +217,7 @@ fn when(saved_ms: Option<f64>) -> String {
     saved_ms.map_or_else(String::new, |ms| format!(", {}", date(ms)))
 }
 
-/// A reason that fits a line or two.
+/// A reason shortened to a line or two.
 fn shortened(text: &str) -> String {
     const MOST: usize = 200;
     if text.chars().count() <= MOST {

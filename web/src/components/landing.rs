@@ -1,4 +1,4 @@
-//! The landing: equations and dynamics side by side, on a rigid surface and on the chosen ground.
+//! Landing: equations and dynamics side by side, on a rigid surface and on the chosen ground.
 
 mod figures;
 mod ground;
@@ -14,7 +14,7 @@ use leptos::prelude::*;
 use levels::Levels;
 use stroke::Stroke;
 
-/// Models whose findings stand here.
+/// Models whose findings are shown here.
 const MODELS: &[&str] = &[
     "crush dynamics",
     "impact",
@@ -22,7 +22,7 @@ const MODELS: &[&str] = &[
     "impact foam",
 ];
 
-/// Inputs that decide the landing, besides the ground.
+/// Inputs that affect the landing, besides the ground.
 const INPUTS: [&str; 4] = [
     "design.crush_load_limit_earth_g",
     "design.foam_strength",

@@ -1,9 +1,9 @@
-//! The pages of the Library.
+//! Navigation between the pages of the Library.
 
 use crate::pages::library;
 use leptos::prelude::*;
 
-/// Links to the pages, with the present one marked.
+/// Links to the pages, with the current one marked.
 #[component]
 pub fn LibraryTabs() -> impl IntoView {
     let hash = window().location().hash().unwrap_or_default();

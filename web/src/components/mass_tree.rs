@@ -1,4 +1,4 @@
-//! The components of the vehicle with their masses: the legend of drawings, the detail of one component, the whole tree.
+//! Components of the vehicle with their masses: legend of drawings, detail of one component, complete table.
 
 mod table;
 
@@ -18,10 +18,10 @@ fn drawn(vehicle: &Vehicle) -> impl Iterator<Item = &Component> {
     vehicle.components.iter().filter(|c| c.volume_m3 > 0.0)
 }
 
-/// The legend: number, colour, name and mass of each component; a press shows its detail, a mark hides it.
+/// Legend: number, color, name and mass of each component; clicking shows its detail, a check box hides it.
 #[component]
 pub fn Legend(
-    /// Another fill of the swatch of a component than its own colour.
+    /// Fill of a component's swatch instead of its own color.
     #[prop(optional)]
     fill: Option<Callback<ComponentKind, Option<String>>>,
 ) -> impl IntoView {
@@ -111,7 +111,7 @@ fn thickness_m(kind: ComponentKind, vehicle: &Vehicle) -> Option<f64> {
     .filter(|thickness| *thickness > 0.0)
 }
 
-/// Where a density comes from, in words.
+/// Origin of a density, in words.
 fn basis(basis: DensityBasis) -> &'static str {
     match basis {
         DensityBasis::Published => "published",
@@ -121,7 +121,7 @@ fn basis(basis: DensityBasis) -> &'static str {
     }
 }
 
-/// Material, mass, thickness, density, volume and centre of gravity of the chosen component.
+/// Material, mass, thickness, density, volume and center of gravity of the selected component.
 #[component]
 pub fn Detail() -> impl IntoView {
     let view = VehicleView::expect();

@@ -1,4 +1,4 @@
-//! What the reader of the results must know: adjustments and findings, each with a way to its field.
+//! Notes on the results: adjustments and findings, each with a link to its field.
 
 use crate::components::field::control_id;
 use crate::components::form::group_id;
@@ -12,7 +12,7 @@ use msape::units::canonical;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 
-/// The notes, the gravest first.
+/// Notes, most severe first.
 #[component]
 pub fn Notes() -> impl IntoView {
     let state = State::expect();
@@ -73,12 +73,12 @@ pub fn Notes() -> impl IntoView {
     }
 }
 
-/// Findings by their models, the gravest first.
+/// Findings of some models, most severe first.
 #[component]
 pub fn Remarks(
     /// All findings.
     findings: Memo<Option<Vec<Finding>>>,
-    /// The models whose findings are shown.
+    /// Models whose findings are shown.
     models: &'static [&'static str],
 ) -> impl IntoView {
     let class = |severity| match severity {
@@ -157,11 +157,11 @@ fn range_text(finding: &Finding) -> Option<String> {
     }
 }
 
-/// A button that goes to the field of an input.
+/// Button that goes to the field of an input.
 #[component]
 pub fn GoTo(
     key: String,
-    /// Words of the button, instead of the input's own label.
+    /// Label of the button, instead of the input's own.
     #[prop(optional)]
     label: Option<&'static str>,
 ) -> impl IntoView {
@@ -171,7 +171,7 @@ pub fn GoTo(
             if input.level == Level::Expert {
                 state.preferences.expert.set(true);
             }
-            // The field is there after the page has been brought up to date.
+            // the field exists only after the page has been updated
             request_animation_frame(move || show_field(input));
         };
         let words = label.map_or_else(|| format!("Go to {}", input.label), str::to_string);
@@ -183,7 +183,7 @@ pub fn GoTo(
 fn show_field(input: &'static input::Input) {
     let document = document();
     if let Some(group) = document.get_element_by_id(&group_id(input.group)) {
-        // Setting an attribute of an element that is there cannot fail.
+        // setting an attribute of an existing element cannot fail
         let _ = group.set_attribute("open", "");
     }
     let element = document

@@ -1,4 +1,4 @@
-//! A number as a text field with unit and, where it has a usual range, a slider.
+//! Number as a text field with unit and, where it has a usual range, a slider.
 
 use crate::components::field::{Field, control_id, described_by};
 use crate::display::{input_number, symbol};
@@ -9,7 +9,7 @@ use msape::case::Value;
 use msape::quantity::input::{Input, Kind};
 use msape::units::{Unit, canonical, parse_number, units_of};
 
-/// A field for a number.
+/// Field for a number.
 #[component]
 pub fn NumberField(input: &'static Input) -> impl IntoView {
     let state = State::expect();
@@ -22,7 +22,7 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
     let value = Memo::new(move |_| state.case.with(|case| case.values.get(input.key).cloned()));
     let canonical_value =
         Memo::new(move |_| value.with(|value| canonical_number(input, value.as_ref())));
-    // What is typed while the field has the focus; the case holds what it means.
+    // text while the field has the focus; the case holds its meaning
     let draft = RwSignal::new(None::<(u32, String)>);
     let typing = move || {
         draft
@@ -111,7 +111,7 @@ pub fn NumberField(input: &'static Input) -> impl IntoView {
         if symbol.is_empty() {
             input.label.to_string()
         } else {
-            // The report writes its units in ASCII.
+            // the report writes its units in ASCII
             format!("{} ({})", input.label, unit.get().symbol)
         }
     };
@@ -210,7 +210,7 @@ fn caption_value(
     }
 }
 
-/// Unit in which a document shows an input.
+/// Unit in which a document displays an input.
 fn shown_unit(input: &'static Input, document: &crate::state::document::Document) -> &'static Unit {
     document
         .unit_of
@@ -220,7 +220,7 @@ fn shown_unit(input: &'static Input, document: &crate::state::document::Document
         .unwrap_or_else(|| document.units.of_input(input))
 }
 
-/// The number that a value stands for, in the canonical unit.
+/// Number of a value, in the canonical unit.
 fn canonical_number(input: &Input, value: Option<&Value>) -> Option<f64> {
     match value {
         Some(Value::Number(number)) => Some(*number),
@@ -235,7 +235,7 @@ fn canonical_number(input: &Input, value: Option<&Value>) -> Option<f64> {
     }
 }
 
-/// What stands in the field when nothing is being typed.
+/// Text of the field while it is not being edited.
 fn field_text(input: &Input, value: Option<Value>, unit: &Unit) -> String {
     match (canonical_number(input, value.as_ref()), value) {
         (_, None) => String::new(),
@@ -245,7 +245,7 @@ fn field_text(input: &Input, value: Option<Value>, unit: &Unit) -> String {
     }
 }
 
-/// What a typed text means: nothing, a number, or a text whose faults are shown.
+/// Meaning of typed text: nothing, a number, or text whose faults are shown.
 fn meaning(input: &Input, text: &str, unit: &Unit) -> Option<Value> {
     if text.trim().is_empty() {
         return None;
@@ -267,7 +267,7 @@ fn whole(input: &Input) -> bool {
     matches!(input.kind, Kind::Number { whole: true, .. })
 }
 
-/// A hundredth of the usual range, or of the value, rounded down to a power of ten.
+/// Step: a hundredth of the usual range, or of the value, rounded down to a power of ten.
 fn step_size(input: &Input, shown: f64, unit: &Unit) -> f64 {
     let span = match input.kind {
         Kind::Number {
@@ -286,7 +286,7 @@ fn step_size(input: &Input, shown: f64, unit: &Unit) -> f64 {
         .unwrap_or(1.0)
 }
 
-/// The nearest value that is allowed.
+/// Nearest allowed value.
 fn within(input: &Input, value: f64) -> f64 {
     match input.kind {
         Kind::Number { allowed, .. } if allowed.contains(value) => value,

@@ -1,4 +1,4 @@
-//! Cases from elsewhere: shipped ones, files, dropped files, pasted text.
+//! Opening of cases: shipped ones, files, dropped files, pasted text.
 
 use crate::components::file_input::FileInput;
 use crate::files;
@@ -11,7 +11,7 @@ use msape::case::Reader;
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
-/// Puts a case in the place of the present one.
+/// Replaces the current case.
 pub fn replace_case(state: State, label: &str, case: Case) {
     let case = Arc::new(case);
     state.edit(label, None, |document| Document {
@@ -20,7 +20,7 @@ pub fn replace_case(state: State, label: &str, case: Case) {
     });
 }
 
-/// Opens a text; its faults are listed, and what it replaces is one undo away.
+/// Opens a text; faults are listed, and the replaced case can be restored by undo.
 pub fn open_text(state: State, source: &str, text: &str) {
     match Case::from_text(text) {
         Ok(case) => {
@@ -49,7 +49,7 @@ pub fn open_text(state: State, source: &str, text: &str) {
     }
 }
 
-/// Opens a file that was chosen or dropped.
+/// Opens a chosen or dropped file.
 pub fn open_file(state: State, file: web_sys::File) {
     let name = file.name();
     spawn_local(async move {
@@ -60,7 +60,7 @@ pub fn open_file(state: State, file: web_sys::File) {
     });
 }
 
-/// Where to start from.
+/// Choice of a case to start from.
 #[component]
 pub fn StartFrom() -> impl IntoView {
     let state = State::expect();
@@ -95,7 +95,7 @@ pub fn StartFrom() -> impl IntoView {
     }
 }
 
-/// Open a file, or paste a case.
+/// Opening of a file, or pasting of a case.
 #[component]
 pub fn Open() -> impl IntoView {
     let state = State::expect();
@@ -117,7 +117,7 @@ pub fn Open() -> impl IntoView {
     }
 }
 
-/// Faults of the last file, and what changed since the case was made.
+/// Faults of the last file, and changes since the version that made the case.
 #[component]
 fn FileFaults() -> impl IntoView {
     let state = State::expect();

@@ -1,4 +1,4 @@
-//! Outlines of the library: those that ship with the program and those that were imported.
+//! Outlines of the library: shipped and imported ones.
 
 pub mod drawing;
 pub mod facts;
@@ -12,12 +12,12 @@ use msape::Case;
 use msape::case::Value;
 use msape::vehicle::body::{OutlineData, RigidBody, from_rows};
 
-/// An outline of the library.
+/// Outline of the library.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
-    /// One that ships with the program: its name in cases, and its data.
+    /// Shipped outline: its name in cases, and its data.
     Preset(String, OutlineData),
-    /// One that was imported: its name and its rows.
+    /// Imported outline: its name and rows.
     Own(String, Rows),
 }
 
@@ -30,7 +30,7 @@ impl Entry {
         }
     }
 
-    /// Name on the screen.
+    /// Displayed name.
     pub fn title(&self) -> String {
         match self {
             Entry::Preset(_, data) => data.title.clone(),
@@ -38,7 +38,7 @@ impl Entry {
         }
     }
 
-    /// Its body; what is kept and what ships has been checked.
+    /// Rigid body of the outline; stored and shipped outlines have been checked.
     pub fn body(&self) -> Option<RigidBody> {
         match self {
             Entry::Preset(_, data) => data.body().ok(),
@@ -46,7 +46,7 @@ impl Entry {
         }
     }
 
-    /// Puts it into a case.
+    /// Puts the outline into a case.
     pub fn put(&self, case: &mut Case) {
         let (key, value) = match self {
             Entry::Preset(name, _) => ("outline.preset", Value::Text(name.clone())),

@@ -1,4 +1,4 @@
-//! How the mass settles from pass to pass.
+//! Convergence of the mass over the passes.
 
 use crate::charts::ChartSpec;
 use crate::components::chart::Chart;
@@ -7,7 +7,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape_plot::{Axis, Figure, LimitLine, Marker, Scale, Series};
 
-/// The residual of each pass as a chart and a table.
+/// Residual of each pass as a chart and a table.
 #[component]
 pub fn Residuals() -> impl IntoView {
     let state = State::expect();

@@ -1,4 +1,4 @@
-//! All results, grouped by module, searchable, to be copied.
+//! All results by module, with search and copy.
 
 use crate::display::{number, symbol};
 use crate::files;
@@ -10,19 +10,19 @@ use msape::finding::Severity;
 use msape::quantity::{Job, Module};
 use wasm_bindgen_futures::spawn_local;
 
-/// Whether a result may be used.
+/// Validity of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Validity {
-    /// Inside the range of its models.
+    /// Within the range of its models.
     InRange,
-    /// Outside the range in which its model was checked.
+    /// Outside the range in which its model was validated.
     Extrapolated,
     /// Beyond a limit.
     Outside,
 }
 
 impl Validity {
-    /// What the mark says.
+    /// Text of the mark.
     pub fn words(self) -> &'static str {
         match self {
             Validity::InRange => "in range",
@@ -31,7 +31,7 @@ impl Validity {
         }
     }
 
-    /// Class of the mark.
+    /// Style class of the mark.
     pub fn class(self) -> &'static str {
         match self {
             Validity::InRange => "mark mark-good",
@@ -41,7 +41,7 @@ impl Validity {
     }
 }
 
-/// Validity of a result, from the findings on its key.
+/// Validity of a result, from the findings for its key.
 pub fn validity(answer: &Answer, key: &str) -> Validity {
     let worst = answer
         .findings
@@ -173,7 +173,7 @@ fn OutputRow(output: &'static Output, wanted: Memo<String>) -> impl IntoView {
     }
 }
 
-/// Results as shown, with all their digits, divided by tabs.
+/// Displayed results with full precision, separated by tabs.
 fn tsv(state: State, wanted: &str) -> String {
     let units = state.document.with_untracked(|document| document.units);
     let rows = state.latest.with_untracked(|latest| {

@@ -1,4 +1,4 @@
-//! A table of numbers as text, one row a line, or from a file.
+//! Table of numbers as text, one row per line, or from a file.
 
 use crate::components::field::{Field, control_id, described_by};
 use crate::components::file_import::notes;
@@ -12,7 +12,7 @@ use msape::case::Value;
 use msape::quantity::input::{Column, Input};
 use wasm_bindgen_futures::spawn_local;
 
-/// Tables, and the key of a file that the same reader reads on the command line.
+/// Table keys, and the key of a file read by the same reader on the command line.
 const FILES: [(&str, &str); 11] = [
     ("atmosphere.table", "atmosphere.file"),
     ("wind.table", "wind.file"),
@@ -29,10 +29,10 @@ const FILES: [(&str, &str); 11] = [
         "vehicle.aerodynamics.damping_file",
     ),
 ];
-/// Faults of a file that are shown.
+/// Largest number of faults shown.
 const MOST_FAULTS: usize = 10;
 
-/// A field for rows of numbers.
+/// Field for rows of numbers.
 #[component]
 pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl IntoView {
     let state = State::expect();
@@ -50,7 +50,7 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
     let names = names.join(", ");
     let tag = StoredValue::new(format!("rows {}", input.key));
     let asker = Asker::default();
-    // What is wrong with the text or file that was read last.
+    // faults of the text or file read last
     let faults = RwSignal::new(Vec::<String>::new());
     let put = move |value: Option<Value>| {
         state.edit(input.label, Some(&tag.get_value()), |document| {
@@ -115,7 +115,7 @@ fn written(value: Option<&Value>) -> String {
     }
 }
 
-/// Opens a file in the place of the rows.
+/// Replaces the rows by those of a file.
 #[component]
 fn FromFile(input: &'static Input, faults: RwSignal<Vec<String>>) -> impl IntoView {
     let state = State::expect();
@@ -167,7 +167,7 @@ fn file_key(table: &str) -> Option<&'static str> {
         .map(|(_, file)| *file)
 }
 
-/// A table for the present case.
+/// File kind of a table for the current case.
 fn kind(state: State, input: &Input) -> FileKind {
     let case = state.case.get_untracked();
     FileKind::Table {
@@ -177,7 +177,7 @@ fn kind(state: State, input: &Input) -> FileKind {
     }
 }
 
-/// Reads what is typed in another dialect as a file of its kind, and puts its rows in its place if it still stands there.
+/// Reads text in another dialect as a file, and replaces the text by the rows if it has not changed meanwhile.
 fn read_as_file(
     state: State,
     input: &'static Input,
@@ -206,8 +206,8 @@ fn read_as_file(
     });
 }
 
-/// Rows divided by line ends, cells by commas, semicolons, tabs or blanks; lines that open with # are left out. Text in another
-/// dialect stays text.
+/// Rows separated by line ends, cells by commas, semicolons, tabs or blanks; lines that start with # are left out.
+/// `None` for another dialect.
 fn parsed(text: &str) -> Option<Value> {
     if text.trim().is_empty() {
         return None;
@@ -216,7 +216,7 @@ fn parsed(text: &str) -> Option<Value> {
         .lines()
         .map(str::trim)
         .filter(|line| !line.is_empty() && !line.starts_with('#'));
-    // a comma among other separators may be a decimal sign
+    // a comma beside other separators may be a decimal sign
     let doubtful = |line: &str| {
         line.split(',').count() > 1
             && line
@@ -246,7 +246,7 @@ mod tests {
     fn rows_are_read_as_written_and_what_is_doubtful_stays_text() {
         let rows = Value::Rows(vec![vec![0.0, 1.225], vec![1e3, 1.1]]);
         assert_eq!(parsed(&written(Some(&rows))), Some(rows));
-        // as a spreadsheet in Germany copies it, with a heading, and what is no table
+        // copied from a German spreadsheet, with a heading, and text that is not a table
         for text in [
             "0\t1,2250\n1000\t1,1\n",
             "z (km);rho (kg/m3)\n0;1,225\n",

@@ -1,4 +1,4 @@
-//! Named runs, kept in the browser.
+//! Named runs, stored in the browser.
 
 use crate::components::headline::HEADLINE;
 use crate::display::{date, number, symbol};
@@ -12,10 +12,10 @@ use msape::case::Version;
 use msape::case::version::BroughtUp;
 use wasm_bindgen_futures::spawn_local;
 
-/// Count of headline numbers kept with a run.
+/// Number of headline results stored with a run.
 const KEPT: usize = 4;
 
-/// The list of runs, and how to keep one more.
+/// List of runs, and a form to store one more.
 #[component]
 pub fn Runs() -> impl IntoView {
     let state = State::expect();
@@ -83,11 +83,11 @@ fn keep_run(state: State, name: String) {
             headline,
             version: Some(Version::CURRENT),
         };
-        // Two runs of one millisecond are two runs.
+        // distinguishes two runs saved in the same millisecond
         let id = format!("{saved_ms:.0}-{}", named.runs.len());
         named.with_runs(|runs| drop(runs.insert(id, run)))
     });
-    // Said when it is so, or when the browser refuses.
+    // announced once it is stored, or when the browser refuses
     state.keeping.announced.set_value(Some(name));
     let protected = state.keeping.protected;
     if protected.get_untracked().is_none() {
@@ -195,7 +195,7 @@ fn RunItem(id: String, run: Run) -> impl IntoView {
     }
 }
 
-/// Whether what was made is safe, in a few words.
+/// State of storage, in a few words.
 #[component]
 pub fn Saved() -> impl IntoView {
     let state = State::expect();

@@ -1,8 +1,8 @@
-//! A short choice.
+//! Choice among a few options.
 
 use leptos::prelude::*;
 
-/// A short choice, all of it in view.
+/// Choice among a few options, all of them visible.
 #[component]
 pub fn Segments<T: Copy + PartialEq + Send + Sync + 'static>(
     legend: &'static str,

@@ -1,4 +1,4 @@
-//! A link that restores the case.
+//! Link that restores the case.
 
 use crate::files;
 use crate::link;

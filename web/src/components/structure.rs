@@ -1,4 +1,4 @@
-//! The structure: walls by the rules, and the shell model beside them.
+//! Structure: walls sized by the rules, and the shell model beside them.
 
 mod checks;
 mod figures;
@@ -18,10 +18,10 @@ use msape::vehicle::WallPlace;
 use shell::{Frequencies, PartTable};
 use walls::{Basis, WallTable};
 
-/// Models whose findings stand here.
+/// Models whose findings are shown here.
 const MODELS: &[&str] = &["structural rules", "shell model"];
 
-/// What the parts of the tab share.
+/// State shared by the parts of the tab.
 #[derive(Clone, Copy)]
 struct StructureView {
     card: VehicleView,
@@ -34,7 +34,7 @@ impl StructureView {
         expect_context::<StructureView>()
     }
 
-    /// Something of the shell model.
+    /// Part of the shell model's result.
     fn shell<T>(self, get: impl Fn(&CarrierAnalysis) -> T) -> Option<T> {
         self.structural
             .with(|structural| Some(get(structural.as_ref()?.shell.as_ref()?)))
@@ -50,9 +50,9 @@ impl StructureView {
     }
 }
 
-/// A margin of safety: with its sign, no finer than it is known.
+/// A margin of safety with its sign, rounded to its accuracy.
 fn margin(value: f64) -> String {
-    // A wall that a rule sized has a margin of nought but for rounding.
+    // a wall sized by a rule has a zero margin, except for rounding
     let value = if value.abs() < 1e-6 { 0.0 } else { value };
     let text = match value.abs() {
         small if small < 10.0 => format!("{value:+.2}"),

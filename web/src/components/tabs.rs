@@ -1,21 +1,21 @@
-//! Tabs: one panel of several is in view. Arrow keys, Home and End move along them.
+//! Tabs: one of several panels is visible. Arrow keys, Home and End move along them.
 
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 
-/// A tab.
+/// Tab.
 #[derive(Clone, Copy)]
 pub struct Tab {
-    /// Name in identifiers.
+    /// Name used in identifiers.
     pub id: &'static str,
-    /// Name on the screen.
+    /// Displayed name.
     pub label: &'static str,
-    /// What its panel holds.
+    /// Content of the panel.
     pub view: fn() -> AnyView,
 }
 
-/// A row of tabs and the panel of the chosen one.
+/// Row of tabs and the panel of the selected one.
 #[component]
 pub fn Tabs(
     name: &'static str,
@@ -37,7 +37,7 @@ pub fn Tabs(
         now.set(tabs[next].id);
         let tab = document().get_element_by_id(&format!("tab-{}", tabs[next].id));
         if let Some(tab) = tab.and_then(|tab| tab.dyn_into::<web_sys::HtmlElement>().ok()) {
-            // The tab is on the screen and takes the focus.
+            // the tab is on the screen and takes the focus
             let _ = tab.focus();
         }
     };

@@ -1,4 +1,4 @@
-//! The vehicle's card: one tab a file.
+//! Card of the vehicle: one file per tab.
 
 use crate::components::cad::CadMenu;
 use crate::components::drawing::Drawing;
@@ -14,7 +14,7 @@ use leptos::prelude::*;
 use msape::vehicle::{ComponentKind, Vehicle};
 use std::sync::Arc;
 
-/// The tabs, in their order.
+/// Tabs in order.
 const TABS: &[Tab] = &[
     Tab {
         id: "section",
@@ -43,22 +43,22 @@ const TABS: &[Tab] = &[
     },
 ];
 
-/// What the tabs share: the vehicle, and which of its components are hidden, pointed at, chosen.
+/// State shared by the tabs: the vehicle, and which of its components are hidden, highlighted, selected.
 #[derive(Clone, Copy)]
 pub struct VehicleView {
-    /// The newest answer that has a vehicle: one that does not close leaves the last one in view.
+    /// Newest answer with a vehicle: it stays displayed when a later design does not close.
     pub solved: Memo<Option<Arc<Solved>>>,
-    /// Its vehicle.
+    /// Vehicle of that answer.
     pub vehicle: Memo<Option<Vehicle>>,
-    /// Whether it is of the newest answer.
+    /// Whether it belongs to the newest answer.
     pub is_present: Memo<bool>,
-    /// Units on screen.
+    /// Displayed units.
     pub units: Memo<UnitSystem>,
-    /// Components that are not drawn.
+    /// Components that are hidden.
     pub hidden: RwSignal<Vec<ComponentKind>>,
     /// The component under the pointer.
     pub lit: RwSignal<Option<ComponentKind>>,
-    /// The component whose detail is open.
+    /// Component whose detail is open.
     pub chosen: RwSignal<Option<ComponentKind>>,
 }
 
@@ -88,7 +88,7 @@ impl VehicleView {
         }
     }
 
-    /// Something of the answer in view.
+    /// Part of the displayed answer.
     pub fn of_answer<T>(
         self,
         get: impl Fn(&Solved) -> Option<T> + Send + Sync + 'static,
@@ -99,17 +99,17 @@ impl VehicleView {
         Memo::new(move |_| self.solved.with(|solved| get(solved.as_ref()?)))
     }
 
-    /// The view of the card around this component.
+    /// View provided by an ancestor of this component.
     pub fn expect() -> VehicleView {
         expect_context::<VehicleView>()
     }
 
-    /// Whether a component is drawn.
+    /// Whether a component is shown.
     pub fn shows(self, kind: ComponentKind) -> bool {
         self.hidden.with(|hidden| !hidden.contains(&kind))
     }
 
-    /// Opens the detail of a component, or closes it.
+    /// Opens or closes the detail of a component.
     pub fn choose(self, kind: ComponentKind) {
         self.chosen.update(|chosen| {
             *chosen = (*chosen != Some(kind)).then_some(kind);
@@ -150,7 +150,7 @@ pub fn VehicleCard() -> impl IntoView {
     }
 }
 
-/// Why the newest answer has no vehicle.
+/// Reason why the newest answer has no vehicle.
 fn not_closed(state: State) -> String {
     let reason = state.latest.with(|latest| {
         latest

@@ -1,4 +1,4 @@
-//! The vehicle in three dimensions: cut open, by component, material or heat flux.
+//! Vehicle in three dimensions: cut open, colored by component, material or heat flux.
 
 mod controls;
 mod scale;
@@ -18,18 +18,18 @@ use msape::vehicle::{Component, ComponentKind, Vehicle};
 use scale::Scale;
 use stage::{Paint, PaintedPart, Stage, Subject};
 
-/// What the colours mean.
+/// Meaning of the colors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colours {
-    /// One for each component.
+    /// One color for each component.
     Component,
-    /// One for each material.
+    /// One color for each material.
     Material,
-    /// A scale of heat flux on the outer surface.
+    /// Color scale of heat flux on the outer surface.
     HeatFlux,
 }
 
-/// Everything that does not receive heat.
+/// Color of surfaces that are not heated.
 const UNHEATED: Colour = [0.62, 0.65, 0.69];
 
 /// The tab.
@@ -66,7 +66,7 @@ pub fn View3d() -> impl IntoView {
             view.choose(kind);
         }
     };
-    // The swatches say what the colours are.
+    // swatches have the colors of the view
     let fill = move |kind: ComponentKind| {
         view.vehicle.with(|vehicle| {
             let vehicle = vehicle.as_ref()?;
@@ -134,7 +134,7 @@ fn drawn(vehicle: &Vehicle) -> impl Iterator<Item = &Component> {
     vehicle.components.iter().filter(|c| c.volume_m3 > 0.0)
 }
 
-/// The materials of a vehicle, each once.
+/// Materials of a vehicle, without duplicates.
 fn materials(vehicle: &Vehicle) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for component in drawn(vehicle) {
@@ -150,7 +150,7 @@ fn material_colour(materials: &[String], component: &Component) -> Colour {
     paint::of_material(place.unwrap_or_default())
 }
 
-/// What the colours of materials mean.
+/// Legend of materials.
 #[component]
 fn Materials() -> impl IntoView {
     let view = VehicleView::expect();
@@ -171,7 +171,7 @@ fn Materials() -> impl IntoView {
     }
 }
 
-/// What the colours of heat flux mean.
+/// Legend of heat flux.
 #[component]
 fn HeatScale() -> impl IntoView {
     let view = VehicleView::expect();

@@ -1,4 +1,4 @@
-//! The benchmark page: how long the solver takes in this browser, as ratios to a bare kernel measured in the same run.
+//! Benchmark page: times of the solver in this browser, as ratios to a bare kernel measured in the same run.
 
 use crate::clock::now_ms;
 use crate::display::number;
@@ -10,7 +10,7 @@ use benchmark::NAMES;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
-/// How far the measurement is.
+/// Progress of the measurement.
 #[derive(Clone, Debug, PartialEq)]
 enum Progress {
     Waiting,
@@ -32,13 +32,13 @@ impl Progress {
     }
 }
 
-/// What the page shows.
+/// State of the page.
 #[derive(Clone, Copy)]
 struct Shown {
     progress: RwSignal<Progress>,
-    /// The jobs that are done.
+    /// Finished jobs.
     done: RwSignal<Vec<Measured>>,
-    /// Number of the run: an older one stops at its next batch.
+    /// Number of the newest run: an older one stops at its next batch.
     run: StoredValue<u32>,
 }
 
@@ -53,7 +53,7 @@ impl Shown {
             let mut reference = None;
             for row in 0..NAMES.len() {
                 let measured = self.measure(state, run, row, &mut reference).await;
-                // The page may have been left meanwhile.
+                // the page may have been left meanwhile
                 if self.run.try_get_value() != Some(run) {
                     return;
                 }
@@ -70,7 +70,7 @@ impl Shown {
         });
     }
 
-    /// What a job takes; of a run that was stopped, no matter what. The first job becomes the reference.
+    /// Time of a job; the result of a stopped run is not used. The first job is the reference.
     async fn measure(
         self,
         state: State,
@@ -125,7 +125,7 @@ fn duration(time_ms: f64) -> String {
     }
 }
 
-/// What is known of this browser: a term and what it is.
+/// Properties of this browser: terms and descriptions.
 fn circumstances(state: State) -> [(&'static str, String); 3] {
     let navigator = window().navigator();
     let first = state.first_answer_ms.get();
@@ -145,7 +145,7 @@ fn circumstances(state: State) -> [(&'static str, String); 3] {
     ]
 }
 
-/// Everything as text: rows of cells that tabulators separate.
+/// All results as text: rows of cells separated by tabs.
 fn text(state: State, shown: Shown) -> String {
     let head = format!("M-SAPE {} benchmark", env!("CARGO_PKG_VERSION"));
     let known = circumstances(state).map(|(term, value)| format!("{term}\t{value}"));
@@ -171,7 +171,7 @@ pub fn Benchmark() -> impl IntoView {
         done: RwSignal::new(Vec::new()),
         run: StoredValue::new(0),
     };
-    // The first design is not kept waiting, nor measured along.
+    // the first design comes first, and must not disturb the measurement
     Effect::new(move |_| {
         let ready = matches!(state.phase.get(), Phase::Fresh | Phase::AtFault);
         if ready && shown.progress.get_untracked() == Progress::Waiting {
@@ -212,7 +212,7 @@ pub fn Benchmark() -> impl IntoView {
                 <h2 id="benchmark-title">"Benchmark"</h2>
                 <p class="quiet">"How long the solver takes in this browser, in the worker that also solves the design. Each time is the median of batches of at least 20 ms. Each ratio is the median over the same batches, each to a batch of the bare kernel of the first row beside it. On the command line, cargo bench measures the same jobs."</p>
                 <div class="actions">
-                    // One button, so that the focus stays when its name changes.
+                    // a single button, so that the focus stays when its label changes
                     <button type="button" class="primary" on:click=move |_| {
                         if untrack(move || shown.is_measuring()) { shown.cancel() } else { shown.start(state) }
                     }>

@@ -1,4 +1,4 @@
-//! The Design page: inputs, vehicle, flight, results, notes and coupling of one design.
+//! Design page: inputs, vehicle, flight, results, notes and coupling of one design.
 
 use crate::charts::{ChartSpec, REPORT_PLOTS, Span};
 use crate::components::attitude::AttitudeCard;

@@ -1,4 +1,4 @@
-//! The Vehicles page of the Library: outlines of known vehicles and imported ones.
+//! Vehicles page of the Library: outlines of known vehicles and imported ones.
 
 pub mod aerodynamics;
 
@@ -20,29 +20,29 @@ use std::sync::Arc;
 /// Address of the page.
 pub const ADDRESS: &str = "#/library/vehicles";
 
-/// The outline that the address names.
+/// Outline named by the address.
 pub(crate) fn linked(page: &str) -> Option<String> {
     let hash = window().location().hash().ok()?;
     let id = hash.strip_prefix(page)?.strip_prefix("?o=")?;
     js_sys::decode_uri_component(id).ok()?.as_string()
 }
 
-/// Puts the outline into the address, without a step back in the browser's history.
+/// Puts the outline into the address, without an entry in the browser's history.
 pub(crate) fn link(page: &str, id: &str) {
     let address = format!(
         "{page}?o={}",
         String::from(js_sys::encode_uri_component(id))
     );
     if let Ok(history) = window().history() {
-        // A browser that refuses shows the old address; nothing depends on it.
+        // if the browser refuses, the old address stays; nothing depends on it
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&address));
     }
 }
 
-/// Leads to an outline.
+/// Navigates to an outline.
 pub fn go_to(id: &str) {
     let id = String::from(js_sys::encode_uri_component(id));
-    // A browser that refuses stays where it is.
+    // if the browser refuses, the page stays
     let _ = window().location().set_hash(&format!("{ADDRESS}?o={id}"));
 }
 
@@ -126,7 +126,7 @@ fn remove_button(state: State, entry: &Entry) -> Option<impl IntoView + use<>> {
     })
 }
 
-/// The outline in three dimensions.
+/// Outline in three dimensions.
 #[component]
 fn OutlineView(#[prop(into)] body: Signal<Option<RigidBody>>) -> impl IntoView {
     let state = State::expect();

@@ -1,4 +1,4 @@
-//! What the user may do with what is kept apart from the page: return to it, take its place, open or discard it.
+//! Actions on separately stored work: return to the stored work, replace it, open or discard separate work.
 
 use super::closing::remember_own;
 use super::{Saver, stored};
@@ -12,7 +12,7 @@ use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
 impl Saver {
-    /// Shows the stored work, as it is now; what is shown stays kept apart.
+    /// Shows the stored work in its current state; the displayed work stays stored separately.
     pub fn return_to_stored(&self) {
         self.with_stock(|saver, stock| {
             let state = saver.0.state;
@@ -29,7 +29,7 @@ impl Saver {
         });
     }
 
-    /// Makes what is shown the stored work. The work that was stored becomes a named run.
+    /// Makes the displayed work the stored work. The previous stored work becomes a named run.
     pub fn keep_this(&self) {
         self.with_stock(|saver, stock| {
             let state = saver.0.state;
@@ -74,7 +74,7 @@ impl Saver {
         });
     }
 
-    /// Shows work that is kept apart; what is shown stays where it is kept.
+    /// Shows separately stored work; the displayed work stays stored where it is.
     pub fn open_apart(&self, apart: &KeptApart) {
         let state = self.0.state;
         let label = format!("Open {}", apart.document.case.name);
@@ -82,7 +82,7 @@ impl Saver {
         state.edit(&label, None, |now| document.with_items_of(now));
     }
 
-    /// Removes work that is kept apart.
+    /// Removes separately stored work.
     pub fn discard_apart(&self, id: &str) {
         self.remove(Key::apart(id));
         let apart = self.0.state.keeping.apart;
@@ -114,7 +114,7 @@ impl Saver {
         });
     }
 
-    /// Looks at the records once more.
+    /// Reads the records again.
     fn with_stock(&self, act: impl FnOnce(&Saver, Stock) + 'static) {
         let saver = self.clone();
         spawn_local(async move {
@@ -122,7 +122,7 @@ impl Saver {
                 Ok(stock) => {
                     let keeping = saver.0.state.keeping;
                     keeping.unreadable.set(stock.unreadable.clone());
-                    // What this tab writes itself it knows better.
+                    // this tab's own writes are newer than the records
                     let own = place_key(&saver.0.state.document.get_untracked().place);
                     for key in stock.ledger.apart().iter().filter(|key| **key != own) {
                         saver.learn(&stock, key);
@@ -145,7 +145,7 @@ impl Saver {
     }
 }
 
-/// A document of its own for a link that is opened beside the work of this tab.
+/// Document for a link that is opened beside the work of this tab.
 pub fn of_link(now: &Document, case: msape::Case) -> Document {
     let case = Arc::new(case);
     let place = if *case == *now.case {

@@ -1,5 +1,5 @@
-//! What happens when the page is closed or loaded anew: what is not committed is handed to the browser, and the tab remembers
-//! which record it worked on.
+//! Closing and reloading of the page: uncommitted work is handed to the browser, and the tab remembers the record that
+//! it worked on.
 
 use super::Saver;
 use super::waiting::Waiting;
@@ -10,13 +10,13 @@ use crate::state::keeping::SaveState;
 use crate::storage::record::{Change, Found, Key, Sort, Written};
 use leptos::prelude::*;
 
-/// Item of the tab's own storage that names the record that it works on, when it is apart.
+/// Key in sessionStorage for the separate record that this tab works on.
 const OWN: &str = "msape-apart";
-/// What the names of items begin with that hold what a closing page had not written.
+/// Prefix of localStorage keys for unsaved work of closing pages.
 const LAST: &str = "msape-last ";
 
 impl Saver {
-    /// Hands what is not committed to the browser before the page is closed or put to sleep, and asks the user to stay.
+    /// Hands uncommitted work to the browser before the page is closed or suspended, and asks the user to stay.
     pub(super) fn write_before_the_page_goes(&self) {
         let saver = self.clone();
         let leave = window_event_listener(leptos::ev::beforeunload, move |event| {
@@ -42,7 +42,7 @@ impl Saver {
         });
     }
 
-    /// The browser's database answers too late for a page that goes; its small storage takes a text at once.
+    /// Writes to localStorage: IndexedDB answers too late for a closing page, localStorage is synchronous.
     fn write_last(&self) {
         let inner = &self.0;
         let ledger = inner.ledger.borrow();
@@ -67,7 +67,7 @@ impl Saver {
             let last = ledger.last(document, &inner.last, js_sys::Date::now());
             if let Some((id, text)) = last {
                 if let Some(storage) = small() {
-                    // One that refuses leaves the question whether to go.
+                    // if the browser refuses, the user is still asked whether to leave
                     let _ = storage.set_item(&format!("{LAST}{id}"), &text);
                 }
                 inner.last_written.borrow_mut().push(id);
@@ -75,20 +75,20 @@ impl Saver {
         }
     }
 
-    /// What was handed over is committed by now.
+    /// Removes handed-over work that has been committed meanwhile.
     pub(super) fn forget_last(&self) {
         for id in self.0.last_written.take() {
             if let Some(storage) = small() {
-                // What stays is found equal to what is stored, and dropped.
+                // an item that remains is later found equal to the stored work and dropped
                 let _ = storage.remove_item(&format!("{LAST}{id}"));
             }
         }
     }
 
-    /// Makes records of what pages handed over that were closed. What cannot be made one stays.
+    /// Makes records of the unsaved work of closed pages. Items that cannot become a record stay.
     ///
     /// # Errors
-    /// Why the browser refuses one of them, in words.
+    /// The browser's reason for refusing one of them.
     pub(super) async fn take_last(&self) -> Result<(), String> {
         let mut taken = Ok(());
         for (key, found) in handed_over() {
@@ -101,7 +101,7 @@ impl Saver {
         taken
     }
 
-    /// What the page itself had written there is older.
+    /// Writes an item as a record; a text that the page itself had written there is older and is replaced.
     async fn take_one(&self, key: Key, text: String) -> Result<(), String> {
         let (expected, text) = (None, Some(text));
         let mut change = Change {
@@ -116,12 +116,12 @@ impl Saver {
     }
 }
 
-/// Storage that takes texts at once, shared by all tabs.
+/// localStorage: synchronous, shared by all tabs.
 fn small() -> Option<web_sys::Storage> {
     window().local_storage().ok().flatten()
 }
 
-/// What pages handed over, with the records that are to hold it.
+/// Unsaved work of closed pages, with keys for the records that are to hold it.
 pub(super) fn handed_over() -> Vec<(Key, Found)> {
     let Some(storage) = small() else {
         return Vec::new();
@@ -135,12 +135,12 @@ pub(super) fn handed_over() -> Vec<(Key, Found)> {
         .collect()
 }
 
-/// Takes away what is a record by now. What its page has handed over anew since then stays.
+/// Removes an item that has become a record. It stays if its page has written it again since.
 fn forget(key: &Key, text: &str) {
     if let (Some(storage), Sort::Apart(id)) = (small(), key.sort()) {
         let name = format!("{LAST}{id}");
         if storage.get_item(&name).ok().flatten().as_deref() == Some(text) {
-            // What stays is found equal to what is stored, and dropped.
+            // an item that remains is later found equal to the stored work and dropped
             let _ = storage.remove_item(&name);
         }
     }
@@ -150,14 +150,14 @@ fn session() -> Option<web_sys::Storage> {
     window().session_storage().ok().flatten()
 }
 
-/// The record that this tab worked on before it was loaded anew, when that is apart.
+/// Separate record that this tab worked on before it was reloaded.
 pub(super) fn own_record() -> Option<String> {
     session()?.get_item(OWN).ok().flatten()
 }
 
 pub(super) fn remember_own(id: Option<&str>) {
     if let Some(session) = session() {
-        // A storage that refuses only forgets which record the tab worked on; the record is kept.
+        // if the browser refuses, only the link to the record is lost; the record is kept
         let _ = match id {
             Some(id) => session.set_item(OWN, id),
             None => session.remove_item(OWN),

@@ -1,29 +1,29 @@
-//! Documents that wait to be written: of each place the newest, the oldest first.
+//! Queue of documents to be written: the newest of each place, oldest first.
 
 use crate::state::document::Document;
 use crate::storage::ledger::place_key;
 use crate::storage::record::Key;
 use std::sync::Arc;
 
-/// What waits.
+/// Queue of documents.
 #[derive(Default)]
 pub struct Waiting(Vec<Arc<Document>>);
 
 impl Waiting {
-    /// A document takes the place of an older one whose record is the same; those of other records go on waiting before it.
+    /// Adds a document; it replaces an older one of the same record.
     pub fn put(&mut self, document: Arc<Document>) {
         self.forget(&place_key(&document.place));
         self.0.push(document);
     }
 
-    /// A document that could not be written waits again, unless there is a newer one of the same record.
+    /// Adds a document that could not be written, unless there is a newer one of the same record.
     pub fn put_back(&mut self, document: Arc<Document>) {
         if self.0.iter().all(|newer| !is_of_same(newer, &document)) {
             self.0.insert(0, document);
         }
     }
 
-    /// The document to be written next, with the runs, outlines and tables of the one that is shown.
+    /// The document to be written next, with the runs, outlines and tables of the displayed one.
     pub fn take(&mut self, shown: &Arc<Document>) -> Option<Arc<Document>> {
         let next = (!self.0.is_empty()).then(|| self.0.remove(0))?;
         if next == *shown {
@@ -37,12 +37,12 @@ impl Waiting {
         }))
     }
 
-    /// Nothing of a record waits any more.
+    /// Removes all documents of a record.
     pub fn forget(&mut self, key: &Key) {
         self.0.retain(|document| place_key(&document.place) != *key);
     }
 
-    /// Changes every document; those of which `change` makes nothing stay.
+    /// Changes every document; those for which `change` returns `None` stay.
     pub fn change_all(&mut self, change: impl Fn(&Document) -> Option<Document>) {
         for document in &mut self.0 {
             if let Some(changed) = change(document) {
@@ -51,7 +51,7 @@ impl Waiting {
         }
     }
 
-    /// All that waits.
+    /// All waiting documents.
     pub fn iter(&self) -> impl Iterator<Item = &Arc<Document>> {
         self.0.iter()
     }

@@ -1,4 +1,4 @@
-//! How each input stands: at its default, changed, unusual, at fault.
+//! State of each input: default, changed, unusual, faulty.
 
 use crate::catalog::{Catalog, names};
 use msape::Case;
@@ -6,21 +6,21 @@ use msape::case::{Reader, Value};
 use msape::quantity::input::{Kind, Preset, inputs};
 use std::collections::BTreeMap;
 
-/// How all inputs stand, by key.
+/// States of all inputs, by key.
 pub type Checks = BTreeMap<&'static str, Check>;
 
-/// How an input stands.
+/// State of an input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Check {
-    /// Whether it is not at its default.
+    /// Whether it differs from its default.
     pub changed: bool,
-    /// What is wrong with it.
+    /// Faults.
     pub faults: Vec<String>,
-    /// What is unusual about it.
+    /// Messages on unusual values.
     pub remarks: Vec<String>,
 }
 
-/// Checks every input by itself; what depends on several is found by the solver.
+/// Checks every input on its own; conditions on several inputs are checked by the solver.
 pub fn check_inputs(case: &Case, catalog: Option<&Catalog>) -> Checks {
     let mut reader = Reader::new(case);
     inputs()

@@ -1,4 +1,4 @@
-//! What undo steps through: the case, how it is shown, and the runs that are kept.
+//! Document, the unit of undo: case, display units, stored runs and imports.
 
 use crate::display::UnitSystem;
 use crate::storage::record::Sort;
@@ -9,75 +9,75 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A document; never changed, only replaced.
+/// Immutable document; changed by replacement only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// The case.
     pub case: Arc<Case>,
-    /// System of units on screen.
+    /// System of displayed units.
     pub units: UnitSystem,
     /// Unit symbols chosen for single inputs, by key.
     pub unit_of: Arc<BTreeMap<String, String>>,
     /// Named runs, by identifier.
     pub runs: Arc<BTreeMap<String, Run>>,
-    /// Outlines that were imported, by name.
+    /// Imported outlines, by name.
     pub outlines: Arc<BTreeMap<String, Rows>>,
-    /// Tables of coefficients that were imported, by name.
+    /// Imported coefficient tables, by name.
     pub tables: Arc<BTreeMap<String, Rows>>,
-    /// Record in which case and units are kept.
+    /// Record in which case and units are stored.
     pub place: Place,
 }
 
-/// Where case and units of a document are kept. Undo leads back to the place as well.
+/// Place where case and units of a document are stored. Undo restores the place, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Place {
-    /// In the one record that the app opens with: the stored work.
+    /// The main record, which the app opens with: the stored work.
     #[default]
     Stored,
-    /// In a record of its own beside it.
+    /// A separate record.
     Apart(Arc<Apart>),
 }
 
-/// A record beside the stored work.
+/// Separate record beside the stored work.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Apart {
     /// Identifier of the record.
     pub id: String,
-    /// Why it is apart.
+    /// Reason for the separation.
     pub why: Why,
-    /// The case as it was opened; while it is unchanged nothing is written.
+    /// Case as opened; while it is unchanged nothing is written.
     pub opened: Option<Arc<Case>>,
 }
 
-/// Why a document is kept apart from the stored work.
+/// Reason why a document is stored separately.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Why {
-    /// A link showed it.
+    /// Opened from a link.
     Link,
     /// Another tab has changed the stored work.
     OtherTab,
-    /// It was changed before the stored work had been read.
+    /// Changed before the stored work had been read.
     Early,
-    /// Its page was closed before it was written.
+    /// The page was closed before it was written.
     Closed,
-    /// It could not be read at another time.
+    /// It could not be read earlier.
     Unread,
 }
 
 impl Apart {
-    /// A place that no other tab has.
+    /// A separate place, unique among all tabs.
     pub fn place(why: Why, opened: Option<Arc<Case>>) -> Place {
         let id = format!("{:.0}-{:08x}", now_ms(), chance());
         Place::Apart(Arc::new(Apart { id, why, opened }))
     }
 }
 
-/// Date and time, ms since 1970.
+/// Current time, ms since 1970.
 fn now_ms() -> f64 {
     js_sys::Date::now()
 }
 
-/// 32 bits that two tabs will hardly share.
+/// Random 32 bits, which distinguish tabs.
 fn chance() -> u32 {
     (js_sys::Math::random() * f64::from(u32::MAX)) as u32
 }
@@ -85,23 +85,23 @@ fn chance() -> u32 {
 /// Rows of `outline.points` or of `vehicle.aerodynamics.table`.
 pub type Rows = Vec<Vec<f64>>;
 
-/// A run kept by name.
+/// Named run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// Name given by the user.
     pub name: String,
-    /// When it was saved, ms since 1970.
+    /// Time of saving, ms since 1970.
     pub saved_ms: f64,
     /// The case as TOML.
     pub case: String,
-    /// Headline results when saved: output key and value in its SI unit.
+    /// Headline results at the time of saving: output key and value in its SI unit.
     pub headline: Vec<(String, f64)>,
-    /// Version that saved it; absent in what the first version saved.
+    /// Version that saved it; `None` for the first version.
     #[serde(default)]
     pub version: Option<Version>,
 }
 
-/// The case of a record, TOML, with the defaults of the version that wrote it.
+/// Case of a record, from TOML, with the defaults of the version that wrote it.
 ///
 /// # Errors
 /// As [`Case::from_text`].
@@ -116,7 +116,7 @@ pub fn recorded(text: &str, version: Option<Version>) -> Result<BroughtUp, Vec<I
 }
 
 impl Document {
-    /// A document of a case alone.
+    /// A document with only a case.
     pub fn new(case: Case) -> Document {
         Document {
             case: Arc::new(case),
@@ -129,7 +129,7 @@ impl Document {
         }
     }
 
-    /// Whether it shows what was opened apart from the stored work, unchanged.
+    /// Whether it shows separately opened work without changes.
     pub fn is_view(&self) -> bool {
         match &self.place {
             Place::Apart(apart) => apart.opened.as_ref() == Some(&self.case),
@@ -137,7 +137,7 @@ impl Document {
         }
     }
 
-    /// The same with the case changed.
+    /// The document with the case changed.
     #[must_use]
     pub fn with_case(&self, change: impl FnOnce(&mut Case)) -> Document {
         let mut case = (*self.case).clone();
@@ -148,7 +148,7 @@ impl Document {
         }
     }
 
-    /// The same with the kept runs changed.
+    /// The document with the runs changed.
     #[must_use]
     pub fn with_runs(&self, change: impl FnOnce(&mut BTreeMap<String, Run>)) -> Document {
         let mut runs = (*self.runs).clone();
@@ -159,7 +159,7 @@ impl Document {
         }
     }
 
-    /// The same with the imported outlines changed.
+    /// The document with the imported outlines changed.
     #[must_use]
     pub fn with_outlines(&self, change: impl FnOnce(&mut BTreeMap<String, Rows>)) -> Document {
         let mut outlines = (*self.outlines).clone();
@@ -170,7 +170,7 @@ impl Document {
         }
     }
 
-    /// The same with the imported tables changed.
+    /// The document with the imported tables changed.
     #[must_use]
     pub fn with_tables(&self, change: impl FnOnce(&mut BTreeMap<String, Rows>)) -> Document {
         let mut tables = (*self.tables).clone();
@@ -181,7 +181,7 @@ impl Document {
         }
     }
 
-    /// The same with the runs, outlines and tables of another added; those of this one stay.
+    /// The document with the runs, outlines and tables of another added; its own take precedence.
     #[must_use]
     pub fn with_items_of(&self, other: &Document) -> Document {
         fn both<T: Clone>(
@@ -200,7 +200,7 @@ impl Document {
         }
     }
 
-    /// The same with an item renamed, if it has the one of `other`.
+    /// The document with an item renamed, if the item equals that of `other`.
     pub fn renamed(&self, other: &Document, from: &str, to: &str, sort: &Sort) -> Option<Document> {
         fn moved<T: Clone + PartialEq>(
             ours: &Arc<BTreeMap<String, T>>,
@@ -227,7 +227,7 @@ impl Document {
         Some(document)
     }
 
-    /// The same with one input shown in another unit.
+    /// The document with one input displayed in another unit.
     #[must_use]
     pub fn with_unit_of(&self, key: &str, symbol: &str) -> Document {
         let mut unit_of = (*self.unit_of).clone();

@@ -3,20 +3,20 @@
 use super::document::Document;
 use std::sync::Arc;
 
-/// Longest past that is kept.
+/// Largest number of undo steps.
 const STEPS_MAX: usize = 500;
 
-/// A document with its past and its undone future.
+/// Document with its past and its undone future.
 #[derive(Clone, Debug)]
 pub struct History {
     past: Vec<Step>,
     present: Arc<Document>,
     future: Vec<Step>,
-    /// Edits with this tag still belong to the last step.
+    /// Tag of edits that still extend the last step.
     open: Option<String>,
 }
 
-/// A change by name, with the document on its other side.
+/// Named change with the document on its other side.
 #[derive(Clone, Debug)]
 struct Step {
     label: String,
@@ -24,7 +24,7 @@ struct Step {
 }
 
 impl History {
-    /// A document without past.
+    /// A history with only a document.
     pub fn new(document: Document) -> History {
         History {
             past: Vec::new(),
@@ -34,17 +34,17 @@ impl History {
         }
     }
 
-    /// The document now.
+    /// Current document.
     pub fn present(&self) -> &Arc<Document> {
         &self.present
     }
 
-    /// Whether nothing was ever changed.
+    /// Whether nothing has been changed.
     pub fn is_pristine(&self) -> bool {
         self.past.is_empty() && self.future.is_empty()
     }
 
-    /// Name of the change that undo takes back.
+    /// Name of the change that undo reverts.
     pub fn undo_label(&self) -> Option<&str> {
         self.past.last().map(|step| step.label.as_str())
     }
@@ -54,7 +54,7 @@ impl History {
         self.future.last().map(|step| step.label.as_str())
     }
 
-    /// Replaces the document. Edits with one `tag` in a row are one step until [`History::close`].
+    /// Replaces the document. Consecutive edits with the same `tag` are one step until [`History::close`].
     pub fn edit(&mut self, label: &str, tag: Option<&str>, document: Document) {
         if document == *self.present {
             return;
@@ -62,7 +62,7 @@ impl History {
         let goes_on = tag.is_some() && self.open.as_deref() == tag && !self.past.is_empty();
         let before = std::mem::replace(&mut self.present, Arc::new(document));
         if goes_on {
-            // Back where the step began: there is nothing to undo.
+            // back at the beginning of the step: nothing to undo
             if self
                 .past
                 .last()
@@ -84,7 +84,7 @@ impl History {
         self.future.clear();
     }
 
-    /// Changes every document, past and future as well; those of which `change` makes nothing stay.
+    /// Changes every document, including past and future; those for which `change` returns `None` stay.
     pub fn change_all(&mut self, change: impl Fn(&Document) -> Option<Document>) {
         let steps = self.past.iter_mut().chain(&mut self.future);
         let documents = steps.map(|step| &mut step.document);
@@ -95,12 +95,12 @@ impl History {
         }
     }
 
-    /// Ends a row of edits: the next one is a step of its own.
+    /// Ends a sequence of edits: the next edit is a new step.
     pub fn close(&mut self) {
         self.open = None;
     }
 
-    /// Takes the last change back.
+    /// Undoes the last change.
     pub fn undo(&mut self) {
         self.open = None;
         if let Some(Step { label, document }) = self.past.pop() {
@@ -109,7 +109,7 @@ impl History {
         }
     }
 
-    /// Repeats the change last taken back.
+    /// Repeats the last undone change.
     pub fn redo(&mut self) {
         self.open = None;
         if let Some(Step { label, document }) = self.future.pop() {

@@ -1,46 +1,46 @@
-//! What the page says of what the browser keeps.
+//! State of storage, as shown to the user.
 
 use crate::storage::stock::{KeptApart, Unreadable};
 use leptos::prelude::*;
 
-/// Whether what was made is safe.
+/// State of saving.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SaveState {
     /// Not written yet.
     Saving,
-    /// Kept in the browser.
+    /// Stored in the browser.
     Saved,
-    /// The browser keeps nothing, and why.
+    /// The browser stores nothing; its reason.
     Refused(String),
 }
 
-/// The stored work while the page shows something else, as one line of a list.
+/// Stored work that is not displayed, as an entry of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stored {
-    /// Name of its case.
+    /// Name of the case.
     pub name: String,
-    /// When it was kept, ms since 1970.
+    /// Time of saving, ms since 1970.
     pub saved_ms: Option<f64>,
 }
 
-/// Signals about what is kept.
+/// Signals on storage.
 #[derive(Clone, Copy)]
 pub struct Keeping {
-    /// Whether what was made is safe.
+    /// State of saving.
     pub save_state: RwSignal<SaveState>,
-    /// Whether the browser promised not to clear what is kept; `None` when it was not asked.
+    /// Whether the browser promised not to clear the storage; `None` if it was not asked.
     pub protected: RwSignal<Option<bool>>,
-    /// The stored work that the page does not show.
+    /// Stored work that is not displayed.
     pub stored: RwSignal<Option<Stored>>,
-    /// Work that is kept apart from the stored work.
+    /// Separately stored work.
     pub apart: RwSignal<Vec<KeptApart>>,
     /// Records that cannot be read.
     pub unreadable: RwSignal<Vec<Unreadable>>,
-    /// What the browser refused when the records were read, in sentences.
+    /// Refusals of the browser when the records were read, as sentences.
     pub refused: RwSignal<Vec<String>>,
-    /// What must be known of the link that was opened.
+    /// Messages on the opened link.
     pub link_words: RwSignal<Vec<String>>,
-    /// Name of a run of which is to be said whether it is saved.
+    /// Name of a run whose saving is to be announced.
     pub announced: StoredValue<Option<String>>,
 }
 

@@ -1,13 +1,13 @@
-//! Look and depth of the page; remembered, but not part of the document.
+//! Display preferences; stored, but not part of the document.
 
 use gloo::events::EventListener;
 use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::prelude::*;
 
-/// Light, dark, or as the system says.
+/// Light, dark, or following the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ThemeChoice {
-    /// As the system says.
+    /// Follow the system.
     System,
     /// Light.
     Light,
@@ -16,10 +16,10 @@ pub enum ThemeChoice {
 }
 
 impl ThemeChoice {
-    /// All of them, in the order of menus.
+    /// All choices, in the order of menus.
     pub const ALL: [ThemeChoice; 3] = [ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark];
 
-    /// Name in menus and in the page's attribute.
+    /// Name in menus and in the attribute of the page.
     pub fn name(self) -> &'static str {
         match self {
             ThemeChoice::System => "System",
@@ -34,11 +34,11 @@ impl ThemeChoice {
 pub struct Preferences {
     /// Whether inputs for experts are shown.
     pub expert: RwSignal<bool>,
-    /// Choice of the theme.
+    /// Theme choice.
     pub theme: RwSignal<ThemeChoice>,
-    /// Whether the theme now is dark.
+    /// Whether the current theme is dark.
     pub dark: Memo<bool>,
-    /// Tab of the vehicle's card.
+    /// Selected tab of the vehicle card.
     pub vehicle_tab: RwSignal<&'static str>,
 }
 
@@ -46,7 +46,7 @@ const EXPERT: &str = "msape-expert";
 const THEME: &str = "msape-theme";
 
 impl Preferences {
-    /// The preferences as remembered; changes are remembered and applied.
+    /// Loads the stored preferences; changes are stored and applied.
     pub fn load() -> Preferences {
         let read = |key| storage().and_then(|storage| storage.get_item(key).ok().flatten());
         let theme_name = read(THEME).unwrap_or_default();
@@ -83,7 +83,7 @@ fn storage() -> Option<web_sys::Storage> {
 
 fn write(key: &str, value: &str) {
     if let Some(storage) = storage() {
-        // A full or forbidden storage only forgets the preference.
+        // if storage is full or forbidden, only the preference is lost
         let _ = storage.set_item(key, value);
     }
 }

@@ -1,7 +1,7 @@
-//! What a tab knows of the records, and what it must change there to keep a document.
+//! A tab's knowledge of the records, and the changes needed to store a document.
 //!
-//! Each change says what the record held when this tab last saw it. Another tab that wrote in between makes it a clash: nothing
-//! is written, and [`Ledger::resolve`] says how both are kept.
+//! Each change contains the text that this tab last saw in the record. If another tab has written in between, the
+//! change is a clash: nothing is written, and [`Ledger::resolve`] decides how both versions are kept.
 
 use super::record::{Change, Found, Key, Sheet, Sort, read, written};
 use crate::state::document::{Document, Place, Rows, Run, Why};
@@ -12,52 +12,52 @@ use std::sync::Arc;
 
 type Kept<T> = Arc<BTreeMap<String, T>>;
 
-/// What a tab knows.
+/// Knowledge of a tab about the records.
 #[derive(Debug, Default)]
 pub struct Ledger {
-    /// Texts of the records as they were last read or written here.
+    /// Texts of the records as last read or written by this tab.
     known: BTreeMap<Key, String>,
-    /// What the records of case and units say.
+    /// Parsed contents of the records of case and units.
     sheets: BTreeMap<Key, Sheet>,
     runs: Kept<Run>,
     outlines: Kept<Rows>,
     tables: Kept<Rows>,
-    /// Records that go when the stored work is written, which goes on from them.
+    /// Records that are removed when the stored work is written, which continues them.
     doomed: Vec<Key>,
 }
 
-/// How a clash ends, for the document of this tab.
+/// Resolution of a clash for the document of this tab.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Nothing to do: both say the same, or the record may be written now.
+    /// Nothing to do: both versions are equal, or the record may be written now.
     Again,
-    /// Case and units are kept apart from now on; the stored work is another tab's.
+    /// Case and units are stored separately from now on; the stored work belongs to another tab.
     Apart,
-    /// What was called `from` is called `to` from now on.
+    /// The item called `from` is called `to` from now on.
     Renamed {
-        /// The record.
+        /// Record.
         key: Key,
         /// Name or identifier before.
         from: String,
         /// Name or identifier from now on.
         to: String,
     },
-    /// What was removed here stays, since another tab changed it.
+    /// The record removed here stays, since another tab changed it.
     Stays(Key),
 }
 
 impl Ledger {
-    /// A record was read.
+    /// Notes the text of a record that was read.
     pub fn knows(&mut self, key: Key, text: String) {
         self.known.insert(key, text);
     }
 
-    /// What a record of case and units says.
+    /// Notes the content of a record of case and units.
     pub fn says(&mut self, key: Key, sheet: Sheet) {
         self.sheets.insert(key, sheet);
     }
 
-    /// What is kept beside case and units.
+    /// Notes the stored runs, outlines and tables.
     pub fn keeps(
         &mut self,
         runs: &BTreeMap<String, Run>,
@@ -69,19 +69,19 @@ impl Ledger {
         self.tables = Arc::new(tables.clone());
     }
 
-    /// A record goes when the stored work is written, not before: until then it alone has what it says.
+    /// Marks a record for removal together with the next write of the stored work: until then it holds the only copy.
     pub fn dooms(&mut self, key: Key) {
         if !self.doomed.contains(&key) {
             self.doomed.push(key);
         }
     }
 
-    /// A record stays after all, since what is shown is kept there again.
+    /// Revokes the removal of a record, since the displayed work is stored there again.
     pub fn spares(&mut self, key: &Key) {
         self.doomed.retain(|doomed| doomed != key);
     }
 
-    /// Records of work that is apart.
+    /// Keys of separate work.
     pub fn apart(&self) -> Vec<Key> {
         let keys = self.known.keys();
         keys.filter(|key| matches!(key.sort(), Sort::Apart(_)))
@@ -89,24 +89,24 @@ impl Ledger {
             .collect()
     }
 
-    /// Text of a record as this tab last saw it.
+    /// Text of a record as last seen by this tab.
     pub fn text(&self, key: &Key) -> Option<String> {
         self.known.get(key).cloned()
     }
 
-    /// What a record of case and units says.
+    /// Content of a record of case and units.
     pub fn sheet(&self, key: &Key) -> Option<&Sheet> {
         self.sheets.get(key)
     }
 
-    /// A record is gone, or is looked at anew.
+    /// Forgets a record that has been removed or is to be read again.
     pub fn forgets(&mut self, key: &Key) {
         self.known.remove(key);
         self.sheets.remove(key);
         self.spares(key);
     }
 
-    /// What another look at the database says of one record.
+    /// Takes one record's state from a newer reading of the database.
     pub fn learns(&mut self, key: &Key, of: &Ledger) {
         self.forgets(key);
         if let Some(text) = of.known.get(key) {
@@ -120,7 +120,7 @@ impl Ledger {
         }
     }
 
-    /// What must be changed so that the records hold a document.
+    /// Changes needed for the records to hold a document.
     pub fn changes(&self, document: &Document, now_ms: f64) -> Vec<Change> {
         let mut changes = Vec::new();
         let key = place_key(&document.place);
@@ -142,7 +142,7 @@ impl Ledger {
         changes
     }
 
-    /// Case and units of a document, if its record says something else.
+    /// Case and units of a document, if its record differs.
     fn unwritten(&self, document: &Document, now_ms: f64) -> Option<Sheet> {
         let key = place_key(&document.place);
         let is_view = document.is_view() && !self.known.contains_key(&key);
@@ -152,8 +152,8 @@ impl Ledger {
         (!is_view && !is_written).then_some(sheet)
     }
 
-    /// The record that keeps case and units of a document whose page is being closed: one of its own, which is the stored work
-    /// from then on if that is still as this tab knows it. Nothing where they are written.
+    /// Key and text of the separate record that holds case and units of a document whose page is being closed. It
+    /// becomes the stored work on the next start if that is unchanged since. `None` if they are already written.
     pub fn last(&self, document: &Document, id: &str, now_ms: f64) -> Option<(String, String)> {
         let mut sheet = self.unwritten(document, now_ms)?;
         let id = match &document.place {
@@ -207,7 +207,7 @@ impl Ledger {
         }
     }
 
-    /// The changes are committed.
+    /// Notes that the changes are committed.
     pub fn committed(&mut self, document: &Document, changes: &[Change]) {
         for Change { key, text, .. } in changes {
             match text {
@@ -227,7 +227,7 @@ impl Ledger {
         self.tables = document.tables.clone();
     }
 
-    /// How a clash ends: `found` is what the record holds now.
+    /// Resolves a clash; `found` is the current content of the record.
     pub fn resolve(&mut self, document: &Document, key: &Key, found: Option<Found>) -> Verdict {
         match key.sort() {
             Sort::Current | Sort::Apart(_) => self.resolve_sheet(document, key, found),
@@ -262,14 +262,15 @@ impl Ledger {
     fn resolve_sheet(&mut self, document: &Document, key: &Key, found: Option<Found>) -> Verdict {
         let Some(found) = found else {
             if *key == Key::current() {
-                // The browser's data were cleared: all that this tab has is written again. What is there after all clashes.
+                // the browser's data were cleared: write everything again; a record that exists after all causes a
+                // clash
                 *self = Ledger::default();
             }
             self.forgets(key);
             return Verdict::Again;
         };
         if self.doomed.contains(key) {
-            // Another tab works on it.
+            // another tab works on it
             self.spares(key);
             return Verdict::Again;
         }
@@ -287,7 +288,7 @@ impl Ledger {
     }
 }
 
-/// The record of a place.
+/// Key of a place.
 pub fn place_key(place: &Place) -> Key {
     match place {
         Place::Stored => Key::current(),
@@ -310,7 +311,7 @@ fn resolve_item<T: Clone + PartialEq + DeserializeOwned>(
     if let Some(found) = found {
         let theirs: Option<T> = read(&found).ok();
         match now.get(name) {
-            // Both did the same.
+            // both tabs made the same change
             Some(ours) if theirs.as_ref() == Some(ours) => {
                 items.insert(name.to_string(), ours.clone());
                 if let Found::Text(text) = found {

@@ -1,4 +1,4 @@
-//! Records of the browser's database: their keys, their texts, and what is asked of them.
+//! Records of the browser's database: keys, texts, and changes.
 
 use crate::display::UnitSystem;
 use crate::state::document::{Document, Rows, Why};
@@ -6,17 +6,17 @@ use msape::case::Version;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A store of the database.
+/// Object store of the database.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shelf {
-    /// Single things, by name.
+    /// Single items, by name.
     Things,
     /// Named runs, by identifier.
     Runs,
 }
 
 impl Shelf {
-    /// Both.
+    /// Both stores.
     pub const ALL: [Shelf; 2] = [Shelf::Things, Shelf::Runs];
 
     /// Name in the database.
@@ -28,39 +28,39 @@ impl Shelf {
     }
 }
 
-/// Where a record is.
+/// Key of a record.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key {
-    /// Its store.
+    /// Object store.
     pub shelf: Shelf,
-    /// Its key there.
+    /// Key in the store.
     pub id: String,
 }
 
-/// What a key of the store of things begins with.
+/// Prefixes of keys in the store of items.
 const OUTLINE: &str = "outline ";
 const TABLE: &str = "table ";
 const APART: &str = "apart ";
-/// What its identifier ends with where it could not be read and was moved out of the way.
+/// Suffix of the identifier of an unreadable record that was moved aside.
 const ASIDE: &str = "-aside";
-/// What an identifier is lengthened by where its record holds something that cannot be read.
+/// Suffix added to an identifier whose record cannot be read.
 const BESIDE: &str = "-2";
 const CURRENT: &str = "current";
 
-/// What a record is.
+/// Kind of a record.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Sort {
     /// The stored work.
     Current,
-    /// Work apart from it, by identifier.
+    /// Separate work, by identifier.
     Apart(String),
-    /// An imported outline, by name.
+    /// Imported outline, by name.
     Outline(String),
-    /// An imported table of coefficients, by name.
+    /// Imported table of coefficients, by name.
     Table(String),
-    /// A named run, by identifier.
+    /// Named run, by identifier.
     Run(String),
-    /// Nothing that this version knows.
+    /// Not known to this version.
     Unknown,
 }
 
@@ -75,7 +75,7 @@ impl Key {
         Key::thing(CURRENT.to_string())
     }
 
-    /// Key of work that is apart.
+    /// Key of separate work.
     pub fn apart(id: &str) -> Key {
         Key::thing(format!("{APART}{id}"))
     }
@@ -96,12 +96,12 @@ impl Key {
         Key { shelf, id }
     }
 
-    /// Where stored work that cannot be read is moved to, at a time in ms.
+    /// Key to which unreadable stored work is moved at a time in ms.
     pub fn aside(now_ms: f64) -> Key {
         Key::apart(&format!("{now_ms:.0}{ASIDE}"))
     }
 
-    /// What the record is.
+    /// Kind of the record.
     pub fn sort(&self) -> Sort {
         let named = |prefix: &str| self.id.strip_prefix(prefix).map(str::to_string);
         match self.shelf {
@@ -115,7 +115,7 @@ impl Key {
         }
     }
 
-    /// What the record is, for the user.
+    /// Description of the record for the user.
     pub fn words(&self) -> String {
         match self.sort() {
             Sort::Current => "the stored work".to_string(),
@@ -129,17 +129,17 @@ impl Key {
     }
 }
 
-/// What a record holds.
+/// Content of a record.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Found {
-    /// A text, as this program writes it.
+    /// Text, as written by this program.
     Text(String),
-    /// Something else, spelled for the user.
+    /// Anything else, formatted for the user.
     Other(String),
 }
 
 impl Found {
-    /// What the user gets as a file.
+    /// Content that the user can download.
     pub fn spelled(&self) -> &str {
         match self {
             Found::Text(text) | Found::Other(text) => text,
@@ -147,20 +147,20 @@ impl Found {
     }
 }
 
-/// A change of one record, made only if the record is as the tab knows it.
+/// Change of one record, made only if the record is as this tab knows it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// The record.
+    /// Key.
     pub key: Key,
-    /// Its text as this tab last read or wrote it; `None` where it knows of none.
+    /// Text as last read or written by this tab; `None` if no record is known.
     pub expected: Option<String>,
-    /// Its new text; `None` removes it.
+    /// New text; `None` removes the record.
     pub text: Option<String>,
 }
 
 impl Change {
-    /// What is tried next, when the record holds something else than was expected: the same over a text, which is older; beside what
-    /// is no text.
+    /// Next attempt after a clash: overwrites a text, which is older; uses another key beside a record that is not a
+    /// text.
     #[must_use]
     pub fn over(mut self, found: Option<Found>) -> Change {
         self.expected = match found {
@@ -175,43 +175,43 @@ impl Change {
     }
 }
 
-/// A record that is not as the tab knows it.
+/// Record that is not as the tab knows it, with its content.
 pub type Clash = (Key, Option<Found>);
 
-/// What became of changes.
+/// Result of a set of changes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Written {
     /// All are committed.
     All,
-    /// Nothing was written, since these records are not as the tab knows them.
+    /// Nothing was written, because of these records.
     Nothing(Vec<Clash>),
 }
 
-/// Case and units as they are kept.
+/// Case and units as stored.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sheet {
     /// The case as TOML.
     pub case: String,
-    /// System of units.
+    /// System of displayed units.
     pub units: UnitSystem,
     /// Unit symbols chosen for single inputs, by key.
     pub unit_of: BTreeMap<String, String>,
-    /// Version that kept it; absent in what the first version kept.
+    /// Version that stored it; `None` for the first version.
     #[serde(default)]
     pub version: Option<Version>,
-    /// When it was kept, ms since 1970; absent in what earlier versions kept.
+    /// Time of storing, ms since 1970; `None` for earlier versions.
     #[serde(default)]
     pub saved_ms: Option<f64>,
-    /// Why it is apart from the stored work, if it is.
+    /// Reason for separate storage, if it is separate.
     #[serde(default)]
     pub why: Option<Why>,
-    /// Text of the stored work that it goes on from, if its page was closed before it was written; empty where there was none.
+    /// Text of the stored work that it continues, if its page was closed before writing; empty if there was none.
     #[serde(default)]
     pub continues: Option<String>,
-    /// Outlines, which earlier versions kept here.
+    /// Outlines; stored here by earlier versions only.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub outlines: BTreeMap<String, Rows>,
-    /// Tables, which earlier versions kept here.
+    /// Tables; stored here by earlier versions only.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub tables: BTreeMap<String, Rows>,
 }
@@ -232,7 +232,7 @@ impl Sheet {
         }
     }
 
-    /// Whether both say the same, whenever it was kept.
+    /// Whether both have the same content, regardless of their times.
     pub fn says_as(&self, other: &Sheet) -> bool {
         let said = |sheet: &Sheet| Sheet {
             saved_ms: None,
@@ -244,10 +244,10 @@ impl Sheet {
     }
 }
 
-/// The value of a record.
+/// Parses a record.
 ///
 /// # Errors
-/// Why it cannot be read.
+/// Reason why it cannot be read.
 pub fn read<T: for<'de> Deserialize<'de>>(found: &Found) -> Result<T, String> {
     match found {
         Found::Text(text) => serde_json::from_str(text).map_err(|error| error.to_string()),
@@ -255,8 +255,8 @@ pub fn read<T: for<'de> Deserialize<'de>>(found: &Found) -> Result<T, String> {
     }
 }
 
-/// The text of a value.
+/// Serializes a value.
 pub fn written<T: Serialize>(value: &T) -> String {
-    // Maps of strings and numbers can always be written.
+    // maps of strings and numbers can always be serialized
     serde_json::to_string(value).unwrap_or_default()
 }

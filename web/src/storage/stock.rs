@@ -1,4 +1,4 @@
-//! What the records of the database hold, as a tab finds them when it opens. What cannot be read is listed, never dropped.
+//! Contents of the database when a tab opens. Records that cannot be read are listed, never dropped.
 
 use super::ledger::Ledger;
 use super::record::{Found, Key, Sheet, Sort, read};
@@ -6,54 +6,54 @@ use crate::state::document::{Apart, Document, Place, Rows, Run, Why, recorded};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Outlines and tables that an earlier version kept in the record of the document.
+/// Outlines and tables that an earlier version stored in the record of the document.
 type Legacy = (BTreeMap<String, Rows>, BTreeMap<String, Rows>);
 
-/// A record that cannot be read.
+/// Record that cannot be read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unreadable {
-    /// Where it is.
+    /// Key.
     pub key: Key,
-    /// What it was, for the user.
+    /// Description for the user.
     pub what: String,
-    /// Why it cannot be read.
+    /// Reason.
     pub why: String,
-    /// What it holds.
+    /// Content.
     pub found: Found,
 }
 
-/// Work that is kept apart from the stored work.
+/// Separately stored work.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptApart {
-    /// Identifier of its record.
+    /// Identifier of the record.
     pub id: String,
-    /// Case, units, and the place itself; no runs, outlines or tables.
+    /// Case, units and place; no runs, outlines or tables.
     pub document: Document,
-    /// When it was kept, ms since 1970.
+    /// Time of storing, ms since 1970.
     pub saved_ms: Option<f64>,
-    /// Why it is apart.
+    /// Reason for separate storage.
     pub why: Why,
 }
 
-/// Work that was stored.
+/// Stored work.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoredWork {
-    /// Its document, without runs, outlines and tables.
+    /// Document without runs, outlines and tables.
     pub document: Document,
-    /// When it was kept, ms since 1970.
+    /// Time of storing, ms since 1970.
     pub saved_ms: Option<f64>,
-    /// What changed under its case since it was kept.
+    /// Changes that affect its case since it was stored.
     pub remarks: Vec<String>,
 }
 
-/// All that was found.
+/// Everything found.
 #[derive(Debug, Default)]
 pub struct Stock {
-    /// What the tab knows of the records from now on.
+    /// Initial knowledge of the tab.
     pub ledger: Ledger,
     /// The stored work.
     pub work: Option<StoredWork>,
-    /// Work that is apart from it.
+    /// Separately stored work.
     pub apart: Vec<KeptApart>,
     /// Named runs.
     pub runs: BTreeMap<String, Run>,
@@ -61,12 +61,12 @@ pub struct Stock {
     pub outlines: BTreeMap<String, Rows>,
     /// Imported tables.
     pub tables: BTreeMap<String, Rows>,
-    /// What cannot be read.
+    /// Records that cannot be read.
     pub unreadable: Vec<Unreadable>,
 }
 
 impl Stock {
-    /// Reads all records.
+    /// Parses all records.
     pub fn take(records: Vec<(Key, Found)>) -> Stock {
         let mut stock = Stock::default();
         let mut legacy = None;
@@ -102,7 +102,7 @@ impl Stock {
         stock
             .ledger
             .keeps(&stock.runs, &stock.outlines, &stock.tables);
-        // What earlier versions kept in the same record becomes records of their own.
+        // items that earlier versions stored in this record become separate records
         if let Some((outlines, tables)) = legacy {
             for (name, rows) in outlines {
                 stock.outlines.entry(name).or_insert(rows);
@@ -128,7 +128,7 @@ impl Stock {
             ));
         }
         let (document, remarks) = document_of(&sheet, Place::Stored)?;
-        // The record of an earlier version is written anew as soon as there is something to write.
+        // the record of an earlier version is rewritten with the next change
         if legacy.is_none() {
             self.ledger.says(key.clone(), sheet.clone());
         }
@@ -160,8 +160,8 @@ impl Stock {
         Ok(())
     }
 
-    /// Work whose page was closed before it was written becomes the stored work again, where that has not changed since. What
-    /// was written after all goes.
+    /// Makes the unsaved work of a closed page the stored work again, if that has not changed since. Removes records of
+    /// work that was saved after all.
     pub fn go_on(&mut self) {
         let (ledger, key) = (&mut self.ledger, Key::current());
         self.apart.retain(|apart| {
@@ -196,7 +196,7 @@ impl Stock {
     }
 }
 
-/// The document of a sheet, and what changed under its case since it was kept.
+/// Document of a sheet, and the changes that affect its case since it was stored.
 fn document_of(sheet: &Sheet, place: Place) -> Result<(Document, Vec<String>), String> {
     let case = recorded(&sheet.case, sheet.version).map_err(|faults| joined(&faults))?;
     let document = Document {
@@ -219,7 +219,7 @@ fn joined(faults: &[msape::InputError]) -> String {
     faults.join("; ")
 }
 
-/// What a record that cannot be read was, with its name if that can be read.
+/// Description of an unreadable record, with its name if that can be read.
 fn described(key: &Key, found: &Found) -> String {
     let value: Option<serde_json::Value> = read(found).ok();
     let name = value.as_ref().and_then(|value| value.get("name")?.as_str());

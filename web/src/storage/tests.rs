@@ -1,4 +1,5 @@
-//! Tabs that share records, and what a browser may do to them. What the browser itself does is in `tests/e2e/storage.mjs`.
+//! Tabs that share records, and failures of the browser. The browser's own behavior is tested in
+//! `tests/e2e/storage.mjs`.
 
 mod closed;
 mod unreadable;
@@ -11,11 +12,11 @@ use msape::Case;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The database of a browser.
+/// Simulated database.
 #[derive(Default)]
 struct Browser {
     records: BTreeMap<Key, Found>,
-    /// Writes that are given up before one goes well.
+    /// Number of writes to abort before one succeeds.
     aborts: u32,
 }
 
@@ -55,7 +56,7 @@ impl Browser {
     }
 }
 
-/// A tab.
+/// Simulated tab.
 struct Tab {
     ledger: Ledger,
     document: Document,
@@ -211,7 +212,7 @@ fn outlines_tables_and_runs_of_both_tabs_survive() {
     assert_eq!((radius("alpha"), radius("beta")), (1.0, 2.0));
     assert_eq!((radius("cone"), radius("cone (2)")), (1.0, 2.0));
     assert_eq!((stock.runs.len(), stock.tables.len()), (1, 1));
-    // the other tab, which has not seen them, goes on and removes nothing
+    // the other tab, which has not seen them, continues and removes nothing
     a.set_speed("13000");
     a.save(&mut browser).unwrap();
     assert_eq!(browser.stock().outlines.len(), 4);
@@ -265,7 +266,7 @@ fn what_was_cleared_elsewhere_is_written_again_as_far_as_the_tab_has_it() {
     let stock = browser.stock();
     assert_eq!(speed(&stock.work.unwrap().document), "13000");
     assert_eq!(stock.outlines.len(), 1);
-    // the stored work alone is gone, as when another tab moved it away
+    // only the stored work is gone, as when another tab moved it aside
     browser.records.remove(&Key::current());
     tab.set_speed("14000");
     tab.save(&mut browser).unwrap();
@@ -288,7 +289,7 @@ fn a_link_writes_nothing_until_it_is_changed_and_then_beside_the_work() {
     let stock = browser.stock();
     assert_eq!(speed(&stock.work.unwrap().document), "12500");
     assert_eq!(speed(&stock.apart[0].document), "17000");
-    // to take the place of the work, its record goes with the same transaction
+    // it replaces the stored work, so its record is removed in the same transaction
     tab.ledger.dooms(place_key(&tab.document.place));
     tab.document.place = Place::Stored;
     tab.save(&mut browser).unwrap();

@@ -1,4 +1,4 @@
-//! Rows from files, by the readers of the command line.
+//! Rows from files, by the same readers as the command line.
 
 use crate::protocol::{FileKind, ReadRows};
 use cad::outline::{self, Imported, LengthUnit};
@@ -6,12 +6,12 @@ use cad::table::{self, Ground, Table};
 use msape::Library;
 use msape::vehicle::body::from_rows;
 
-/// Key of a file of coefficients, and of the rows in it.
+/// Keys of a file of coefficients and of its rows.
 const COEFFICIENTS: (&str, &str) = ("vehicle.aerodynamics.file", "vehicle.aerodynamics.table");
 /// Key of the rows of an outline.
 const POINTS: &str = "outline.points";
 
-/// The rows of a file, or every fault of it with its line.
+/// Rows of a file, or all of its faults with their lines.
 pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows, Vec<String>> {
     match kind {
         FileKind::Table { table, file, case } => {
@@ -100,7 +100,7 @@ mod tests {
         };
         let (there, here) = (read(&mars), read(&Case::default()));
         assert_eq!(here.key, "atmosphere.table");
-        // r H / (r - H) with 6356.766 km, and with the 3389.5 km of Mars
+        // r H / (r − H) with 6356.766 km, and with the 3389.5 km of Mars
         assert!((here.rows[1][0] - 10_015.76).abs() < 0.01, "{here:?}");
         assert!((there.rows[1][0] - 10_029.6).abs() < 0.1, "{there:?}");
     }

@@ -1,17 +1,17 @@
-//! How a vehicle is turned in flight, in the frame of the view.
+//! Attitude of a vehicle in flight, in the frame of the view.
 //!
 //! ```text
 //! view: X downrange at the start, Y up, Z to the right of the track
 //! model: Y aft along the axis;  X = −z_b, Y = −x_b, Z = y_b        R = H(χ₀) R₃₂₁(yaw, pitch, roll) M
 //! ```
 //!
-//! with x_b forward, y_b right, z_b down, χ₀ the azimuth of the flight's start.
+//! with x_b forward, y_b right, z_b down, χ₀ the azimuth at the start of the flight.
 
 use super::camera::{Ball, Camera};
 use msape::flight::Trajectory;
 use nalgebra::{Matrix3, Matrix4, Rotation3, UnitQuaternion, Vector3};
 
-/// A vehicle that is turned: where its axes point, from the model to the view.
+/// Attitude of a vehicle: rotation from the model to the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude(pub UnitQuaternion<f64>);
 
@@ -47,7 +47,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// The course of a flight with attitude; `None` where it has none.
+    /// Course of a flight with attitude; `None` if it has none.
     pub fn of(trajectory: &Trajectory) -> Option<Course> {
         let column = |key: &str| trajectory.column(key).filter(|values| !values.is_empty());
         let [yaw, pitch, roll] = ["yaw_deg", "pitch_deg", "roll_deg"].map(column);
@@ -89,7 +89,7 @@ impl Course {
         )
     }
 
-    /// The row nearest to a time.
+    /// Row nearest to a time.
     pub fn row(&self, time_s: f64) -> usize {
         let (i, j, part) = self.place(time_s);
         if part < 0.5 { i } else { j }
@@ -120,7 +120,7 @@ impl Course {
         direction.unwrap_or_default().into()
     }
 
-    /// Rows before and after a time, and the part of the way between them.
+    /// Rows before and after a time, and the fraction of the interval between them.
     fn place(&self, time_s: f64) -> (usize, usize, f64) {
         let last = self.time_s.len().saturating_sub(1);
         let after = self.time_s.partition_point(|t| *t < time_s).min(last);
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use msape::quantity::trajectory::columns;
 
-    /// A history of these columns, the others nothing.
+    /// A history with these columns and all others zero.
     fn history(rows: usize, given: &[(&str, &[f64])]) -> Trajectory {
         let values = columns().iter().map(|column| {
             let own = given.iter().find(|(key, _)| *key == column.key);
@@ -177,7 +177,7 @@ mod tests {
         }
     }
 
-    /// Where the nose points.
+    /// Direction of the nose.
     fn nose(Attitude(turn): Attitude) -> [f64; 3] {
         (turn * -Vector3::y()).into()
     }
@@ -218,7 +218,7 @@ mod tests {
 
     #[test]
     fn between_rows_it_turns_by_the_shorter_way() {
-        // Roll from 170 to -170 deg is a turn of 20 deg over the top.
+        // roll from 170 to −170 deg is a rotation of 20 deg through 180 deg
         let course = history(
             2,
             &[("time_s", &[0.0, 2.0]), ("roll_deg", &[170.0, -170.0])],

@@ -1,46 +1,46 @@
-//! From where a vehicle is looked at.
+//! Camera of the view.
 //!
-//! The axis of the vehicle stands upright, nose down. Azimuth turns about it, elevation tilts it.
+//! The axis of the vehicle is vertical, nose down. Azimuth rotates about it, elevation tilts it.
 
 use nalgebra::{Matrix4, Rotation3, Vector3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
-/// Half the angle of view, rad.
+/// Half the field of view, rad.
 const HALF_VIEW_RAD: f32 = 0.26;
-/// How far the zoom goes.
+/// Range of the zoom.
 const ZOOM: (f32, f32) = (0.5, 8.0);
 
 /// A place to look from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Turn about the axis of the vehicle, rad.
+    /// Rotation about the axis of the vehicle, rad.
     pub azimuth_rad: f32,
-    /// Height over the plane of the largest diameter, rad: positive sees the aft side.
+    /// Elevation above the plane of the largest diameter, rad: positive shows the aft side.
     pub elevation_rad: f32,
     /// Magnification; at 1 the vehicle fills the view.
     pub zoom: f32,
 }
 
-/// A line of sight, in the vehicle's frame: across, along its axis, towards the viewer of the start.
+/// Line of sight in the vehicle's frame: across, along its axis, towards the initial viewer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
-    /// Where the eye is, m.
+    /// Position of the eye, m.
     pub eye_m: [f64; 3],
-    /// Where it looks to.
+    /// Direction.
     pub direction: [f64; 3],
 }
 
-/// What is looked at: a ball about the vehicle.
+/// Bounding sphere of the vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
-    /// Its centre on the axis, m.
+    /// Axial position of its center, m.
     pub center_m: f32,
-    /// Its radius, m.
+    /// Radius, m.
     pub radius_m: f32,
 }
 
 impl Camera {
-    /// The view that is shown first: from the side, a little from above, into the cut.
+    /// Initial view: from the side, slightly from above, into the cut.
     pub const START: Camera = Camera {
         azimuth_rad: 0.35,
         elevation_rad: 0.35,
@@ -52,7 +52,7 @@ impl Camera {
         elevation_rad: 0.0,
         zoom: 1.0,
     };
-    /// The nose from ahead.
+    /// The nose from the front.
     pub const FRONT: Camera = Camera {
         azimuth_rad: 0.0,
         elevation_rad: -FRAC_PI_2,
@@ -65,7 +65,7 @@ impl Camera {
         zoom: 1.0,
     };
 
-    /// Turned by angles, rad.
+    /// The camera rotated by angles, rad.
     #[must_use]
     pub fn turned(self, azimuth_rad: f32, elevation_rad: f32) -> Camera {
         let azimuth_rad = self.azimuth_rad + azimuth_rad;
@@ -76,7 +76,7 @@ impl Camera {
         }
     }
 
-    /// Magnified by a factor.
+    /// The camera with the zoom multiplied by a factor.
     #[must_use]
     pub fn zoomed(self, factor: f32) -> Camera {
         Camera {
@@ -108,7 +108,7 @@ impl Camera {
         Matrix4::new_perspective(aspect, 2.0 * HALF_VIEW_RAD, near, far)
     }
 
-    /// The line of sight through a place of the view, each coordinate from −1 to 1, upwards positive.
+    /// Line of sight through a position of the view, each coordinate from −1 to 1, upward positive.
     pub fn sight(&self, ball: Ball, aspect: f32, place: [f32; 2]) -> Sight {
         let turn = self.turn();
         let tan = HALF_VIEW_RAD.tan();
@@ -152,7 +152,7 @@ mod tests {
         let front = apply(&view, [0.0, 0.2, 0.5]);
         near(top[0], 0.0);
         near(top[1], 0.5);
-        // Half a metre nearer than the axis.
+        // half a meter nearer than the axis
         near(front[2] - top[2], 0.5);
     }
 
@@ -199,7 +199,7 @@ mod tests {
                 camera.view(BALL, aspect),
                 camera.projection(BALL, aspect, BALL.radius_m),
             );
-            // The outermost point seen lies a little before the centre.
+            // the outermost visible point lies slightly before the center
             let mut widest: f32 = 0.0;
             for i in 0..1000 {
                 let a = i as f32 * TAU / 1000.0;

@@ -1,50 +1,50 @@
-//! Profiles as edges with normals, ready to be turned about the axis.
+//! Profiles as edges with normals, ready for revolution.
 
 use cad::export::mesh::{Station, stations};
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 
-/// Largest distance of an edge from its arc, as a part of the radius: an edge of 0.2 rad.
+/// Largest distance of an edge from its arc, as a fraction of the radius: an edge of 0.2 rad.
 const MOST_SAGITTA: f64 = 0.005;
-/// What is this close to the axis lies on it, m.
+/// Distance from the axis that counts as on it, m.
 const ON_AXIS_M: f64 = 1e-9;
 
-/// A corner of an edge.
+/// End of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Where it is.
+    /// Position.
     pub at: Point,
-    /// Outward normal, along x.
+    /// Axial component of the outward normal.
     pub normal_x: f64,
-    /// Outward normal, away from the axis.
+    /// Radial component of the outward normal.
     pub normal_r: f64,
-    /// What is painted there; negative where nothing is.
+    /// Painted value; negative if there is none.
     pub value: f32,
 }
 
-/// A piece of a profile, short enough to be straight.
+/// Part of a profile, short enough to be straight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// Where it starts.
+    /// Start.
     pub start: Corner,
-    /// Where it ends.
+    /// End.
     pub end: Corner,
 }
 
 impl Edge {
-    /// Whether it lies on the axis, where it has no surface.
+    /// Whether it lies on the axis, where it gives no surface.
     pub fn is_on_axis(&self) -> bool {
         self.start.at.r_m.abs() < ON_AXIS_M && self.end.at.r_m.abs() < ON_AXIS_M
     }
 }
 
-/// The edges of a closed profile, run so that the body is on their left; `value` paints a point of a segment as it is given.
+/// Edges of a closed profile, oriented with the body on their left; `value` gives the painted value at a point.
 pub fn edges(
     profile: &Profile,
     chord_error_m: f64,
     value: impl Fn(&Segment, Point) -> f32,
 ) -> Vec<Edge> {
-    // The body is on the left where the enclosed area, ∮ −r dx, is positive.
+    // the body is on the left where the enclosed area, ∮ −r dx, is positive
     let is_left = profile
         .segments
         .iter()
@@ -78,12 +78,12 @@ fn of_segment(
             let pieces = pieces_of_line(&value, start, end);
             (chord_error_m, length_m / pieces as f64)
         }
-        // colours change along an arc
+        // colors change along an arc
         Segment::Arc { radius_m, .. } => {
             (chord_error_m.min(MOST_SAGITTA * radius_m), f64::INFINITY)
         }
     };
-    // the body is on the left, so that the outward normal is to the right
+    // the body is on the left, so the outward normal is to the right
     let corner = |station: &Station| Corner {
         at: station.at,
         normal_x: -station.normal.0,
@@ -100,7 +100,7 @@ fn of_segment(
     }));
 }
 
-/// A line is one edge, more where what is painted on it changes.
+/// Number of edges of a line: one, or more where the painted value changes along it.
 fn pieces_of_line(value: &impl Fn(Point) -> f32, start: Point, end: Point) -> usize {
     if value(start) == value(end) { 1 } else { 24 }
 }

@@ -1,4 +1,4 @@
-//! Colours of the view: those of the style sheet, of materials, and of a scale.
+//! Colors of the view: from the style sheet, of materials, and of a scale.
 
 use leptos::prelude::window;
 use web_sys::HtmlElement;
@@ -6,7 +6,7 @@ use web_sys::HtmlElement;
 /// Red, green and blue, from 0 to 1.
 pub type Colour = [f32; 3];
 
-/// Colours of a scale from nothing to its largest value: dark to light, told apart also without hue.
+/// Color scale from zero to the largest value: dark to light, distinguishable without hue.
 pub const SCALE: [Colour; 6] = [
     [0.20, 0.10, 0.36],
     [0.46, 0.14, 0.46],
@@ -16,7 +16,7 @@ pub const SCALE: [Colour; 6] = [
     [0.99, 0.91, 0.60],
 ];
 
-/// Colours of materials, in the order in which they appear.
+/// Colors of materials, in order of appearance.
 const MATERIALS: [Colour; 12] = [
     [0.33, 0.47, 0.65],
     [0.95, 0.56, 0.17],
@@ -32,28 +32,28 @@ const MATERIALS: [Colour; 12] = [
     [0.55, 0.60, 0.20],
 ];
 
-/// Colour of the material with this place in the list.
+/// Color of the material with this index.
 pub fn of_material(place: usize) -> Colour {
     MATERIALS[place % MATERIALS.len()]
 }
 
-/// As a style sheet writes it.
+/// CSS notation of a color.
 pub fn css(colour: Colour) -> String {
     let [r, g, b] = colour.map(|part| (part * 255.0).round() as u8);
     format!("rgb({r}, {g}, {b})")
 }
 
-/// The colour that an element has for its text, which forced colours replace.
+/// Text color of an element; follows forced colors.
 pub fn ink(element: &HtmlElement) -> Colour {
     style(element, "color").unwrap_or([0.5; 3])
 }
 
-/// The colour of an element's ground, which forced colours replace.
+/// Background color of an element; follows forced colors.
 pub fn ground(element: &HtmlElement) -> Colour {
     style(element, "background-color").unwrap_or([1.0; 3])
 }
 
-/// A variable of the style sheet.
+/// Color of a style-sheet variable.
 pub fn variable(element: &HtmlElement, name: &str) -> Colour {
     style(element, name).unwrap_or([0.5; 3])
 }
@@ -63,7 +63,7 @@ fn style(element: &HtmlElement, property: &str) -> Option<Colour> {
     parsed(styles.get_property_value(property).ok()?.trim())
 }
 
-/// `#rrggbb`, `rgb(…)` or `rgba(…)`.
+/// Color in the notation `#rrggbb`, `rgb(…)` or `rgba(…)`.
 fn parsed(text: &str) -> Option<Colour> {
     if let Some(hex) = text.strip_prefix('#') {
         let part = |i: usize| {

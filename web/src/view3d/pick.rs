@@ -1,11 +1,11 @@
-//! What is under the pointer: the first surface on a line of sight.
+//! Part under the pointer: the first surface on a line of sight.
 
 use super::camera::Sight;
 use super::lathe::Edge;
 use super::scene::Part;
 use std::f64::consts::TAU;
 
-/// The part that a line of sight meets first, of those that `shown` tells.
+/// The first part on a line of sight, among those for which `shown` is true.
 pub fn part(
     parts: &[Part],
     shown: impl Fn(usize) -> bool,
@@ -42,7 +42,7 @@ fn at(sight: &Sight, t: f64) -> [f64; 3] {
     [0, 1, 2].map(|i| sight.eye_m[i] + t * sight.direction[i])
 }
 
-/// Where a line of sight meets an edge that is turned about the axis: a frustum, a cylinder or a ring.
+/// Intersections of a line of sight with a revolved edge: a frustum, a cylinder or a ring.
 fn on_wall(edge: &Edge, sight: &Sight) -> [Option<f64>; 2] {
     let (start, end) = (edge.start.at, edge.end.at);
     let (dx, dr) = (end.x_m - start.x_m, end.r_m - start.r_m);
@@ -68,7 +68,7 @@ fn on_wall(edge: &Edge, sight: &Sight) -> [Option<f64>; 2] {
     })
 }
 
-/// Where a line of sight meets the cut face at an angle about the axis.
+/// Intersection of a line of sight with the cut face at an angle about the axis.
 fn on_face(part: &Part, sight: &Sight, angle_rad: f64) -> Option<f64> {
     let (s, c) = angle_rad.rem_euclid(TAU).sin_cos();
     let ([ox, _, oz], [vx, _, vz]) = (sight.eye_m, sight.direction);
@@ -114,7 +114,7 @@ mod tests {
         let centre = from_ahead(0.01, 0.02);
         assert_eq!(part(&parts, |_| true, &centre, 0.0), Some(0));
         assert_eq!(part(&parts, |place| place == 1, &centre, 0.0), Some(1));
-        // A half is cut away: the face is where the ball was.
+        // with one half cut away, the face is where the sphere was
         assert_eq!(part(&[ball(1.0)], |_| true, &centre, PI), Some(0));
         assert_eq!(part(&parts, |_| true, &from_ahead(0.9, 0.0), PI), Some(0));
         assert_eq!(part(&parts, |_| true, &from_ahead(1.1, 0.0), PI), None);
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn distances_are_those_of_a_ball_and_of_its_face() {
         let whole = distance(&ball(1.0), &from_ahead(0.0, 0.6), 0.0).unwrap();
-        // z = √(1 − 0.36) = 0.8, seen from 5; chords lie a little inside.
+        // z = √(1 − 0.36) = 0.8, seen from 5; chords lie slightly inside
         assert!((whole - 4.2).abs() < 3e-4, "{whole}");
         let cut = distance(&ball(1.0), &from_ahead(0.1, 0.6), PI).unwrap();
         assert!((cut - 5.0).abs() < 1e-9, "{cut}");

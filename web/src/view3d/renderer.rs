@@ -13,10 +13,10 @@ use web_sys::{
     WebGlUniformLocation, WebGlVertexArrayObject, WebglLoseContext,
 };
 
-/// Slices of a full turn.
+/// Slices per full turn.
 const SLICES: f32 = 128.0;
 
-/// A canvas with a program and the vertices of a scene.
+/// WebGL program and vertices of a scene on a canvas.
 pub struct Renderer {
     gl: Gl,
     program: WebGlProgram,
@@ -41,33 +41,33 @@ struct Uniforms {
     stops: Option<WebGlUniformLocation>,
 }
 
-/// How a part looks.
+/// Appearance of a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
-    /// Its colour.
+    /// Color.
     pub colour: Colour,
     /// Whether it is shown.
     pub shown: bool,
 }
 
-/// How a scene is drawn.
+/// Parameters of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// From where.
+    /// Camera.
     pub camera: Camera,
-    /// How the vehicle is turned.
+    /// Attitude of the vehicle.
     pub attitude: Attitude,
-    /// What fills the view; a vehicle that grows in it is seen to grow.
+    /// Bounding sphere that fills the view; a vehicle that grows appears larger.
     pub ball: Ball,
-    /// Angle of the wedge that is cut out, rad.
+    /// Angle of the removed wedge, rad.
     pub cut_rad: f32,
-    /// Looks of the parts.
+    /// Appearance of the parts.
     pub looks: Vec<Look>,
-    /// Whether the surface has the colours of the scale.
+    /// Whether the surface uses the color scale.
     pub by_scale: bool,
-    /// Colour of the lines about cut faces.
+    /// Color of the edges of cut faces.
     pub line: Colour,
-    /// Colour behind everything; none lets the page shine through.
+    /// Background color; `None` is transparent.
     pub ground: Option<Colour>,
 }
 
@@ -75,7 +75,7 @@ impl Renderer {
     /// A renderer on a canvas.
     ///
     /// # Errors
-    /// Why there is no WebGL2.
+    /// Reason why there is no WebGL2.
     pub fn new(canvas: &HtmlCanvasElement) -> Result<Renderer, String> {
         let gl = context(canvas).ok_or("this browser has no WebGL2")?;
         let program = program(&gl)?;
@@ -121,7 +121,7 @@ impl Renderer {
         })
     }
 
-    /// Takes the vertices of a scene; the buffer is used again where it is large enough.
+    /// Loads the vertices of a scene; the buffer is reused if it is large enough.
     pub fn load(&mut self, scene: &Scene) {
         let gl = &self.gl;
         gl.bind_buffer(Gl::ARRAY_BUFFER, Some(&self.buffer));
@@ -135,7 +135,7 @@ impl Renderer {
         self.ball = scene.ball;
     }
 
-    /// Draws.
+    /// Draws a frame.
     pub fn draw(&self, frame: &Frame) {
         self.set_up(frame);
         let gl = &self.gl;
@@ -144,7 +144,7 @@ impl Renderer {
             None => gl.clear_color(0.0, 0.0, 0.0, 0.0),
         }
         gl.clear(Gl::COLOR_BUFFER_BIT | Gl::DEPTH_BUFFER_BIT | Gl::STENCIL_BUFFER_BIT);
-        // Colours of a scale are to be read: little shade on them.
+        // scale colors must be readable: little shading on them
         let (lighting, by_scale) = if frame.by_scale {
             (0.5, 1.0)
         } else {
@@ -158,7 +158,7 @@ impl Renderer {
         self.lines(frame);
     }
 
-    /// Gives the graphics memory back.
+    /// Frees the graphics memory.
     pub fn release(&self) {
         let extension = self.gl.get_extension("WEBGL_lose_context");
         if let Ok(Some(extension)) = extension {
@@ -181,7 +181,7 @@ impl Renderer {
         let view = frame
             .attitude
             .seen(frame.camera.view(frame.ball, aspect), frame.ball);
-        // What has grown beyond the view is not cut off in depth.
+        // keep a vehicle that has grown beyond the view inside the depth range
         let reach_m = self.ball.radius_m + (self.ball.center_m - frame.ball.center_m).abs();
         let projection = frame.camera.projection(frame.ball, aspect, reach_m);
         gl.uniform_matrix4fv_with_f32_array(self.at.view.as_ref(), false, view.as_slice());
@@ -215,7 +215,7 @@ impl Renderer {
         gl.disable(Gl::CULL_FACE);
     }
 
-    /// Sets the turn to each of the two cut faces in turn.
+    /// Sets the rotation for each of the two cut faces and draws it.
     fn each_face(&self, frame: &Frame, draw: impl Fn()) {
         if frame.cut_rad <= 0.0 {
             return;
@@ -232,7 +232,7 @@ impl Renderer {
         }
     }
 
-    /// Fills the cut faces: a fan over a curve covers what is inside of it an odd number of times.
+    /// Fills the cut faces: a fan over a curve covers its inside an odd number of times.
     fn faces(&self, frame: &Frame) {
         let gl = &self.gl;
         gl.enable(Gl::STENCIL_TEST);
@@ -243,6 +243,7 @@ impl Renderer {
                         gl.draw_arrays(Gl::TRIANGLE_FAN, face.first, face.count);
                     }
                 };
+                // first pass: only the parity of the covering triangles, in the stencil buffer
                 gl.color_mask(false, false, false, false);
                 gl.depth_mask(false);
                 gl.disable(Gl::DEPTH_TEST);
@@ -253,7 +254,7 @@ impl Renderer {
                 gl.depth_mask(true);
                 gl.enable(Gl::DEPTH_TEST);
                 gl.stencil_func(Gl::NOTEQUAL, 0, 1);
-                // Filled once, whichever triangle of the fan comes first, and clean for the next part.
+                // fills each pixel once, whichever triangle comes first, and clears the stencil for the next part
                 gl.stencil_op(Gl::KEEP, Gl::ZERO, Gl::ZERO);
                 gl.uniform3fv_with_f32_array(self.at.colour.as_ref(), &look.colour);
                 fans();

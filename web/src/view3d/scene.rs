@@ -1,4 +1,4 @@
-//! The parts of a vehicle as the graphics processor gets them.
+//! Parts of a vehicle as vertex data.
 
 use super::camera::Ball;
 use super::lathe::{Edge, edges};
@@ -7,48 +7,48 @@ use msape::vehicle::Vehicle;
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 
-/// Error of chords as a fraction of the radius: a tenth of a pixel where the vehicle is as wide as a screen.
+/// Chord error as a fraction of the radius: a tenth of a pixel where the vehicle is as wide as a screen.
 const CHORD_ERROR: f64 = 1e-4;
-/// Numbers of a vertex: x, r, normal along x, normal away from the axis, value, side.
+/// Numbers per vertex: x, r, axial normal, radial normal, value, side.
 const NUMBERS: usize = 6;
-/// Bytes of a vertex.
+/// Bytes per vertex.
 pub const STRIDE: usize = 4 * NUMBERS;
 
-/// Some vertices in a row.
+/// Range of vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Run {
-    /// The first.
+    /// Index of the first.
     pub first: i32,
-    /// How many.
+    /// Count.
     pub count: i32,
 }
 
-/// Where the vertices of a part are.
+/// Vertex ranges of a part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
     /// Triangles of one slice.
     pub wall: Run,
-    /// Each of its closed curves, as a fan.
+    /// Closed curves, each as a fan.
     pub faces: Vec<Run>,
-    /// Lines about its faces.
+    /// Edges of the cut faces.
     pub lines: Run,
-    /// The curves themselves, for finding what is under the pointer.
+    /// Curves, for finding the part under the pointer.
     pub curves: Vec<Vec<Edge>>,
 }
 
-/// Everything that is drawn; its buffers are used again.
+/// Complete scene; its buffers are reused.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// Vertices, little-endian.
     pub bytes: Vec<u8>,
     /// Parts, in the order of the mass tree.
     pub parts: Vec<Part>,
-    /// What they lie in.
+    /// Bounding sphere.
     pub ball: Ball,
 }
 
 impl Scene {
-    /// Fills the scene with a vehicle: the outer surface with its heat flux over the largest.
+    /// Fills the scene with a vehicle; the outer surface gets its heat flux divided by the largest.
     pub fn fill(&mut self, vehicle: &Vehicle, heating: Option<&SurfaceHeating>) {
         self.clear(&vehicle.outline);
         let outside = &vehicle.outline.segments;
@@ -65,7 +65,7 @@ impl Scene {
         }
     }
 
-    /// Fills the scene with one body of revolution.
+    /// Fills the scene with a body of revolution.
     pub fn fill_body(&mut self, outline: &Profile) {
         self.clear(outline);
         let error_m = CHORD_ERROR * f64::from(self.ball.radius_m);
@@ -158,7 +158,7 @@ impl Scene {
     }
 }
 
-/// The smallest ball about the ends of the segments and the middles of the arcs, with its centre on the axis.
+/// Smallest sphere, centered on the axis, around the ends of the segments and the midpoints of the arcs.
 fn ball(outline: &Profile) -> Ball {
     let mut points = Vec::new();
     for segment in &outline.segments {
@@ -188,7 +188,7 @@ fn ball(outline: &Profile) -> Ball {
     let (mut low, mut high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
         (low.min(x), high.max(x))
     });
-    // The radius is a convex function of the centre.
+    // the radius is a convex function of the center
     for _ in 0..40 {
         let third = (high - low) / 3.0;
         if radius(low + third) < radius(high - third) {
@@ -249,7 +249,7 @@ mod tests {
             .map(|c| c.wetted_area_m2 > 0.0)
             .collect();
         assert_eq!(which, wetted);
-        // Filled again, it is the same.
+        // filling again gives the same scene
         let before = scene.clone();
         scene.fill(vehicle, heating.as_ref());
         assert_eq!(

@@ -1,6 +1,6 @@
-//! The programs of the graphics processor.
+//! Shaders.
 
-/// Turns a half-section about the axis: one instance is one slice.
+/// Revolves a half-section about the axis: one instance per slice.
 pub const VERTEX: &str = "#version 300 es
 precision highp float;
 layout(location = 0) in vec2 point;    // x, r, m
@@ -32,7 +32,7 @@ void main() {
 }
 ";
 
-/// One light from the eye's left shoulder, one from below, and a little gloss.
+/// One light from above the camera's left, one from below, and a weak specular highlight.
 pub const FRAGMENT: &str = "#version 300 es
 precision highp float;
 in vec3 seen_normal;

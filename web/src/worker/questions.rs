@@ -8,27 +8,27 @@ use leptos::prelude::{GetValue, StoredValue, UpdateValue};
 use msape::flight::six_dof::turning::Turn;
 use msape::{Answer, Case};
 
-/// What is said of an answer to another question.
+/// Error text if the answer belongs to another question.
 const OTHER_ANSWER: &str = "the toolbox answered something else";
 
-/// A part of the page that asks at each change, and wants the newest answer only. Another asker is not in its way.
+/// Part of the page that asks at each change and needs only the newest answer. Askers do not affect each other.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Asker(StoredValue<u32>);
 
 impl Default for Asker {
-    /// An asker that goes with the part of the page that makes it.
+    /// A new asker, which ends with the component that creates it.
     fn default() -> Asker {
         Asker(StoredValue::new(0))
     }
 }
 
 impl Asker {
-    /// Wants no answer to what it has asked, from now on.
+    /// Ignores the answers to all earlier questions.
     pub fn wants_nothing(self) {
         self.next();
     }
 
-    /// Number of its next question; nothing when its part of the page is gone.
+    /// Number of the next question; `None` if the component is gone.
     fn next(self) -> Option<u32> {
         self.0.try_update_value(|count| {
             *count += 1;
@@ -38,7 +38,7 @@ impl Asker {
 }
 
 impl WorkerLink {
-    /// What is taken out of the answer to a question; nothing if the asker wants another answer by then.
+    /// Extracts the result from the answer to a question; `None` if the asker has a newer question.
     async fn newest<T>(
         &self,
         asker: Asker,
@@ -51,10 +51,10 @@ impl WorkerLink {
         (asker.0.try_get_value() == Some(this)).then_some(taken)
     }
 
-    /// Time that a batch takes in the worker, ms.
+    /// Time of a batch in the worker, ms.
     ///
     /// # Errors
-    /// Why it could not be measured.
+    /// The reason why it could not be measured.
     pub async fn measure(&self, batch: Batch) -> Result<f64, String> {
         match self.ask(None, Ask::Measure(batch)).await? {
             Told::Measured(measured) => measured,
@@ -62,12 +62,12 @@ impl WorkerLink {
         }
     }
 
-    /// A flight, or every fault of its case; nothing if the asker asks anew.
+    /// A flight, or all faults of its case; `None` if the asker has a newer question.
     pub async fn fly(&self, asker: Asker, case: Case) -> Option<Result<Answer, Vec<Fault>>> {
         self.newest(asker, Ask::Fly(case), flown).await.map(at_once)
     }
 
-    /// The flight of a design with its attitude, or every fault of its case; nothing if the asker asks anew.
+    /// Flight of a design with attitude, or all faults of its case; `None` if the asker has a newer question.
     pub async fn attitude(
         &self,
         asker: Asker,
@@ -77,10 +77,10 @@ impl WorkerLink {
         self.newest(asker, ask, flown).await.map(at_once)
     }
 
-    /// One entry of a design from a set of attitudes and rates, or every fault of its case.
+    /// One entry of a design from a set of attitudes and rates, or all faults of its case.
     ///
     /// # Errors
-    /// Why the worker did not answer.
+    /// The reason why the worker did not answer.
     pub async fn turn(
         &self,
         designed: Designed,
@@ -93,7 +93,7 @@ impl WorkerLink {
         }
     }
 
-    /// Curves of coefficients, or every fault of their case; nothing if the asker asks anew.
+    /// Curves of coefficients, or all faults of their case; `None` if the asker has a newer question.
     pub async fn aerodynamics(
         &self,
         asker: Asker,
@@ -107,10 +107,10 @@ impl WorkerLink {
         self.newest(asker, ask, curves).await.map(at_once)
     }
 
-    /// The rows of a file, or every fault of it.
+    /// Rows of a file.
     ///
     /// # Errors
-    /// Every fault of the file, or why the worker did not answer.
+    /// All faults of the file, or the reason why the worker did not answer.
     pub async fn read(&self, kind: FileKind, bytes: Vec<u8>) -> Result<ReadRows, Vec<String>> {
         let told = self.ask(None, Ask::Read(kind, bytes)).await;
         match told.map_err(|message| vec![message])? {
@@ -119,7 +119,7 @@ impl WorkerLink {
         }
     }
 
-    /// The rows of a text that is being typed, or every fault of it; nothing if the asker asks anew.
+    /// Rows of a text that is being typed, or all of its faults; `None` if the asker has a newer question.
     pub async fn read_newest(
         &self,
         asker: Asker,
@@ -137,7 +137,7 @@ impl WorkerLink {
     /// A model as a file, in bytes.
     ///
     /// # Errors
-    /// Why the worker did not answer.
+    /// The reason why the worker did not answer.
     pub async fn write(&self, format: Format, model: Model) -> Result<Vec<u8>, String> {
         match self.ask(None, Ask::Write(format, Box::new(model))).await? {
             Told::Written(bytes) => Ok(bytes),
@@ -153,7 +153,7 @@ fn flown(told: Told) -> Option<Result<Answer, Vec<Fault>>> {
     }
 }
 
-/// Faults, with that of a worker that did not answer among them.
+/// Flattens both kinds of error into faults.
 fn at_once<T>(answer: Result<Result<T, Vec<Fault>>, String>) -> Result<T, Vec<Fault>> {
     answer.unwrap_or_else(|message| {
         let key = String::new();

@@ -1,18 +1,18 @@
-//! Questions to a worker, asked one after the other.
+//! Queue of questions to a worker.
 
 use std::collections::VecDeque;
 
-/// A question, who asks it, and where its answer goes.
+/// Question with its asker and the destination of its answer.
 pub struct Question<Q, A, R> {
-    /// What is asked.
+    /// Question.
     pub ask: Q,
-    /// Who asks again and again, and only wants the newest answer; nothing for a question that wants its own.
+    /// Asker that needs only the newest answer; `None` for a question that needs its own answer.
     pub asker: Option<A>,
-    /// Where the answer goes.
+    /// Destination of the answer.
     pub answer: R,
 }
 
-/// Questions that wait; the first may be under way.
+/// Waiting questions; the first may be active.
 pub struct Queue<Q, A, R>(VecDeque<Question<Q, A, R>>);
 
 impl<Q, A, R> Default for Queue<Q, A, R> {
@@ -22,7 +22,7 @@ impl<Q, A, R> Default for Queue<Q, A, R> {
 }
 
 impl<Q, A: PartialEq, R> Queue<Q, A, R> {
-    /// Adds a question. What waits of the same asker goes, and nothing of another; where those answers would have gone.
+    /// Adds a question and removes waiting ones of the same asker; returns the destinations of the removed ones.
     pub fn push(&mut self, question: Question<Q, A, R>, first_is_under_way: bool) -> Vec<R> {
         let mut dropped = Vec::new();
         let mut kept = VecDeque::new();
@@ -39,24 +39,24 @@ impl<Q, A: PartialEq, R> Queue<Q, A, R> {
         dropped
     }
 
-    /// Whether the asker of the first question has asked again.
+    /// Whether the asker of the first question has a newer question.
     pub fn first_is_outdated(&self) -> bool {
         let mut questions = self.0.iter();
         let first = questions.next().and_then(|first| first.asker.as_ref());
         first.is_some_and(|first| questions.any(|newer| newer.asker.as_ref() == Some(first)))
     }
 
-    /// What is asked first.
+    /// First question.
     pub fn first(&self) -> Option<&Q> {
         self.0.front().map(|first| &first.ask)
     }
 
-    /// Takes the first question out; where its answer goes.
+    /// Removes the first question and returns the destination of its answer.
     pub fn pop(&mut self) -> Option<R> {
         self.0.pop_front().map(|first| first.answer)
     }
 
-    /// Whether there is none.
+    /// Whether the queue is empty.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -81,7 +81,7 @@ mod tests {
         for (asker, ask) in [(Some('a'), 1), (Some('a'), 2), (Some('b'), 3), (None, 4)] {
             assert_eq!(push(&mut queue, asker, ask), [0; 0]);
         }
-        // what is under way goes on, and is outdated
+        // the active question continues, and is outdated
         assert!(queue.first_is_outdated());
         assert_eq!(push(&mut queue, Some('a'), 5), [2]);
         assert_eq!(push(&mut queue, None, 6), [0; 0]);

@@ -1,4 +1,4 @@
-//! Starts a worker and hears it.
+//! Start of a worker, and its message handlers.
 
 use super::watch::Phase;
 use super::{Role, WorkerLink};
@@ -7,11 +7,11 @@ use leptos::prelude::document;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-/// What hears a worker; it lives until the next one is started.
+/// Message and error handlers of a worker; they live until the next one is started.
 pub(super) type Listening = (Closure<dyn Fn(MessageEvent)>, Closure<dyn Fn(Event)>);
 
 impl WorkerLink {
-    /// Starts a worker, which gets what waits as soon as it listens.
+    /// Starts a worker; waiting work is sent as soon as it listens.
     pub(super) fn start_worker(&self) {
         self.0.borrow_mut().watch.phase = Phase::Starting(now_ms());
         match self.try_start() {

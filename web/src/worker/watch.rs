@@ -1,74 +1,76 @@
-//! Decides when a worker is given up: times only, so that it can be tested without one.
+//! Decides when to give up a worker, from times only, so that it can be tested without a worker.
 
-/// A worker that got a question says so within this time, ms, or it is gone. Assumed: many times what a busy machine needs.
+/// A worker must confirm a question within this time, ms. Assumed: many times what a busy machine needs.
 const BEGINS_MS: f64 = 5_000.0;
-/// Longest loading, ms. Assumed: 1 MB at 300 kbit/s.
+/// Longest load time, ms. Assumed: 1 MB at 300 kbit/s.
 const LOADS_MS: f64 = 30_000.0;
-/// Longest silence on one question, ms. Assumed: several times the longest run that the core's limits of work allow.
+/// Longest time without an answer to a question, ms. Assumed: several times the longest run that the core's limits of
+/// work allow.
 const ANSWERS_MS: f64 = 120_000.0;
-/// Time that a newer edit gives an older run to end, ms.
+/// Time that a run has to end after a newer edit, ms.
 const YIELDS_MS: f64 = 1_000.0;
-/// After this time the user is told that it takes long, ms.
+/// Time after which the user is told that the work takes long, ms.
 const LONG_MS: f64 = 2_000.0;
-/// A gap between two looks that is longer than this is a page that slept, ms.
+/// Interval between two checks above which the page was suspended, ms.
 const SLEPT_MS: f64 = 3_000.0;
-/// Wait before the second start in a row, ms; it doubles with each that follows.
+/// Delay before the second consecutive start, ms; it doubles with each further one.
 const RESTART_MS: f64 = 1_000.0;
-/// Starts in a row that may fail before the next is left to the user. Assumed: with the waits between them half a minute.
+/// Number of consecutive failed starts before the next is left to the user. Assumed: half a minute in total with the
+/// delays.
 const STARTS_MAX: u32 = 6;
 
-/// What a worker does, and since when, ms.
+/// State of a worker, with the time at which it began, ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Phase {
-    /// It loads.
+    /// Loading.
     Starting(f64),
-    /// It waits for a question.
+    /// Waiting for a question.
     Idle,
-    /// It was sent a question.
+    /// A question was sent and is not confirmed yet.
     Sent(f64),
-    /// It works on a question.
+    /// Working on a question.
     Busy(f64),
-    /// There is none until then.
+    /// No worker before this time, ms.
     Down(f64),
-    /// There is none until it is asked for.
+    /// No worker until one is requested.
     Stopped,
 }
 
-/// What is to be done.
+/// Action to take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// Nothing.
+    /// None.
     Wait,
-    /// To tell that it takes long: so many ms so far.
+    /// Report that the work takes long: duration so far, ms.
     Long(f64),
-    /// There is no worker for so many ms to come.
+    /// No worker yet: remaining time, ms.
     Down(f64),
-    /// To start a worker.
+    /// Start a worker.
     Start,
-    /// To give the worker up since it does not load.
+    /// Give up the worker: it does not load.
     NotLoaded,
-    /// To give the worker up since it is gone; its question is asked again.
+    /// Give up the worker: it is gone; repeat its question.
     Gone,
-    /// To give the worker up since it does not answer.
+    /// Give up the worker: it does not answer.
     Silent,
-    /// To give the worker up since a newer edit waits.
+    /// Give up the worker: a newer edit waits.
     Outdated,
 }
 
-/// What is known of a worker.
+/// State of the watchdog.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watch {
-    /// What it does.
+    /// State of the worker.
     pub phase: Phase,
-    /// Since when an edit waits, ms.
+    /// Time since which an edit waits, ms.
     pub edit_waits: Option<f64>,
-    /// Starts in a row that failed.
+    /// Number of consecutive failed starts.
     pub failures: u32,
     looked: f64,
 }
 
 impl Watch {
-    /// There is no worker yet.
+    /// No worker yet; one may be started at once.
     pub fn new(now_ms: f64) -> Watch {
         Watch {
             phase: Phase::Down(now_ms),
@@ -78,7 +80,7 @@ impl Watch {
         }
     }
 
-    /// Looks at it, `needed` where something waits for it. A page that slept heard nothing, which is no fault of its worker.
+    /// Checks the worker; `needed` if something waits for it. Time in which the page was suspended does not count.
     pub fn look(&mut self, now_ms: f64, needed: bool) -> Verdict {
         let gap = now_ms - self.looked;
         self.looked = now_ms;
@@ -110,6 +112,7 @@ impl Watch {
     }
 
     fn sleep(&mut self, gap: f64) {
+        // shifting the start times excludes the suspended time
         if let Phase::Starting(since) | Phase::Sent(since) | Phase::Busy(since) = &mut self.phase {
             *since += gap;
         }
@@ -118,8 +121,8 @@ impl Watch {
         }
     }
 
-    /// The worker is gone. After how many ms the next one may come: at once the first time, then later each time; nothing when
-    /// that has been tried often enough.
+    /// Notes a failure. Returns the delay before the next start, ms: zero the first time, then increasing; `None` after
+    /// too many failures.
     pub fn fail(&mut self, now_ms: f64) -> Option<f64> {
         let wait_ms = match self.failures {
             0 => Some(0.0),
@@ -133,7 +136,7 @@ impl Watch {
         wait_ms
     }
 
-    /// Whether a worker may be started now for what is asked.
+    /// Whether a worker may be started on request now.
     pub fn may_start(&self, now_ms: f64) -> bool {
         match self.phase {
             Phase::Stopped => true,
@@ -147,7 +150,7 @@ impl Watch {
 mod tests {
     use super::*;
 
-    /// Looks four times a second until something is to be done.
+    /// First verdict that requires an action, checking four times a second.
     fn first(watch: &mut Watch, from_ms: f64) -> (Verdict, f64) {
         (1..)
             .map(|count| from_ms + 250.0 * f64::from(count))

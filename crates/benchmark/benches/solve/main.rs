@@ -1,5 +1,5 @@
-//! `cargo bench --package msape-benchmark`: how long a trajectory, a vehicle and a design take, as ratios to bare kernels measured
-//! in the same run, so that figures of different machines can be compared.
+//! `cargo bench --package msape-benchmark`: times of a trajectory, a vehicle and a design as ratios to reference
+//! kernels measured in the same run, so that results of different machines can be compared.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
 mod measure;

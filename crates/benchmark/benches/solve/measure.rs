@@ -1,26 +1,27 @@
-//! Times of several things, taken in turn so that a busy moment of the machine meets them all.
+//! Interleaved timing of several jobs, so that load on the machine affects all of them alike.
 //!
-//! The clock is that of this thread where the system has one: on a loaded machine wall time was ten times larger.
+//! The clock is the CPU time of this thread where the system provides it: on a loaded machine wall time was ten times
+//! larger.
 
 use std::time::Duration;
 
-/// Rounds through all measurements.
+/// Number of rounds through all measurements.
 const ROUNDS: usize = 101;
-/// Time that one sample takes at least.
+/// Least duration of one sample.
 const SAMPLE: Duration = Duration::from_millis(2);
 
-/// Something that is measured.
+/// Measured job.
 pub struct Measurement<'a> {
     name: &'static str,
     run: Box<dyn FnMut() + 'a>,
-    /// Repetitions in a sample.
+    /// Repetitions per sample.
     repetitions: u32,
-    /// Seconds for one repetition, one entry a round.
+    /// Seconds per repetition, one entry per round.
     samples_s: Vec<f64>,
 }
 
 impl<'a> Measurement<'a> {
-    /// Something with a name.
+    /// A job with its name.
     pub fn new(name: &'static str, run: impl FnMut() + 'a) -> Self {
         Self {
             name,
@@ -36,14 +37,14 @@ impl<'a> Measurement<'a> {
         now().saturating_sub(start)
     }
 
-    /// Seconds at a quantile.
+    /// Quantile of the samples, s.
     fn quantile(&self, part: f64) -> f64 {
         let last = self.samples_s.len() - 1;
         self.samples_s[(part * last as f64).round() as usize]
     }
 }
 
-/// Time that this thread has computed.
+/// CPU time of this thread.
 #[cfg(unix)]
 fn now() -> Duration {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
@@ -60,7 +61,8 @@ fn now() -> Duration {
     START.get_or_init(std::time::Instant::now).elapsed()
 }
 
-/// Measures all and prints quartiles and the ratio to the first, of the lower quartiles: other programs only add time.
+/// Runs all measurements and prints quartiles and the ratio of the lower quartiles to the first: other programs only
+/// add time.
 pub fn report(measurements: &mut [Measurement]) {
     for measurement in measurements.iter_mut() {
         while measurement.sample() < SAMPLE {

@@ -1,41 +1,42 @@
-//! A profile made ready for export: what lies on the axis is dropped, what is shorter than a nanometre as well, pieces of one
-//! line or circle become one, and where the profile runs back over itself it is cut off. What remains are chains that each make one shell when turned about the axis.
+//! A profile prepared for export: segments on the axis and those shorter than a nanometer are removed, adjacent pieces
+//! of the same line or circle are merged, and parts where the profile doubles back over itself are cut off. The result
+//! is a list of chains, each of which makes one shell when revolved about the axis.
 //!
 //! ```text
 //! outwards = (−dr, dx) / ds
 //! ```
 //!
-//! with x along the axis and r from it in m: a closed profile is run so that its inside is on the right.
+//! with x along the axis and r from it in m. Closed profiles are oriented so that the inside is on the right.
 
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::hypot;
 
-/// Lengths below this are nothing, m.
+/// Lengths up to this count as zero, m.
 pub const NOTHING_M: f64 = 1e-9;
 
-/// How a chain ends.
+/// Topology of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
-    /// On the axis, both.
+    /// Both ends on the axis.
     OnAxis,
-    /// Where it begins.
+    /// Closed off the axis: the end meets the start.
     Loop,
-    /// In the open: it makes a surface, not a body.
+    /// Open: gives a surface, not a body.
     Open,
 }
 
-/// Segments off the axis, each starting at the very point where the one before it ends.
+/// Segments off the axis, each starting exactly at the end of the previous one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
-    /// The segments, in order.
+    /// Segments in order.
     pub segments: Vec<Segment>,
-    /// How it ends.
+    /// Topology.
     pub ends: Ends,
 }
 
-/// The chains of a profile. Of a closed profile that reaches the axis in several places each chain is a shell: the one that
-/// encloses the most is the outside, the others are voids.
+/// Chains of a profile. Where a closed profile reaches the axis in several places, each chain is a shell: the one with
+/// the largest volume is the outer shell, the others are voids.
 pub fn chains(profile: &Profile) -> Vec<Chain> {
     let mut segments = joined(profile);
     let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
@@ -47,13 +48,14 @@ pub fn chains(profile: &Profile) -> Vec<Chain> {
     if closed && let Some(last) = segments.last_mut() {
         *last = between(last, last.start(), start);
     }
+    // ∫ r dx is positive where the inside is on the right
     if whole && swept < 0.0 {
         segments = segments.iter().rev().map(Segment::reversed).collect();
     }
     let on_axis = |s: &Segment| {
         matches!(s, Segment::Line { .. }) && s.start().r_m == 0.0 && s.end().r_m == 0.0
     };
-    // begin where a chain begins: behind a piece of the axis, or at a point on it
+    // start at the beginning of a chain: after a piece of the axis, or at a point on it
     let begins = (0..segments.len()).find(|&i| {
         segments
             .get(i)
@@ -100,7 +102,7 @@ fn chain(segments: Vec<Segment>) -> Option<Chain> {
     })
 }
 
-/// Adds a segment, as one with the last where both are pieces of one line or circle.
+/// Appends a segment, merged with the last one where both lie on the same line or circle.
 fn add(list: &mut Vec<Segment>, mut segment: Segment) {
     while let Some(both) = list.last().and_then(|last| together(last, &segment)) {
         list.pop();
@@ -109,14 +111,14 @@ fn add(list: &mut Vec<Segment>, mut segment: Segment) {
         }
         segment = both;
     }
-    // where two have taken each other away the ends may differ by nothing
+    // removing a doubled-back pair can leave a gap within the tolerance
     if let Some(last) = list.last() {
         segment = between(&segment, last.end(), segment.end());
     }
     list.push(segment);
 }
 
-/// Begins a loop in a corner, where it has one.
+/// Rotates a loop to start at a corner, if it has one.
 fn corner_first(segments: &mut Vec<Segment>) {
     while segments.len() > 1
         && let (Some(first), Some(last)) = (segments.first(), segments.last())
@@ -127,7 +129,7 @@ fn corner_first(segments: &mut Vec<Segment>) {
     }
 }
 
-/// The segments that are longer than nothing, each moved to the end of the one before it.
+/// Segments of nonzero length, each start moved to the end of the previous segment.
 fn joined(profile: &Profile) -> Vec<Segment> {
     let mut list: Vec<Segment> = Vec::with_capacity(profile.segments.len());
     let snapped = |p: Point| {
@@ -157,7 +159,7 @@ fn joined(profile: &Profile) -> Vec<Segment> {
     list
 }
 
-/// Length, m.
+/// Length of a segment, m.
 pub fn length_m(segment: &Segment) -> f64 {
     match *segment {
         Segment::Line { start, end } => hypot(end.x_m - start.x_m, end.r_m - start.r_m),
@@ -173,7 +175,7 @@ fn near(a: Point, b: Point) -> bool {
     (a.x_m - b.x_m).abs() <= NOTHING_M && (a.r_m - b.r_m).abs() <= NOTHING_M
 }
 
-/// The segment with ends moved by nothing.
+/// The segment with its ends moved to the given points, which differ by no more than the tolerance.
 fn between(segment: &Segment, start: Point, end: Point) -> Segment {
     match *segment {
         Segment::Line { .. } => Segment::Line { start, end },
@@ -194,7 +196,8 @@ fn between(segment: &Segment, start: Point, end: Point) -> Segment {
     }
 }
 
-/// Two neighbours as one, when they are pieces of one line or circle; one that runs back over the other takes it away.
+/// Two adjacent segments merged into one if they lie on the same line or circle; a segment that doubles back shortens
+/// the other.
 fn together(a: &Segment, b: &Segment) -> Option<Segment> {
     match (*a, *b) {
         (Segment::Line { start, end }, Segment::Line { end: far, .. }) => {
@@ -258,7 +261,7 @@ mod tests {
                 list.iter()
                     .all(|c| c.ends == Ends::OnAxis && c.segments.len() == 1)
             );
-            // the outer one runs aft, the inner one forward
+            // the outer chain runs aft, the inner one forward
             let ends = |i: usize| {
                 (
                     list[i].segments[0].start().x_m,
@@ -275,7 +278,7 @@ mod tests {
     fn a_square_off_the_axis_is_a_loop_of_four() {
         let p = |x_m, r_m| Point { x_m, r_m };
         let line = |start, end| Segment::Line { start, end };
-        // begun in the middle of a side, with a step of nothing at a corner
+        // started in the middle of a side, with a step within the tolerance at a corner
         let corner = p(1.0 + 1e-13, 2.0);
         let square = Profile {
             segments: vec![line(p(0.5, 2.0), p(1.0, 2.0)), line(p(1.0, 2.0), corner)],
@@ -314,7 +317,7 @@ mod tests {
                 end: p(0.0, 2.0),
             }],
         };
-        // out to x = 3 and back to x = 1, once within the loop and once where it begins
+        // a spike out to x = 3 and back to x = 1: once within the loop, once at its start
         let square = start
             .line_to(p(3.0, 2.0))
             .line_to(p(1.0, 2.0 + 1e-12))

@@ -1,7 +1,7 @@
-//! DXF of release 2000 (AC1015): the half-section as lines and arcs, one layer a part, in millimetres.
+//! DXF release 2000 (AC1015): the half-section as lines and arcs, one layer per part, in millimeters.
 //!
-//! x of the drawing is the axis, y the distance from it. The layer `outline` holds the outer mould line from nose to aft end,
-//! `axis` the axis; the others are named as the parts.
+//! x of the drawing is the axis, y the distance from it. Layer `outline` holds the outer mold line from nose to aft
+//! end, layer `axis` the axis; the other layers are named after the parts.
 //!
 //! # References
 //! - \[autodesk-dxf\].
@@ -15,10 +15,10 @@ use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{PI, RADIANS_PER_DEGREE, atan2};
 
-/// Lengths in the file are in millimetres.
+/// Lengths in the file are in millimeters.
 const MM_PER_M: f64 = 1000.0;
 
-/// Colours of the layers of parts, by the index of the format; 7 is the contrast to the ground.
+/// Colors of the part layers, as DXF color indices; 7 contrasts with the background.
 const COLORS: [u8; 12] = [1, 30, 3, 5, 4, 6, 40, 140, 94, 200, 8, 54];
 
 /// The model as the text of a DXF file.
@@ -95,13 +95,13 @@ fn entity(segment: &Segment, layer: &str, handles: &mut Handles) -> String {
     }
 }
 
-/// Direction from a centre to a point, 0 to 360 deg.
+/// Direction from a center to a point, 0 to 360 deg.
 fn angle_deg(center: Point, p: Point) -> f64 {
     let angle = atan2(p.r_m - center.r_m, p.x_m - center.x_m) / RADIANS_PER_DEGREE;
     if angle < 0.0 { angle + 360.0 } else { angle }
 }
 
-/// A number with its point, as short as reads back to the same bits.
+/// The number in the shortest form that reads back to the same bits, always with a decimal point.
 fn number(value: f64) -> String {
     format!("{:?}", value + 0.0)
 }
@@ -122,7 +122,7 @@ mod tests {
         let arc = "100\nAcDbCircle\n10\n1000.0\n20\n0.0\n30\n0.0\n40\n500.0\n100\nAcDbArc\n50\n0.0\n51\n180.0\n";
         assert_eq!(text.matches(arc).count(), 2);
         assert!(text.contains("$INSUNITS\n70\n4\n"));
-        // codes and values take turns
+        // group codes and values alternate
         let lines: Vec<&str> = text.lines().collect();
         let pairs = lines.chunks(2).map(|pair| (pair[0], pair[1]));
         let handle = |(code, value)| ["5", "105"].contains(&code).then_some(value);

@@ -1,10 +1,10 @@
-//! The formats, declared once: name, file name ending, media type, help, writer.
+//! Export formats, declared once: name, file name extension, media type, help, writer.
 
 use crate::export::model::Model;
 use crate::export::{Info, dxf, gltf, iges, step, stl, svg, table};
 use serde::{Deserialize, Serialize};
 
-/// A kind of file.
+/// File format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// Solids: ISO 10303-21, application protocol 214.
@@ -15,18 +15,18 @@ pub enum Format {
     Stl,
     /// Triangles of every part, as text.
     Gltf,
-    /// The same as one binary file.
+    /// The same content as [`Format::Gltf`], as one binary file.
     Glb,
     /// Lines and arcs of the half-section.
     Dxf,
-    /// The same as a table.
+    /// Segments of the half-section, as CSV.
     Csv,
-    /// The section as a drawing.
+    /// Dimensioned drawing of the section.
     Svg,
 }
 
 impl Format {
-    /// All of them, in the order in which they are offered.
+    /// All formats, in the order in which they are offered.
     pub const ALL: [Format; 8] = [
         Format::Step,
         Format::Iges,
@@ -38,7 +38,7 @@ impl Format {
         Format::Svg,
     ];
 
-    /// Name, as typed; also the ending of its files.
+    /// Name, as typed; also the file name extension.
     pub fn name(self) -> &'static str {
         match self {
             Format::Step => "step",
@@ -52,7 +52,7 @@ impl Format {
         }
     }
 
-    /// What it holds, in one phrase.
+    /// Content of the format, in one phrase.
     pub fn help(self) -> &'static str {
         match self {
             Format::Step => {
@@ -84,12 +84,12 @@ impl Format {
         }
     }
 
-    /// Whether a terminal can show it.
+    /// Whether the format is text that a terminal can show.
     pub fn is_text(self) -> bool {
         !matches!(self, Format::Stl | Format::Glb)
     }
 
-    /// The format of this name, or of files with this ending.
+    /// The format with this name or file name extension.
     pub fn named(name: &str) -> Option<Format> {
         let name = match name.trim().to_ascii_lowercase().as_str() {
             "stp" => "step".to_owned(),
@@ -99,7 +99,7 @@ impl Format {
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 
-    /// The model as a file of this format.
+    /// The model as a file in this format.
     pub fn write(self, model: &Model, info: &Info) -> Vec<u8> {
         match self {
             Format::Step => step::step(model, info).into_bytes(),

@@ -1,7 +1,7 @@
-//! glTF 2.0: one node, mesh and material a part, in metres, as text with its data inside or as one binary file.
+//! glTF 2.0: one node, mesh and material per part, in meters, as text with embedded data or as one binary file.
 //!
-//! glTF is Y up: the vehicle stands upright, nose down, as it lands. The data keep the frame of the vehicle (x aft); a node
-//! above all others turns x to Y.
+//! glTF is Y up: the vehicle stands upright, nose down, as it lands. The data keep the vehicle frame (x aft); a root
+//! node rotates x to Y.
 //!
 //! # References
 //! - \[gltf-2.0\].
@@ -13,19 +13,19 @@ use crate::export::stl::chord_error_m;
 use numerics::math::pow;
 use serde_json::{Map, Value, json};
 
-/// Turns x to y, y to z and z to x: a third of a turn about (1, 1, 1).
+/// Quaternion that rotates x to y, y to z and z to x: a third of a turn about (1, 1, 1).
 const X_TO_Y: [f64; 4] = [0.5, 0.5, 0.5, 0.5];
 
-/// Chord error over that of STL: a picture needs less than a print.
+/// Ratio of the chord error to that of STL: display needs less accuracy than printing.
 const COARSER: f64 = 4.0;
 
-/// Codes of the format.
+/// Constants of the format.
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// The model as text, its data in base 64.
+/// The model as text, with the buffer in base 64.
 pub fn gltf(model: &Model, info: &Info) -> String {
     let (mut document, data) = document(model, info);
     let uri = format!("data:application/octet-stream;base64,{}", base_64(&data));
@@ -58,7 +58,7 @@ pub fn glb(model: &Model, info: &Info) -> Vec<u8> {
     bytes
 }
 
-/// The document without its buffer, and the data of the buffer.
+/// The JSON document without its buffer, and the buffer's bytes.
 fn document(model: &Model, info: &Info) -> (Map<String, Value>, Vec<u8>) {
     let options = MeshOptions::whole(COARSER * chord_error_m(model));
     let mut store = Store::default();
@@ -128,7 +128,7 @@ fn material(part: &Part) -> Value {
     }
 }
 
-/// Light of a colour of the screen (sRGB), to four digits.
+/// Linear intensity of an sRGB value, to four digits.
 fn linear(screen: u8) -> f64 {
     let c = f64::from(screen) / 255.0;
     let light = if c <= 0.04045 {
@@ -139,7 +139,7 @@ fn linear(screen: u8) -> f64 {
     (light * 1e4).round() / 1e4
 }
 
-/// What the buffer holds.
+/// Buffer with its views and accessors.
 #[derive(Default)]
 struct Store {
     data: Vec<u8>,
@@ -187,7 +187,7 @@ impl Store {
     }
 }
 
-/// Bytes in base 64.
+/// Base-64 encoding of bytes.
 fn base_64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);

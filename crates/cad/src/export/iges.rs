@@ -1,7 +1,8 @@
-//! IGES 5.3: the surfaces of each part as surfaces of revolution (entity 120), in millimetres, for systems that read no STEP.
+//! IGES 5.3: the surfaces of each part as surfaces of revolution (entity 120), in millimeters, for systems that do not
+//! read STEP.
 //!
-//! A surface turns a line (110) or an arc (100) of the half-section about the x axis by a full turn. The surfaces of a part
-//! are a group (402, form 7) with its name (406, form 15) and colour (314), on a level of its own.
+//! A surface revolves a line (110) or an arc (100) of the half-section about the x axis by a full turn. The surfaces of
+//! a part form a group (402, form 7) with its name (406, form 15) and color (314), on its own level.
 //!
 //! # References
 //! - \[iges-5.3\].
@@ -15,13 +16,13 @@ use msape::vehicle::segment::{Point, Segment};
 use numerics::math::PI;
 use record::{Entity, File, real, text};
 
-/// Lengths in the file are in millimetres.
+/// Lengths in the file are in millimeters.
 const MM_PER_M: f64 = 1000.0;
 
-/// Physically dependent: drawn only as part of what refers to it.
+/// Status "physically dependent": drawn only as part of the entity that refers to it.
 const DEPENDENT: &str = "00010000";
 const INDEPENDENT: &str = "00000000";
-/// A definition, not geometry.
+/// Status "definition": no geometry.
 const DEFINITION: &str = "00000200";
 
 /// The model as the text of an IGES file.
@@ -60,7 +61,7 @@ pub fn iges(model: &Model, info: &Info) -> String {
         "15".to_owned(),
         name,
         "1.".to_owned(),
-        // units: millimetres
+        // units: millimeters
         "2".to_owned(),
         text("MM"),
         "1".to_owned(),
@@ -81,7 +82,7 @@ pub fn iges(model: &Model, info: &Info) -> String {
     )
 }
 
-/// Adds a part: its surfaces, as one group.
+/// Adds a part as one group of its surfaces.
 fn add(file: &mut File, part: &Part, level: usize, axis: usize) {
     let percent = part.color.map(|c| real(f64::from(c) / 2.55));
     let [red, green, blue] = percent;
@@ -142,7 +143,7 @@ fn add(file: &mut File, part: &Part, level: usize, axis: usize) {
     });
 }
 
-/// Type and parameters of the curve of a segment in the plane z = 0. Arcs run counter-clockwise.
+/// Entity type and parameters of a segment's curve in the plane z = 0. Arcs run counter-clockwise.
 fn generatrix(segment: &Segment) -> (usize, Vec<String>) {
     let mm = |p: Point| [p.x_m * MM_PER_M, p.r_m * MM_PER_M];
     match *segment {
@@ -162,7 +163,7 @@ fn generatrix(segment: &Segment) -> (usize, Vec<String>) {
             } else {
                 (end, start)
             };
-            // first the plane: z = 0
+            // the plane z = 0 comes first
             let plane = std::iter::once(real(0.0));
             let points = [center, from, to].map(mm);
             (
@@ -220,7 +221,7 @@ mod tests {
     #[test]
     fn a_ball_is_one_arc_turned_about_the_axis() {
         let text = ball();
-        // centre 1000, from (1500, 0) counter-clockwise to (500, 0)
+        // center 1000, from (1500, 0) counter-clockwise to (500, 0)
         assert!(text.contains("100,0.,1000.,0.,1500.,0.,500.,0.;"), "{text}");
         assert_eq!(text.matches("     120").count(), 2);
     }

@@ -1,13 +1,13 @@
-//! Triangles of a profile turned about the axis: vertices with normals, watertight, outside out.
+//! Triangles of a profile revolved about the axis: vertices with normals, watertight, outside out.
 //!
 //! ```text
 //! position = (x, r cos φ, r sin φ)
 //! step = 4 asin √(e / 2R)        the angle at which the chord of a circle of radius R is e away from it
 //! ```
 //!
-//! with x along the axis from the virtual apex, aft positive, r from the axis and e the chord error in m, φ about the axis from
-//! y towards z in rad. Neighbours share the very same positions, so that welding needs no tolerance; an edge between two
-//! segments has a normal from either side.
+//! with x along the axis from the virtual apex, aft positive, r from the axis and e the chord error in m, φ about the
+//! axis from y towards z in rad. Adjacent triangles share bitwise equal positions, so that welding needs no tolerance;
+//! along an edge between two segments there is one vertex with the normal of each.
 
 mod cut;
 mod revolve;
@@ -22,45 +22,45 @@ use msape::vehicle::profile::Profile;
 use nalgebra::Vector3;
 use numerics::math::PI;
 
-/// Triangles in the frame of the vehicle.
+/// Triangles in the vehicle frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Positions (x, y, z), m.
     pub positions_m: Vec<[f32; 3]>,
-    /// Unit normals, outwards.
+    /// Unit normals, outward.
     pub normals: Vec<[f32; 3]>,
-    /// Where each vertex is in the half-section: (x, r), m.
+    /// Position of each vertex in the half-section: (x, r), m.
     pub section_m: Vec<[f32; 2]>,
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// Three vertex indices each, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// What the faces of a cut look like.
+/// Treatment of the cut faces of a partly revolved body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cut {
-    /// Flat faces close the body.
+    /// Closed by flat faces.
     Closed,
-    /// The body is seen from inside.
+    /// Left open: the inside is visible.
     Open,
 }
 
-/// How finely, and how far round, a profile is turned.
+/// Resolution and extent of the revolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshOptions {
     /// Largest distance between a circle and its chord, m.
     pub chord_error_m: f64,
-    /// Longest piece of a line, m; infinite leaves lines whole.
+    /// Longest piece of a line, m; infinite leaves lines undivided.
     pub longest_piece_m: f64,
-    /// Where the turn begins, from y towards z, rad.
+    /// Start angle of the revolution, from y towards z, rad.
     pub start_rad: f64,
-    /// How far it goes, rad; 2π or more is the whole body.
+    /// Angle of the revolution, rad; 2π or more gives the whole body.
     pub sweep_rad: f64,
-    /// Faces of the cut, where there is one.
+    /// Treatment of the cut faces, where there is a cut.
     pub cut: Cut,
 }
 
 impl MeshOptions {
-    /// The whole body at a chord error in m.
+    /// The whole body with a chord error in m.
     pub fn whole(chord_error_m: f64) -> Self {
         Self {
             chord_error_m,
@@ -75,13 +75,13 @@ impl MeshOptions {
 /// The triangles of one component.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComponentMesh {
-    /// Which.
+    /// Component.
     pub kind: ComponentKind,
-    /// Its triangles.
+    /// Triangles of the component.
     pub mesh: Mesh,
 }
 
-/// The triangles of each component that has a body, in the order of the vehicle.
+/// Triangles of each component that has a body, in the order of the vehicle.
 pub fn components(vehicle: &Vehicle, options: &MeshOptions) -> Vec<ComponentMesh> {
     let with_body = vehicle.components.iter().filter(|c| !c.profiles.is_empty());
     with_body
@@ -92,7 +92,7 @@ pub fn components(vehicle: &Vehicle, options: &MeshOptions) -> Vec<ComponentMesh
         .collect()
 }
 
-/// The triangles of profiles turned about the axis. An open profile makes a surface, whose outside is on the left of its run.
+/// Triangles of revolved profiles. An open profile gives a surface whose outside is on the left of its direction.
 pub fn mesh(profiles: &[Profile], options: &MeshOptions) -> Mesh {
     let mut mesh = Mesh::default();
     for profile in profiles {
@@ -114,7 +114,7 @@ pub fn mesh(profiles: &[Profile], options: &MeshOptions) -> Mesh {
 }
 
 impl Mesh {
-    /// Adds another mesh.
+    /// Appends another mesh.
     pub fn append(&mut self, other: &Mesh) {
         let offset = self.positions_m.len() as u32;
         self.positions_m.extend_from_slice(&other.positions_m);
@@ -124,7 +124,7 @@ impl Mesh {
             .extend(other.triangles.iter().map(|t| t.map(|i| i + offset)));
     }
 
-    /// Volume enclosed, m³.
+    /// Enclosed volume, m³.
     pub fn volume_m3(&self) -> f64 {
         let sum: f64 = { self.corners_m() }
             .map(|[a, b, c]| a.dot(&b.cross(&c)))
@@ -132,7 +132,7 @@ impl Mesh {
         sum / 6.0
     }
 
-    /// Area of all triangles, m².
+    /// Total area of the triangles, m².
     pub fn area_m2(&self) -> f64 {
         let twice: f64 = self
             .corners_m()

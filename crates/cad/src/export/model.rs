@@ -1,4 +1,4 @@
-//! What is exported: parts with name, material and colour, whatever they come from.
+//! The exported model: parts with name, material and color, whatever their origin.
 
 use msape::vehicle::ComponentKind;
 use msape::vehicle::body::RigidBody;
@@ -6,46 +6,46 @@ use msape::vehicle::profile::Profile;
 use msape::vehicle::{DensityBasis, Vehicle};
 use serde::{Deserialize, Serialize};
 
-/// A body of revolution or several, in one frame: x along the axis, aft positive.
+/// One or more bodies of revolution in one frame: x along the axis, aft positive.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Model {
-    /// Name, as of the case.
+    /// Name of the case.
     pub name: String,
     /// Parts, in order.
     pub parts: Vec<Part>,
-    /// Outer mould line, closed.
+    /// Outer mold line, closed.
     pub outline: Profile,
-    /// What a drawing says beside the lines.
+    /// Dimensions shown in a drawing.
     pub measures: Measures,
 }
 
-/// One part: closed profiles of one material.
+/// Part: closed profiles of one material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// Name for files and layers: small letters, digits and hyphens.
+    /// Name for files and layers: lower-case letters, digits and hyphens.
     pub key: String,
-    /// Name in plain words.
+    /// Display name.
     pub name: String,
-    /// Its material, where it has one.
+    /// Material, where known.
     pub substance: Option<Substance>,
     /// Red, green, blue.
     pub color: [u8; 3],
-    /// Closed profiles, each a body of its own.
+    /// Closed profiles, each a separate body.
     pub profiles: Vec<Profile>,
 }
 
-/// What a part is made of.
+/// Material of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Substance {
     /// Name of the material.
     pub material: String,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
-    /// Where the density comes from.
+    /// Origin of the density.
     pub basis: DensityBasis,
 }
 
-/// Dimensions of a drawing; absent where the model has none.
+/// Dimensions for a drawing; `None` where the model has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     /// Nose radius, m.
@@ -58,14 +58,14 @@ pub struct Measures {
     pub lid_radius_m: Option<f64>,
     /// Slope of the wing's aft side against the plane normal to the axis, rad.
     pub wing_slope_rad: Option<f64>,
-    /// Axial position of the centre of gravity, m.
+    /// Axial position of the center of gravity, m.
     pub cg_x_m: Option<f64>,
     /// Mass, kg.
     pub mass_kg: Option<f64>,
 }
 
 impl Model {
-    /// A designed vehicle: a part for each component that has a body.
+    /// A designed vehicle: one part for each component that has a body.
     pub fn of_vehicle(name: &str, vehicle: &Vehicle) -> Self {
         let with_body = vehicle.components.iter().filter(|c| !c.profiles.is_empty());
         let parts = with_body.map(|c| Part {
@@ -129,7 +129,7 @@ impl Model {
 }
 
 impl Model {
-    /// Least and largest axial position, largest distance from the axis, m.
+    /// Least and largest axial position, and largest distance from the axis, m.
     pub fn extent_m(&self) -> [f64; 3] {
         let [nose, aft, _, widest] = self.outline.bounds_m();
         [nose, aft, widest]
@@ -143,7 +143,7 @@ fn named(name: &str) -> String {
     }
 }
 
-/// A name in small letters, digits and hyphens.
+/// A name reduced to lower-case letters, digits and hyphens.
 fn key(name: &str) -> String {
     let plain = |c: char| {
         if c.is_ascii_alphanumeric() {
@@ -155,7 +155,7 @@ fn key(name: &str) -> String {
     name.chars().map(plain).collect()
 }
 
-/// Red, green, blue of a component; neighbours differ in lightness, too.
+/// Red, green, blue of a component; adjacent components differ in lightness, too.
 pub fn color(kind: ComponentKind) -> [u8; 3] {
     match kind {
         ComponentKind::ForebodyTps => [0x8c, 0x4a, 0x2f],

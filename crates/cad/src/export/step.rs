@@ -1,8 +1,8 @@
-//! STEP, application protocol 214: an assembly of solids with true surfaces, in millimetres.
+//! STEP, application protocol 214: an assembly of solids with analytic surfaces, in millimeters.
 //!
-//! Each body is a product with its name, colour, material and density; its solids have planes, cylinders, cones, spheres and
-//! tori as faces, lines and circles as edges. Volume, area and centroid are written beside each part, so that a reader can
-//! check what it has read.
+//! Each body is a product with name, color, material and density; its solids have planes, cylinders, cones, spheres and
+//! tori as faces, lines and circles as edges. Volume, area and centroid are stored with each part as validation
+//! properties, so that a reader can check its import.
 //!
 //! # References
 //! - \[iso-10303-21\], \[iso-10303-42\], \[iso-10303-214\].
@@ -41,7 +41,7 @@ pub fn step(model: &Model, info: &Info) -> String {
     )
 }
 
-/// A product for each body: readers attach a material to the product, and not all of them to one of several solids.
+/// One part for each body: readers attach a material to the product, and not all of them to one of several solids.
 fn single(part: &Part) -> Vec<Part> {
     if part.profiles.len() < 2 {
         return vec![part.clone()];
@@ -84,7 +84,7 @@ fn solid(instances: &mut Instances, name: &str, body: &Chain, voids: &[&Chain]) 
     }
     let mut hollow = Vec::with_capacity(voids.len());
     for void in voids {
-        // run the other way it is a body of its own, turned inside out
+        // a reversed void is a separate body: its orientation is inside out
         let body = Chain {
             segments: void.segments.iter().rev().map(|s| s.reversed()).collect(),
             ends: void.ends,
@@ -101,7 +101,7 @@ fn enclosed(chain: &Chain) -> f64 {
     chain.segments.iter().map(|s| s.integrals().r2_dx).sum()
 }
 
-/// Whether a void lies in a body: both reach the axis, the void between the ends of the body.
+/// Whether a void lies in a body: both reach the axis, and the void lies between the ends of the body.
 fn contains(body: &Chain, void: &Chain) -> bool {
     let ends = |c: &Chain| {
         Some((
@@ -115,7 +115,7 @@ fn contains(body: &Chain, void: &Chain) -> bool {
     }
 }
 
-/// What a part encloses.
+/// Volume, area and centroid of a part.
 fn properties(part: &Part) -> SolidProperties {
     let solids = part.profiles.iter().map(Profile::solid);
     solids.fold(SolidProperties::default(), SolidProperties::plus)

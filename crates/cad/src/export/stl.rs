@@ -1,17 +1,17 @@
-//! STL, binary: the outer surface as triangles, in millimetres, watertight.
+//! STL, binary: the outer surface as triangles, in millimeters, watertight.
 //!
-//! The format has no unit; millimetres are what programs for printing expect, and the header says so.
+//! The format has no unit; programs for 3-D printing expect millimeters, and the header names the unit.
 
 use crate::export::mesh::{self, MeshOptions};
 use crate::export::model::Model;
 
-/// Distance of a chord from its circle over the diameter.
+/// Ratio of the chord error to the diameter.
 const CHORD_ERROR: f64 = 1e-4;
 
-/// Millimetres in a metre.
+/// Millimeters in a meter.
 const MM_PER_M: f32 = 1000.0;
 
-/// Largest distance of chords from their circles for a model, m.
+/// Chord error for a model, m.
 pub fn chord_error_m(model: &Model) -> f64 {
     let [_, _, widest] = model.extent_m();
     2.0 * CHORD_ERROR * widest
@@ -22,7 +22,7 @@ pub fn stl(model: &Model) -> Vec<u8> {
     let options = MeshOptions::whole(chord_error_m(model));
     let mesh = mesh::mesh(std::slice::from_ref(&model.outline), &options);
     let mut bytes = Vec::with_capacity(84 + 50 * mesh.triangles.len());
-    // must not begin with "solid"
+    // a binary file must not begin with "solid", which marks the text form
     let header = format!("Units: mm. {}", model.name);
     bytes.extend(header.bytes().chain(std::iter::repeat(b' ')).take(80));
     bytes.extend((mesh.triangles.len() as u32).to_le_bytes());
@@ -72,7 +72,7 @@ mod tests {
         let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
         assert_eq!(bytes.len(), 84 + 50 * count);
         assert_eq!(&bytes[..16], b"Units: mm. Ball ");
-        // chords of 4 asin √(1e-4) = 0.04 rad: 158 round, 79 from pole to pole
+        // chords of 4 asin √(1e-4) = 0.04 rad: 158 around the axis, 79 from pole to pole
         assert_eq!(count, 2 * 158 * (79 - 1));
         let (mut edges, mut volume) = (BTreeMap::new(), 0.0);
         for triangle in bytes[84..].chunks(50) {

@@ -1,6 +1,6 @@
-//! SVG: the section through the axis on a sheet of A4, to scale, with dimensions, legend and title block; light and dark.
+//! SVG: the section through the axis on an A4 sheet, to scale, with dimensions, legend and title block; light and dark.
 //!
-//! One unit is a millimetre of the sheet. The nose is on the left; the lower half mirrors the upper.
+//! One unit is a millimeter on the sheet. The nose is on the left; the lower half mirrors the upper.
 
 mod callout;
 mod path;
@@ -11,15 +11,15 @@ use callout::{Callout, Side};
 use msape::vehicle::segment::Point;
 use path::View;
 
-/// The sheet, mm.
+/// Sheet size, mm.
 const SHEET: [f64; 2] = [297.0, 210.0];
-/// The box that the section fits into: left, top, width, height, mm.
+/// Box that the section must fit into: left, top, width, height, mm.
 const BOX: [f64; 4] = [66.0, 18.0, 90.0, 150.0];
 /// Left edge of legend and title block, mm.
 const COLUMN: f64 = 212.0;
-/// Scales, within a decade.
+/// Scales within a decade.
 const SCALES: [f64; 9] = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
-/// Letters that fit into the column, in the two sizes.
+/// Characters that fit into the column, for the two font sizes.
 const LETTERS: [usize; 2] = [44, 54];
 
 const STYLE: &str = "\
@@ -62,7 +62,7 @@ pub fn svg(model: &Model, info: &Info) -> String {
         ));
         for profile in &part.profiles {
             for half in [1.0, -1.0] {
-                // the edge of either half without the axis
+                // outline of this half without the axis
                 let (body, edge) = (view.path(profile, half), view.open_path(profile, half));
                 text.push_str(&format!(
                     "<path d=\"{body}\"/>\n<path class=\"edge\" d=\"{edge}\"/>\n"
@@ -82,7 +82,7 @@ pub fn svg(model: &Model, info: &Info) -> String {
     text
 }
 
-/// Where the section stands: as large as a plain scale allows, in the middle of its box.
+/// Placement of the section: the largest scale of the list that fits, centered in the box.
 fn view(model: &Model) -> View {
     let [nose, aft, widest] = model.extent_m();
     let [left, top, width, height] = BOX;
@@ -102,7 +102,7 @@ fn view(model: &Model) -> View {
     }
 }
 
-/// Dimension lines, callouts, axis and centre of gravity.
+/// Dimension lines, callouts, axis and center of gravity.
 fn dimensions(model: &Model, view: &View) -> String {
     let [nose, aft, widest] = model.extent_m();
     let at = |x_m, r_m| view.at(Point { x_m, r_m }, 1.0);
@@ -161,7 +161,7 @@ fn dimensions(model: &Model, view: &View) -> String {
     text
 }
 
-/// Callouts above each other, in the order of their points, with leaders.
+/// Callouts stacked in the order of their points, with leaders.
 fn column(callouts: &[Callout], view: &View, x: f64, anchor: &str) -> String {
     let mut rows: Vec<([f64; 2], &str)> = callouts
         .iter()
@@ -212,7 +212,7 @@ fn legend(model: &Model) -> String {
     text
 }
 
-/// Name, scale with its bar, mass.
+/// Title block: name, scale with scale bar, mass.
 fn title_block(model: &Model, view: &View, info: &Info) -> String {
     let top = 170.0;
     let mut text = line("thin", [COLUMN, top], [SHEET[0] - 10.0, top]);
@@ -227,7 +227,7 @@ fn title_block(model: &Model, view: &View, info: &Info) -> String {
     }
     text.push_str(&label("start", [COLUMN, top + 12.5], &words));
     text.push_str(&small([COLUMN, top + 17.0], info.program));
-    // the longest plain length that takes at most 60 mm of the sheet
+    // the longest round length that takes at most 60 mm on the sheet
     let most = 60.0 * view.scale;
     let length = [0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0]
         .iter()
@@ -252,7 +252,7 @@ fn line(class: &str, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> String {
     format!("<path class=\"{class}\" d=\"M{x0:.3} {y0:.3}L{x1:.3} {y1:.3}\"/>\n")
 }
 
-/// The head of an arrow with its point at a place.
+/// Arrowhead with its tip at a point.
 fn arrow([x, y]: [f64; 2], [ux, uy]: [f64; 2]) -> String {
     let (back, wide) = (2.6, 0.45);
     let side = |s: f64| [x - back * ux - s * wide * uy, y - back * uy + s * wide * ux];
@@ -270,7 +270,7 @@ fn small([x, y]: [f64; 2], words: &str) -> String {
     format!("<text class=\"small\" x=\"{x:.3}\" y=\"{y:.3}\">{words}</text>\n")
 }
 
-/// At most so many letters.
+/// Text shortened to a number of characters.
 fn cut(words: &str, most: usize) -> String {
     if words.chars().count() <= most {
         return words.to_owned();
@@ -279,7 +279,7 @@ fn cut(words: &str, most: usize) -> String {
     format!("{}…", kept.trim_end())
 }
 
-/// Text without what would be markup or is no character of XML.
+/// Text with markup escaped and characters that XML does not allow removed.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -288,7 +288,7 @@ fn escaped(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            // no characters of XML
+            // noncharacters, not allowed in XML
             '\u{fffe}' | '\u{ffff}' => {}
             c if c.is_control() => out.push(' '),
             c => out.push(c),

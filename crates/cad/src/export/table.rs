@@ -1,7 +1,7 @@
-//! CSV of the half-section: one row a segment of the outer mould line and of every part, in millimetres.
+//! CSV of the half-section: one row per segment of the outer mold line and of every part, in millimeters.
 //!
-//! Angles are those of arcs, positive from the x axis towards the r axis. The component `outline` comes first; taken alone it
-//! is an outline that `outline.file` of a case reads.
+//! Angles describe arcs, positive from the x axis towards the r axis. Component `outline` comes first; on its own it is
+//! an outline that `outline.file` of a case can read.
 
 use crate::export::chain::chains;
 use crate::export::model::Model;
@@ -10,10 +10,10 @@ use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::RADIANS_PER_DEGREE;
 
-/// Lengths in the file are in millimetres.
+/// Lengths in the file are in millimeters.
 const MM_PER_M: f64 = 1000.0;
 
-/// Names of the columns.
+/// Column names.
 pub const HEADER: &str = "component,body,segment,kind,x_start_mm,r_start_mm,x_end_mm,r_end_mm,\
                           x_center_mm,r_center_mm,radius_mm,sweep_deg";
 

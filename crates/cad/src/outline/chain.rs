@@ -1,14 +1,14 @@
-//! Loose pieces of a drawing put into one chain from axis to axis.
+//! Loose pieces of a drawing joined into one chain from axis to axis.
 //!
 //! ```text
 //! ends closer than 10⁻⁵ of the drawing's size are joined
 //! ```
 //!
-//! Ends are looked for in the cells of a grid as wide as that distance, so that the work grows with the number of pieces. A piece
-//! that is drawn twice counts once.
+//! Ends are looked up in a grid with cells as wide as that distance, so that the work grows with the number of pieces.
+//! Duplicate pieces count once.
 //!
 //! # Valid
-//! One chain whose two loose ends are on the axis. Anything else is a fault that says where.
+//! One chain whose two free ends are on the axis. Anything else is a fault that names the place.
 //!
 //! # References
 //! - Own convention.
@@ -20,24 +20,24 @@ use msape::vehicle::body::check::At;
 use msape::vehicle::crossing::distance_m;
 use msape::vehicle::segment::Point;
 
-/// Ends closer than this part of the drawing's size are joined.
+/// Largest distance of ends that are joined, as a fraction of the drawing's size.
 pub const TOLERANCE: f64 = 1e-5;
-/// Points of a drawing, arcs of smooth curves included.
+/// Largest number of points of a drawing, including those of arcs that replace smooth curves.
 pub const MOST_POINTS: usize = 100_000;
-/// Partners of an end that are looked for: two are one too many.
+/// Number of partners searched for at an end: two are already a fault.
 const MOST_PARTNERS: usize = 8;
 
-/// Lines and arcs that follow one another.
+/// Connected lines and arcs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// x and r in m, and the bulge to the next point.
+    /// x and r in m, and the bulge of the segment to the next point.
     pub points: Vec<[f64; 3]>,
-    /// Where it stands in the file.
+    /// Place in the file.
     pub place: Place,
 }
 
 impl Path {
-    /// The same, run the other way.
+    /// The path in the opposite direction.
     pub fn reversed(&self) -> Self {
         let bulges = self.points.iter().rev().skip(1).map(|point| -point[2]);
         let points = self.points.iter().rev().zip(bulges.chain([0.0]));
@@ -47,7 +47,7 @@ impl Path {
         }
     }
 
-    /// Its two ends.
+    /// Both end points.
     fn ends(&self) -> [Point; 2] {
         [self.points.first(), self.points.last()].map(|point| point.map_or(Point::default(), at))
     }
@@ -60,7 +60,7 @@ fn at(point: &[f64; 3]) -> Point {
     }
 }
 
-/// An end of a path: where it is, its path, whether it is the second of it.
+/// End of a path: position, index of the path, 0 for the first end and 1 for the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct End {
     at: Point,
@@ -68,7 +68,7 @@ struct End {
     second: usize,
 }
 
-/// The ends of all paths, by cells of a grid.
+/// Ends of all paths, by grid cell.
 struct Ends {
     sorted: Vec<([f64; 2], End)>,
     tolerance_m: f64,
@@ -92,7 +92,7 @@ impl Ends {
         }
     }
 
-    /// Other ends at the place of this one, up to [`MOST_PARTNERS`].
+    /// Other ends at the position of this one, up to [`MOST_PARTNERS`].
     fn partners(&self, end: &End) -> Vec<End> {
         let [x, r] = cell(end.at, self.tolerance_m);
         let columns = [x - 1.0, x, x + 1.0].into_iter().flat_map(|x| {
@@ -112,11 +112,11 @@ impl Ends {
 
 /// Column and row of the grid, whole numbers.
 fn cell(at: Point, width_m: f64) -> [f64; 2] {
-    // the sum with zero is never −0
+    // adding zero turns −0 into 0
     [at.x_m, at.r_m].map(|length| (length / width_m).floor() + 0.0)
 }
 
-/// The paths without those that are drawn once more.
+/// Paths without duplicates.
 fn once(paths: Vec<Path>, tolerance_m: f64) -> Vec<Path> {
     let ends = Ends::new(&paths, tolerance_m);
     let mut again = vec![false; paths.len()];
@@ -154,7 +154,7 @@ fn same(one: &Path, other: &Path, tolerance_m: f64) -> bool {
         })
 }
 
-/// The one path from axis to axis that the paths make, nose first, or what keeps them from making one.
+/// The path from axis to axis that the pieces form, nose first, or the reasons why they form none.
 pub fn joined(paths: Vec<Path>, tolerance_m: f64) -> Result<Path, Vec<ImportFault>> {
     let on_axis = |p: Point| p.r_m.abs() <= tolerance_m;
     let paths = once(paths, tolerance_m);
@@ -238,7 +238,7 @@ fn walk(first: End, ends: &Ends, paths: &[Path]) -> Result<Path, Vec<ImportFault
             0 => path.clone(),
             _ => path.reversed(),
         };
-        // where paths meet within the tolerance, the first one's end stands
+        // where paths meet within the tolerance, the first one's end is kept
         let mut new = path.points.into_iter();
         match (points.last_mut(), new.next()) {
             (Some(last), Some(start)) => last[2] = start[2],
@@ -295,7 +295,7 @@ mod tests {
             line(2.0, 0.0, 2.0, 1.0),
             line(1.0, 1.000_001, 2.0, 1.0),
             line(1.0, 1.0, 0.0, 0.0),
-            line(2.0, 1.0, 1.0, 1.0), // once more, the other way round
+            line(2.0, 1.0, 1.0, 1.0), // a duplicate in the opposite direction
         ];
         let path = joined(paths, 2e-5).unwrap();
         let x: Vec<f64> = path.points.iter().map(|point| point[0]).collect();

@@ -1,13 +1,13 @@
-//! Points of an outline from a CSV file, read as every other table.
+//! Points of an outline from a CSV file, read with the common table reader.
 //!
 //! ```text
 //! header:  x and r with their unit, such as  x (mm); r (mm)  or  x_m,r_m ; a column called bulge makes arcs
 //! ```
 //!
-//! Rows come out in metres, in the order of the file.
+//! Rows are in meters, in the order of the file.
 //!
 //! # Valid
-//! One outline a file. The unit stands in the header or comes with the case, which has the last word.
+//! One outline per file. The unit is given in the header or by the case, which takes precedence.
 //!
 //! # References
 //! - Own convention; the bulge is that of \[autodesk-dxf\].
@@ -24,10 +24,10 @@ const POINTS: Layout = Layout {
     whole: true,
 };
 
-/// Points of a text, or everything that is wrong with it.
+/// Points of a text, or all of its faults.
 ///
 /// # Errors
-/// Every fault of the file, up to a hundred.
+/// All faults of the file, up to a hundred.
 pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<ImportFault>> {
     let text = with_plain_line_ends(text.to_owned());
     let mut sheet = sheet(&text, &POINTS).map_err(of_table)?;
@@ -62,7 +62,7 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
         }
         (Some(metres), _) | (None, Some(metres)) => metres,
     };
-    // what stands in the unit already keeps its bits
+    // numbers already in this unit keep their bits
     let in_metres = |row: &[f64], place: usize| {
         let factor = sheet.columns.get(place).map_or(1.0, |column| column.factor);
         let value = row.get(place).copied().unwrap_or_default();
@@ -78,7 +78,8 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
         .iter()
         .map(|(_, row)| vec![in_metres(row, x), in_metres(row, r), bulge(row)])
         .collect();
-    // a closed loop repeats its first point, which closes along the axis anyway; an arc back to it is a piece of its own
+    // drop the repeated first point of a closed loop, as the loop closes along the axis anyway; an arc back to it is a
+    // segment of its own
     while let [first, .., before, last] = rows.as_slice()
         && rows.len() > 3
         && first[..2] == last[..2]
@@ -123,7 +124,7 @@ mod tests {
         for more in ["", "0 0 0\n", "0 0 0\n0 0 0\n"] {
             assert_eq!(rows(&format!("{loose}{more}"), unit).len(), 3, "{more}");
         }
-        // the last piece is an arc, no line of the axis
+        // the last segment is an arc, not a line on the axis
         assert_eq!(rows("1 0 0\n0.5 0.2 0\n0 0 -0.5\n1 0 0\n", unit).len(), 4);
     }
 

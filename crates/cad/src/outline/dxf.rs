@@ -1,15 +1,16 @@
-//! The outline that a DXF drawing shows: x of the drawing is the axis, y the distance from it.
+//! Outline of a DXF drawing: x of the drawing is the axis, y the distance from it.
 //!
 //! ```text
-//! groups -> layers, blocks, entities -> curves in metres -> lines and arcs -> one chain from axis to axis
+//! groups -> layers, blocks, entities -> curves in meters -> lines and arcs -> one chain from axis to axis
 //! ```
 //!
-//! LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE stay the lines and arcs that they are. ELLIPSE, SPLINE and what a block stretches
-//! become arcs that stay within [`TOLERANCE`] of the largest distance from the axis. The half below the axis is as good as the one
-//! above it. Text and binary files are read; a unit that the user names stands above that of the drawing.
+//! LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE are kept as lines and arcs. ELLIPSE, SPLINE and arcs in non-uniformly
+//! scaled blocks become arcs that deviate by at most [`TOLERANCE`] of the largest distance from the axis. The half
+//! below the axis serves as well as the one above it. Text and binary files are read; a unit given by the user
+//! overrides that of the drawing.
 //!
 //! # Valid
-//! Drawings in x and y, with $INSUNITS or a unit from the user, of up to [`MOST_BYTES`] and [`drawn::MOST_ENTITIES`].
+//! Drawings in x and y, with $INSUNITS or a unit from the user, up to [`MOST_BYTES`] and [`drawn::MOST_ENTITIES`].
 //!
 //! # References
 //! - \[autodesk-dxf\] ENTITIES, BLOCKS and TABLES sections, $INSUNITS.
@@ -30,13 +31,13 @@ use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
 
-/// Largest deviation of arcs from a smooth curve, as a part of the largest distance from the axis. The volume is off by less than
-/// this times surface by volume, 10⁻⁶ of itself for a cone that is a third of its radius long.
+/// Largest deviation of arcs from a smooth curve, as a fraction of the largest distance from the axis. The error of the
+/// volume is less than this times surface over volume: relative 10⁻⁶ for a cone that is a third of its radius long.
 pub const TOLERANCE: f64 = 5e-8;
-/// Largest file, bytes.
+/// Largest file size, bytes.
 pub const MOST_BYTES: usize = 32 << 20;
 
-/// The outline of a drawing, or everything that is wrong with it.
+/// The outline of a drawing, or all of its faults.
 pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<ImportFault>> {
     if bytes.len() > MOST_BYTES {
         return Err(vec![ImportFault::TooLarge(MOST_BYTES >> 20)]);
@@ -74,14 +75,14 @@ pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<Impo
     }
 }
 
-/// Version of a DWG file, which is another format.
+/// Version of a DWG file, which is not supported.
 fn dwg(bytes: &[u8]) -> Option<String> {
     let version = bytes.get(..6).filter(|start| start.starts_with(b"AC"))?;
     let digits = version.iter().skip(2).all(u8::is_ascii_digit);
     digits.then(|| String::from_utf8_lossy(version).into_owned())
 }
 
-/// $INSUNITS; a drawing without unit says 0 there.
+/// Unit of $INSUNITS; 0 means that the drawing has none.
 fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
     match group.whole() {
         Some(0) => Ok(None),
@@ -100,7 +101,7 @@ fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
     }
 }
 
-/// What is to be said where the user's unit is not the drawing's.
+/// Message where the user's unit differs from the drawing's.
 fn contradiction(
     unit: LengthUnit,
     drawn: Option<Result<Option<LengthUnit>, ImportFault>>,
@@ -129,7 +130,7 @@ fn nothing(remarks: &[String]) -> ImportFault {
     }
 }
 
-/// The curves as lines and arcs.
+/// The curves converted to lines and arcs.
 fn paths(found: &Found) -> Result<Vec<Path>, Vec<ImportFault>> {
     let reach = found.curves.iter().map(|(curve, _)| curve.reach());
     let tolerance = TOLERANCE * reach.fold(0.0, f64::max);

@@ -1,11 +1,11 @@
-//! The outline in a CSV of a half-section, as `msape export` writes it: a row a segment, of which those of the component
+//! Outline in a CSV of a half-section, as `msape export` writes it: one row per segment; only the rows of component
 //! `outline` count.
 //!
 //! ```text
 //! bulge = tan(sweep / 4)
 //! ```
 //!
-//! Lengths in the file are in mm, the sweep in deg; rows come out in metres.
+//! Lengths in the file are in mm, sweeps in deg; rows are returned in meters.
 //!
 //! # Valid
 //! Files with the columns of [`crate::export::table::HEADER`].
@@ -16,13 +16,13 @@
 use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, shown};
 use numerics::math::{RADIANS_PER_DEGREE, tan};
 
-/// Whether the text is such a file.
+/// Whether the text has the columns of a half-section.
 pub fn is_half_section(text: &str) -> bool {
     text.trim_start_matches('\u{feff}')
         .starts_with("component,body,segment,kind,")
 }
 
-/// The outline, or everything that is wrong with the text; the columns say that they are in mm, whatever `unit` is.
+/// The outline, or all faults of the text; lengths are in mm according to the column names, whatever `unit` is.
 pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<ImportFault>> {
     let text = text.trim_start_matches('\u{feff}');
     let mut reader = ::csv::Reader::from_reader(text.as_bytes());

@@ -1,11 +1,11 @@
-//! The half-section in what is drawn: cut at the axis, mirrored where it is below, compared where both halves are there.
+//! Half-section of a drawing: cut at the axis, mirrored where it is below it, compared where both halves are drawn.
 //!
 //! ```text
 //! (x, r, bulge) below the axis is (x, −r, −bulge) above it; halves are alike when points at the same part of their lengths are
 //! within 10⁻⁵ of the drawing's size
 //! ```
 //!
-//! Pieces along the axis are left out. A drawing about another line is not read, but it is said which.
+//! Pieces on the axis are left out. A drawing about another line is a fault that names the line.
 //!
 //! # Valid
 //! As [`super::chain`].
@@ -23,16 +23,16 @@ use msape::vehicle::crossing::distance_m;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{PI, asin, tan};
 
-/// Points of one path closer than this part of the drawing's size are one.
+/// Distance below which points of one path coincide, as a fraction of the drawing's size.
 const ONE_POINT: f64 = 1e-8;
-/// A piece near the axis that is flatter than this lies along it.
+/// Largest slope of a piece near the axis that counts as lying on it.
 const ALONG: f64 = 0.1;
-/// Drawings of more points are not tried about other lines.
+/// Largest number of points for which other axes are tried.
 const MOST_TRIED: usize = 10_000;
-/// Arcs of larger bulges, three quarters of a circle, are halved.
+/// Largest bulge of an arc that is not halved: three quarters of a circle.
 const MOST_BULGE: f64 = 2.4;
 
-/// Rows of x, r and bulge of the outline that the paths make, with remarks, or what keeps them from making one.
+/// Rows of x, r and bulge of the outline that the paths form, with messages, or the reasons why they form none.
 pub fn rows(paths: Vec<Path>, mut remarks: Vec<String>) -> Result<Imported, Vec<ImportFault>> {
     let size_m = size_m(&paths);
     match outline(&paths, size_m) {
@@ -48,7 +48,7 @@ pub fn rows(paths: Vec<Path>, mut remarks: Vec<String>) -> Result<Imported, Vec<
     }
 }
 
-/// Extent of the drawing, m: along x, or from the axis.
+/// Size of the drawing, m: the larger of its length along x and its largest distance from the axis.
 fn size_m(paths: &[Path]) -> f64 {
     let points = paths.iter().flat_map(|path| &path.points);
     let [from, to, far] = points.fold([f64::INFINITY, f64::NEG_INFINITY, 0.0], |[a, b, r], p| {
@@ -86,7 +86,7 @@ fn outline(paths: &[Path], size_m: f64) -> Result<(Path, Option<&'static str>), 
     }
 }
 
-/// The lines about which what is drawn is an outline, where that is not y = 0.
+/// Fault that names the lines about which the drawing would be an outline, other than y = 0.
 fn elsewhere(paths: &[Path], size_m: f64) -> Option<ImportFault> {
     if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_TRIED {
         return None;
@@ -94,7 +94,7 @@ fn elsewhere(paths: &[Path], size_m: f64) -> Option<ImportFault> {
     let mut lines: Vec<String> = Vec::new();
     let turned = |swap: bool, shift: f64| {
         let place = move |&[x, y, bulge]: &[f64; 3]| match swap {
-            // x and y exchanged is a mirror
+            // exchanging x and y is a reflection, which reverses the sense of arcs
             true => [y, x - shift, -bulge],
             false => [x, y - shift, bulge],
         };
@@ -131,7 +131,7 @@ fn elsewhere(paths: &[Path], size_m: f64) -> Option<ImportFault> {
     })
 }
 
-/// Where a piece is.
+/// Side of the axis on which a piece lies.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     Above,
@@ -139,7 +139,7 @@ enum Side {
     Axis,
 }
 
-/// Puts what a path has above and below the axis, the latter mirrored, into lists.
+/// Sorts the pieces of a path into those above and those below the axis, the latter mirrored.
 fn cut(path: &Path, size_m: f64, above: &mut Vec<Path>, below: &mut Vec<Path>) {
     let (one_m, near_m) = (ONE_POINT * size_m, TOLERANCE * size_m);
     let mut run: Vec<[f64; 3]> = Vec::new();
@@ -147,7 +147,7 @@ fn cut(path: &Path, size_m: f64, above: &mut Vec<Path>, below: &mut Vec<Path>) {
     let mut close = |run: &mut Vec<[f64; 3]>, side: Side| {
         let points = std::mem::take(run);
         let start = points.first().map_or(Point::default(), at);
-        // what is smaller than the distance at which ends are joined
+        // ignore paths smaller than the distance at which ends are joined
         if points
             .iter()
             .all(|point| distance_m(at(point), start) <= near_m)
@@ -198,8 +198,8 @@ fn side_of(from: Point, to: Point, bulge: f64, near_m: f64) -> Side {
     }
 }
 
-/// Pieces of a path of which none is on both sides of the axis: where each begins and ends, and its bulge. Points within `one_m` of
-/// the axis, or of the point before, are on it.
+/// Pieces of a path, each on one side of the axis: start, end and bulge. Points within `one_m` of the axis are moved
+/// onto it; those within `one_m` of the previous point are dropped.
 fn one_sided(points: &[[f64; 3]], one_m: f64) -> Vec<(Point, Point, f64)> {
     let mut pieces = Vec::new();
     let snapped = |point: &[f64; 3]| match at(point) {
@@ -210,7 +210,7 @@ fn one_sided(points: &[[f64; 3]], one_m: f64) -> Vec<(Point, Point, f64)> {
     for (point, next) in points.iter().zip(points.iter().skip(1)) {
         let (to, bulge) = (snapped(next), point[2]);
         if bulge.abs() > MOST_BULGE {
-            // half of the angle has the bulge b / (1 + √(1 + b²)); the middle is half the chord times b to the right
+            // half of the arc has the bulge b / (1 + √(1 + b²)); the midpoint is b times half the chord to the right
             let middle = Point {
                 x_m: 0.5 * (from.x_m + to.x_m + bulge * (to.r_m - from.r_m)),
                 r_m: 0.5 * (from.r_m + to.r_m - bulge * (to.x_m - from.x_m)),
@@ -228,7 +228,7 @@ fn one_sided(points: &[[f64; 3]], one_m: f64) -> Vec<(Point, Point, f64)> {
     pieces
 }
 
-/// A piece, cut where it crosses the axis.
+/// A piece, split where it crosses the axis.
 fn at_axis(from: Point, to: Point, bulge: f64, one_m: f64, pieces: &mut Vec<(Point, Point, f64)>) {
     let segment = bulged(from, to, bulge);
     let [_, _, low, high] = segment.bounds_m();
@@ -273,7 +273,7 @@ fn at_axis(from: Point, to: Point, bulge: f64, one_m: f64, pieces: &mut Vec<(Poi
     }
 }
 
-/// Where two paths are further apart than `near_m`, and how far; points at the same part of their lengths are compared.
+/// Point where two paths are more than `near_m` apart, and the distance; compared at equal fractions of their lengths.
 fn difference(one: &Path, other: &Path, near_m: f64) -> Option<(Point, f64)> {
     let [mut one, mut other] = [one, other].map(Walk::new);
     let mut parts: Vec<f64> = one.parts().chain(other.parts()).collect();
@@ -291,9 +291,9 @@ fn difference(one: &Path, other: &Path, near_m: f64) -> Option<(Point, f64)> {
     })
 }
 
-/// A path walked from its start, by parts of its length.
+/// Walk along a path by fraction of its length.
 struct Walk {
-    /// Segments, and the part of the length at which each ends.
+    /// Segments, and the fraction of the length at which each ends.
     segments: Vec<(Segment, f64)>,
     next: usize,
 }
@@ -318,7 +318,7 @@ impl Walk {
         self.segments.iter().map(|(_, part)| *part)
     }
 
-    /// The point at a part of the length that is not before that of the last call.
+    /// The point at a fraction of the length, which must not be less than in the previous call.
     fn at(&mut self, part: f64) -> Point {
         while self.next + 1 < self.segments.len()
             && self
@@ -388,7 +388,7 @@ mod tests {
 
     #[test]
     fn a_closed_line_about_the_axis_is_cut_at_it() {
-        // a square on its corner, begun off the axis: a double cone of height 1 each
+        // a square on its corner, started off the axis: a double cone of height 1 each
         let square = [[1.0, 1.0], [2.0, 0.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0]];
         let (rows, _) = read(&[path(&square.map(|[x, r]| [x, r, 0.0]))]).unwrap();
         assert_eq!(rows, [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]]);
@@ -397,7 +397,7 @@ mod tests {
         let (rows, _) = read(&[path(&circle)]).unwrap();
         assert!((rows[0][0].abs() + (rows[2][0] - 2.0).abs()) < 1e-15);
         assert!((rows[0][2] + tan(PI / 8.0)).abs() < 1e-15);
-        // and as one arc of almost a whole turn with its ends far above
+        // as one arc of almost a full turn with its ends far above
         let bulge = tan(0.99 * PI / 2.0);
         let gap = numerics::math::sin(0.01 * PI);
         let most = [
@@ -436,7 +436,7 @@ mod tests {
     #[test]
     fn pieces_along_the_axis_and_slips_over_it_do_not_count() {
         let mut points = CONE.to_vec();
-        points[2][1] = -1e-6; // beyond the axis by less than ends may be apart
+        points[2][1] = -1e-6; // beyond the axis by less than the distance at which ends are joined
         points.push([0.0, 0.0, 0.0]);
         let (rows, said) =
             read(&[path(&points), path(&[[-1.0, 0.0, 0.0], [9.0, 1e-7, 0.0]])]).unwrap();

@@ -1,12 +1,12 @@
-//! Tables of aerodynamic coefficients from a file, and of drag over the Mach number where there is no angle.
+//! Tables of aerodynamic coefficients from a file, and of drag against Mach number where there is no angle.
 //!
 //! ```text
 //! columns by name: mach, alpha, knudsen or altitude, ca, cn, cm, or cd, cl, cm, and cmq
 //! ```
 //!
 //! # Valid
-//! Angles in deg unless the heading says rad, moments about the virtual apex with the diameter as length. Rows in any order,
-//! without holes.
+//! Angles in deg unless the heading says rad; moments about the virtual apex with the diameter as reference length.
+//! Rows in any order, on a complete grid.
 //!
 //! # References
 //! - Own convention.
@@ -35,13 +35,14 @@ const COEFFICIENTS: Layout = Layout {
     bare: (&[Quantity::Mach, Quantity::Drag], 2),
     whole: true,
 };
-/// What is left of a whole angle in deg that is printed in rad with four decimals or more, deg: 0.00005 rad are 0.003 deg.
+/// Largest distance from a whole degree of an angle printed in rad with at least four decimals, deg: 0.00005 rad are
+/// 0.003 deg.
 const WHOLE_DEG: f64 = 3e-3;
 /// Largest Mach number of a table.
 const MOST_MACH: f64 = 1000.0;
-/// Largest difference of mirrored coefficients: tables are printed to three or four decimals.
+/// Largest difference of mirrored coefficients: tables are printed with three or four decimals.
 const ALIKE: f64 = 2e-3;
-/// Angles that are one, deg.
+/// Largest difference of angles that count as equal, deg.
 const SAME_DEG: f64 = 1e-9;
 
 const DAMPING: Layout = Layout {
@@ -62,7 +63,8 @@ const DAMPING: Layout = Layout {
     ),
     whole: true,
 };
-/// Rows of mach, alpha_deg, ca, cn, cm, cmq, knudsen and, instead of the last, altitude_m; or of drag over the Mach number.
+/// Rows of mach, alpha_deg, ca, cn, cm, cmq, knudsen and, instead of the last, altitude_m; or of drag against Mach
+/// number.
 pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
     let mut sheet = sheet(text, &COEFFICIENTS)?;
     let angle = [Quantity::Alpha, Quantity::Lift, Quantity::NormalForce];
@@ -128,13 +130,13 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
     table(sheet, "vehicle.aerodynamics.table", &rows, Row::cells)
 }
 
-/// The rows at both ends of the Mach numbers that a table may have.
+/// The rows repeated at the smallest and the largest Mach number allowed, for a table without Mach number.
 fn of_every_mach(rows: &[Row]) -> Vec<Row> {
     let at = |mach: f64| rows.iter().map(move |row| Row { mach, ..*row });
     at(0.0).chain(at(MOST_MACH)).collect()
 }
 
-/// Leaves out the rows below 0 deg where each is the mirror image of one above, which may go on to larger angles.
+/// Removes the rows below 0 deg if each mirrors one above; those above may extend to larger angles.
 fn without_mirrored(rows: &mut Vec<Row>, remarks: &mut Vec<String>) {
     let above: Vec<Row> = rows
         .iter()
@@ -148,6 +150,7 @@ fn without_mirrored(rows: &mut Vec<Row>, remarks: &mut Vec<String>) {
             (a, b) => a.is_none() && b.is_none(),
         };
         let turned = |value: Option<f64>| value.map(|value| -value);
+        // normal force, lift and moment are odd in the angle, the others even
         place(row) == place(other)
             && (row.alpha_deg + other.alpha_deg).abs() < SAME_DEG
             && same(row.ca, other.ca)
@@ -212,7 +215,7 @@ fn row(sheet: &Sheet, line: u64, cells: &[f64], lift: bool) -> Row {
     }
 }
 
-/// Checks the rows as a table and puts them into the order of the input.
+/// Checks the rows as a table and puts the columns into the order of the input.
 fn table(
     sheet: Sheet,
     key: &'static str,
@@ -229,7 +232,7 @@ fn table(
     })
 }
 
-/// Puts rows into the order Mach, Knudsen number or altitude, angle.
+/// Sorts rows by Mach number, Knudsen number or altitude, and angle.
 fn sorted(rows: &mut [Row], remarks: &mut Vec<String>) {
     let order = |a: &Row, b: &Row| {
         let key = |row: &Row| {
@@ -250,7 +253,7 @@ fn sorted(rows: &mut [Row], remarks: &mut Vec<String>) {
     }
 }
 
-/// A fault where angles without unit end at a part of pi.
+/// A fault where angles without unit appear to be in radians.
 fn radians(sheet: &Sheet) -> Option<TableFault> {
     let place = sheet.place(Quantity::Alpha)?;
     let named = sheet
@@ -262,7 +265,7 @@ fn radians(sheet: &Sheet) -> Option<TableFault> {
         .iter()
         .filter_map(|(_, row)| row.get(place).map(|alpha| alpha.abs()));
     let largest = angles.clone().fold(0.0, f64::max);
-    // every angle is a whole number of degrees in radians, and none is one as it stands
+    // every angle is a whole number of degrees when read as radians
     let whole = |angle: f64| {
         let deg = angle / RADIANS_PER_DEGREE;
         deg >= 0.5 && (deg - deg.round()).abs() < WHOLE_DEG

@@ -1,15 +1,16 @@
-//! Which altitude a file gives, and the geometric one of each row.
+//! Kind of altitude of a file, and the geometric altitude of each row.
 //!
 //! ```text
 //! z = r H / (r − H)
 //! ln(p₁/p₂) = ½ (ρ₁/p₁ + ρ₂/p₂) g (h₂ − h₁)      g = g₀ where h is geopotential, g₀ (r/(r + h))² where it is geometric
 //! ```
 //!
-//! with z, H and h in m, r the radius of the planet in m, p in Pa, ρ in kg/m³, g₀ = 9.80665 m/s². The second line tells what a
-//! plain H is on the Earth, where it stands for the one in standard atmospheres and for the other elsewhere.
+//! with z, H and h in m, r the radius of the planet in m, p in Pa, ρ in kg/m³, g₀ = 9.80665 m/s². The second line
+//! decides whether a column "H" of the Earth is geopotential, as in standard atmospheres, or geometric, as elsewhere.
 //!
 //! # Valid
-//! Air at rest. An H that two rows of pressure and density, or of one of them and temperature, do not tell is a fault.
+//! Atmosphere at rest. A column "H" that cannot be decided from at least two rows with two of pressure, density and
+//! temperature is a fault.
 //!
 //! # References
 //! - \[coesa-1976\] for geopotential altitude and g₀.
@@ -21,30 +22,30 @@ use numerics::math::ln;
 
 /// Standard gravity, m/s²; \[coesa-1976\].
 pub(super) const G_0_M_S2: f64 = 9.80665;
-/// Top of the air of one composition, m; \[coesa-1976\].
+/// Altitude up to which the composition of the air is constant, m; \[coesa-1976\].
 pub(super) const MIXED_TO_M: f64 = 86e3;
-/// Least share by which the two altitudes must differ to be told apart by figures of three or four digits; assumed.
+/// Smallest relative difference between the two altitudes that figures of three or four digits can resolve; assumed.
 const LEAST_DIFFERENCE: f64 = 0.004;
-/// How near to one of the two the figures must be, of the distance between them; assumed.
+/// Largest deviation of the data from one of the two, as a fraction of the distance between them; assumed.
 const NEAR: f64 = 0.3;
 
-/// Which altitude a file gives.
+/// Kind of altitude of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heights {
-    /// A geometric one.
+    /// Geometric altitude.
     Geometric,
-    /// A plain H that is geometric.
+    /// Column "H" that is geometric altitude.
     PlainGeometric,
-    /// A geopotential one.
+    /// Geopotential altitude.
     Geopotential,
-    /// A plain H that is geopotential.
+    /// Column "H" that is geopotential altitude.
     PlainGeopotential,
-    /// The geopotential one at which the standard atmosphere has the pressure.
+    /// Pressure altitude: the geopotential altitude at which the standard atmosphere has the pressure.
     Pressure,
 }
 
 impl Heights {
-    /// The altitude that a sheet is read with: the geometric one where there are several.
+    /// The altitude column to use: geometric where there are several.
     pub fn of(sheet: &Sheet, ground: &Ground) -> Result<Self, Vec<TableFault>> {
         if sheet.has(Quantity::Altitude) {
             return Ok(Self::Geometric);
@@ -72,7 +73,7 @@ impl Heights {
         Err(vec![sheet.missing("altitude")])
     }
 
-    /// The altitude of a row, m; of a pressure altitude the geopotential one of the standard atmosphere.
+    /// Geometric altitude of a row, m; for pressure altitude the geopotential altitude in the standard atmosphere.
     pub fn altitude_m(self, sheet: &Sheet, row: &[f64], ground: &Ground) -> f64 {
         let value = |q: Quantity| sheet.value(row, q).unwrap_or_default();
         match self {
@@ -84,7 +85,7 @@ impl Heights {
         }
     }
 
-    /// What a user must know of it.
+    /// Message to the user on the kind of altitude taken.
     pub fn remark(self, ground: &Ground) -> Option<String> {
         let told = if ground.standard.is_some() {
             ", as its pressure and density tell"
@@ -115,13 +116,14 @@ pub(super) fn geometric_m(geopotential_m: f64, radius_m: f64) -> f64 {
     radius_m * geopotential_m / (radius_m - geopotential_m)
 }
 
-/// What a plain H is, as the weight of the air tells in the upper half of the rows, where the two differ most.
+/// Kind of altitude of a column "H", from hydrostatic equilibrium in the upper half of the rows, where the two differ
+/// most.
 fn plain(sheet: &Sheet, ground: &Ground) -> Option<Heights> {
-    // the weight of the air is known by the gravity of the Earth
+    // the comparison uses the Earth's standard gravity
     ground.standard.as_ref()?;
     let r = ground.gas_constant_j_kg_k?;
     let whole = sheet.has(Quantity::Pressure) && sheet.has(Quantity::Density);
-    // height, m, logarithm of the pressure, density over pressure, s²/m²
+    // altitude, m; logarithm of the pressure; density over pressure, s²/m²
     let mut air: Vec<[f64; 3]> = Vec::new();
     for (_, row) in &sheet.rows {
         let value = |q: Quantity| sheet.value(row, q);
@@ -136,6 +138,7 @@ fn plain(sheet: &Sheet, ground: &Ground) -> Option<Heights> {
             (None, Some(rho), Some(t)) => (rho * r * t, rho),
             _ => return None,
         };
+        // the gas law supplies a missing quantity only where the composition, and so the gas constant, is known
         if (whole || height_m <= MIXED_TO_M) && pressure_pa > 0.0 && density_kg_m3 > 0.0 {
             air.push([height_m, ln(pressure_pa), density_kg_m3 / pressure_pa]);
         }

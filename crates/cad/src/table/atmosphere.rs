@@ -1,16 +1,17 @@
 //! Rows of an atmosphere from a file.
 //!
 //! ```text
-//! ρ = p / (R T)                            where the file gives no density, as a sounding
+//! ρ = p / (R T)                            where the file gives no density, as in a sounding
 //! H₂ − H₁ = R T̄ / g₀ · ln(p₁ / p₂)         between two pressure altitudes
 //! ```
 //!
-//! with H in m, R in J/(kg K) (on the Earth R*/M₀ of the standard atmosphere), p in Pa, T in K, T̄ the logarithmic mean of two rows, as of a temperature that is linear between them, g₀ = 9.80665 m/s².
+//! with H in m, R in J/(kg K) (on the Earth R*/M₀ of the standard atmosphere), p in Pa, T in K, T̄ the logarithmic mean
+//! of two rows, that of a temperature linear between them, g₀ = 9.80665 m/s².
 //!
 //! # Valid
-//! Density of the gas of the planet. Pressure altitude only on the Earth, where it is the geopotential altitude at which the standard
-//! atmosphere has the pressure; the lowest row is taken to stand at its own pressure altitude, as the pressure at sea level is
-//! not known.
+//! Density from the gas of the planet. Pressure altitude only on the Earth, where it is the geopotential altitude at
+//! which the standard atmosphere has the pressure; the lowest row is assumed to be at its own pressure altitude, as the
+//! pressure at sea level is unknown.
 //!
 //! # References
 //! - \[coesa-1976\] for geopotential altitude, constants and pressure; \[wmo-8\] for soundings.
@@ -24,13 +25,13 @@ use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
 use numerics::math::ln;
 
-/// Density above which there is no air, kg/m³; 65 at the surface of Venus in the atmosphere shipped; assumed.
+/// Largest plausible density, kg/m³; 65 at the surface of Venus in the shipped atmosphere; assumed.
 const DENSEST_KG_M3: f64 = 100.0;
-/// Scale height below which there is none, m: a tenth of the lowest of the planets shipped; assumed.
+/// Smallest plausible scale height, m: a tenth of the lowest of the shipped planets; assumed.
 const THINNEST_M: f64 = 300.0;
-/// Part of the standard pressure of the Earth below which a pressure without unit is none in Pa; assumed.
+/// Fraction of the Earth's standard pressure below which a pressure without unit cannot be in Pa; assumed.
 const LOW: f64 = 0.05;
-/// Density falls by more than this where the scale height is judged; assumed.
+/// Least ratio of densities from which a scale height is judged; assumed.
 const TELLING: f64 = 2.0;
 
 const ATMOSPHERE: Layout = Layout {
@@ -92,7 +93,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
             air.air(geometric_m(altitude_m, ground.radius_m))
                 .pressure_pa
         });
-        // a pressure altitude is the pressure itself
+        // a pressure altitude gives the pressure directly
         let pressure_pa = of_altitude.or(value(Quantity::Pressure));
         let given_k = value(Quantity::Temperature);
         let given_kg_m3 = value(Quantity::Density);
@@ -130,7 +131,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
     })
 }
 
-/// Heights of rows that stand at pressure altitudes, m: each layer as thick as its mean temperature makes it.
+/// Geopotential heights of rows given at pressure altitudes, m: each layer has the thickness of its mean temperature.
 fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
     let mut below: Option<[f64; 3]> = None;
     for row in rows {
@@ -139,6 +140,7 @@ fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
         };
         let height = below.map_or(*altitude, |[height, pressure_below, temperature_below]| {
             let warmer = *temperature - temperature_below;
+            // the logarithmic mean of equal temperatures is 0/0
             let mean = if warmer == 0.0 {
                 *temperature
             } else {
@@ -151,7 +153,7 @@ fn stacked(rows: &mut [Vec<f64>], gas_constant: f64, ground: &Ground) {
     }
 }
 
-/// Leaves out rows that stand at the altitude of the row before, as levels of soundings do.
+/// Removes rows at the altitude of the previous row, which soundings contain.
 pub(super) fn without_repeats(rows: &mut Vec<(u64, Vec<f64>)>, remarks: &mut Vec<String>) {
     let before = rows.len();
     rows.dedup_by(|b, a| a.1 == b.1);
@@ -163,7 +165,7 @@ pub(super) fn without_repeats(rows: &mut Vec<(u64, Vec<f64>)>, remarks: &mut Vec
     }
 }
 
-/// A fault where temperatures without unit are none in K, or pressures of the Earth none in Pa.
+/// A fault where temperatures without unit cannot be in K, or pressures on the Earth cannot be in Pa.
 fn has_its_unit(
     sheet: &Sheet,
     rows: &[(u64, Vec<f64>)],
@@ -203,7 +205,7 @@ fn is_density(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     }
 }
 
-/// A fault where altitudes without unit, taken in m, make an atmosphere thinner than any.
+/// A fault where altitudes without unit, taken in m, give an implausibly small scale height.
 fn is_in_metres(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     let ends = rows.first().zip(rows.last());
     let Some(((_, first), (_, last))) = ends else {
@@ -217,7 +219,7 @@ fn is_in_metres(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     Ok(())
 }
 
-/// A fault where a table without heading has a second column that no density is.
+/// A fault where the second column of a table without heading does not fall with height, as density does.
 fn falls_with_height(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     let ends = rows.first().zip(rows.last());
     let Some(((line, first), (last_line, last))) = ends else {

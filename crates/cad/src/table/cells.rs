@@ -1,13 +1,14 @@
-//! Lines of a text and the cells in them.
+//! Lines of a text and their cells.
 //!
 //! ```text
-//! separator:   semicolon, tab, bar, comma or blanks, whichever cuts the most lines into equally many numbers; or sep=
+//! separator:   semicolon, tab, bar, comma or blanks, whichever splits the most lines into equal counts of numbers; or
+//! sep=
 //! comment:     a line that opens with #, %, ! or //
 //! quotes:      "a ""b"", c" is one cell and may hold line ends
 //! ```
 //!
 //! # Valid
-//! One separator a file.
+//! One separator per file.
 //!
 //! # References
 //! - \[rfc-4180\] for the quotes.
@@ -16,25 +17,25 @@ use super::number;
 use super::separator::Separator;
 use std::borrow::Cow;
 
-/// Lines that are looked at to find the separator.
+/// Number of lines examined to find the separator.
 const LOOKED_AT: usize = 1000;
-/// Most lines of a quoted cell; a quote that is open for longer is a sign like any other.
+/// Largest number of lines of a quoted cell; a quote open for longer is an ordinary character.
 const MOST_QUOTED_LINES: usize = 5;
 
-/// A line that holds something.
+/// Line with content.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line<'t> {
-    /// Its number in the file, from 1.
+    /// Line number in the file, from 1.
     pub number: u64,
-    /// What stands in it, without the sign of a comment.
+    /// Content without the comment sign.
     pub text: &'t str,
-    /// Characters before that.
+    /// Characters before the content.
     pub indent: usize,
     /// Whether it is a comment.
     pub comment: bool,
 }
 
-/// The lines that hold something, and the separator that a first line `sep=;` names. Ends of lines are `\n` here.
+/// Lines with content, and the separator that a first line `sep=;` names. Line ends are `\n` here.
 pub fn lines(text: &str) -> (Vec<Line<'_>>, Option<Separator>) {
     let (mut lines, mut named) = (Vec::new(), None);
     let (mut rest, mut number) = (text, 1);
@@ -54,7 +55,7 @@ pub fn lines(text: &str) -> (Vec<Line<'_>>, Option<Separator>) {
             let text = if comment {
                 trimmed.trim_start_matches(['#', '%', '!', '/']).trim()
             } else {
-                // tabs at the ends separate cells, blanks do not
+                // tabs at the ends are separators, blanks are not
                 line.trim_matches(['\n', ' '])
             };
             let before = text.as_ptr().addr() - line.as_ptr().addr();
@@ -73,7 +74,7 @@ pub fn lines(text: &str) -> (Vec<Line<'_>>, Option<Separator>) {
     (lines, named)
 }
 
-/// Bytes up to the end of the first line, line ends in quoted cells not counted.
+/// Bytes up to the end of the first line, not counting line ends in quoted cells.
 fn end_of_line(text: &str) -> usize {
     let first = text.find('\n').map_or(text.len(), |place| place + 1);
     let (mut quoted, mut opens, mut breaks) = (false, true, 0);
@@ -94,7 +95,7 @@ fn end_of_line(text: &str) -> usize {
     if quoted { first } else { text.len() }
 }
 
-/// The cells of a line, trimmed; a separator at its end makes none.
+/// Trimmed cells of a line; a trailing separator adds no cell.
 pub fn split(text: &str, separator: Separator) -> Vec<Cow<'_, str>> {
     let mut cells: Vec<Cow<str>> = match separator {
         Separator::Blanks if !text.contains('"') => {
@@ -151,7 +152,7 @@ fn split_quoted(text: &str, separator: Separator) -> Vec<Cow<'_, str>> {
     }
 }
 
-/// What stands up to the closing quote, and what stands behind it.
+/// Text up to the closing quote, and the text after it.
 fn quoted(text: &str) -> Option<(String, &str)> {
     let (mut cell, mut rest) = (String::new(), text);
     loop {
@@ -167,7 +168,7 @@ fn quoted(text: &str) -> Option<(String, &str)> {
     }
 }
 
-/// The separator that cuts the most lines into equally many numbers, two at least.
+/// The separator that splits the most lines into the same number of numeric cells, at least two.
 pub fn separator(lines: &[Line]) -> Separator {
     let candidates = [
         Separator::Sign(';'),
@@ -191,7 +192,7 @@ pub fn separator(lines: &[Line]) -> Separator {
         }
         counts.sort_unstable();
         let alike = counts.chunk_by(|a, b| a == b).map(<[usize]>::len).max();
-        // where no line is all numbers, the cells that are numbers decide
+        // where no line is all numbers, count the numeric cells instead
         let score = alike.map_or((0, numbers), |alike| (alike, 0));
         if score > best.0 {
             best = (score, candidate);
@@ -215,12 +216,12 @@ mod tests {
         assert_eq!(found("0, 1.2\n5, 0.7\n"), Separator::Sign(','));
         assert_eq!(found("  0   1,2250\n5000  0,7361\n"), Separator::Blanks);
         assert_eq!(found("0|1\n2|3\n"), Separator::Sign('|'));
-        // a tab more, for the look of it
+        // an extra tab for alignment
         assert_eq!(
             found("0\t\t290.0\t1.2\n1000\t280.0\t1.1\n2000\t270.0\t1.0\n"),
             Separator::Blanks
         );
-        // a cell that is blank
+        // a blank cell
         assert_eq!(
             found("0\t\t1.2\n1000\t280.0\t1.1\n2000\t270.0\t1.0\n"),
             Separator::Sign('\t')

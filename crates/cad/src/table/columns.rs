@@ -1,4 +1,4 @@
-//! Which line of a table names its columns, and which their units.
+//! Detection of the lines that name the columns of a table and their units.
 //!
 //! ```text
 //! titles, comments     left out
@@ -7,7 +7,7 @@
 //! ```
 //!
 //! # Valid
-//! Columns that no table of this kind holds are named and left out.
+//! Columns that a table of this kind does not use are named in a message and left out.
 //!
 //! # References
 //! - Own convention.
@@ -20,10 +20,10 @@ use super::separator::Separator;
 use super::{MOST_FAULTS, TableFault, shown};
 use std::borrow::Cow;
 
-/// Lines above the numbers among which the heading is looked for.
+/// Number of lines above the numbers in which the heading is searched for.
 const MOST_TITLES: usize = 40;
 
-/// What the lines above the numbers say of the columns.
+/// Columns according to the lines above the numbers.
 pub(super) fn columns(
     above: &[Cut],
     width: usize,
@@ -43,7 +43,7 @@ pub(super) fn columns(
                 .iter()
                 .filter(|cell| heading(cell, layout.quantities) != Heading::Unknown)
                 .count();
-            // one word of a comment may be a name by chance
+            // a single word of a comment may match a name by chance
             let enough = if cut.line.comment { 2.min(width) } else { 1 };
             if known >= enough && best.as_ref().is_none_or(|(most, ..)| known > *most) {
                 best = Some((known, place, cells));
@@ -60,7 +60,7 @@ pub(super) fn columns(
     named(&names, units.as_deref(), line, layout)
 }
 
-/// The ways to cut a line above the numbers into cells.
+/// Candidate splits of a line above the numbers into cells.
 fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
     let text = cut.line.text;
     let by = |sign: char| -> Cells<'t> {
@@ -85,7 +85,7 @@ fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
     let mut ways = vec![cut.cells.clone(), by('\t'), wide, by(';'), by('|'), by(',')];
     if separator == Separator::Blanks || cut.line.comment {
         let words = cells::split(text, Separator::Blanks);
-        // a unit in brackets belongs to the word before it
+        // a unit in brackets belongs to the preceding word
         let mut joined: Cells = Vec::new();
         for word in &words {
             match joined.last_mut() {
@@ -97,9 +97,9 @@ fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
         }
         ways.extend([words, joined]);
     }
-    // name, unit, name, unit
+    // alternating names and units: name, unit, name, unit
     let commas = by(',');
-    // a name with its unit behind a comma: Speed of sound, [m/s]
+    // a name with its unit after a comma: Speed of sound, [m/s]
     let mut joined: Cells = Vec::new();
     for cell in &commas {
         match joined.last_mut() {
@@ -121,7 +121,7 @@ fn ways<'t>(cut: &Cut<'t>, separator: Separator) -> Vec<Cells<'t>> {
     ways
 }
 
-/// The units of a line between heading and numbers; what is neither units nor a rule is a fault.
+/// Units of a line between heading and numbers; a line that is neither units nor a rule is a fault.
 fn units(
     after: &[Cut],
     names: &[&str],
@@ -202,7 +202,7 @@ fn named(
     }
     super::units::chosen(&mut sheet, names, line, &mut faults);
     for (quantity, place, unit) in odd {
-        // the same in a unit that is known is enough
+        // an unknown unit is no fault if the same quantity is also given in a known one
         let other = sheet.columns.iter().find(|c| c.quantity == quantity);
         if other.is_some_and(|column| column.named_unit) {
             sheet
@@ -234,7 +234,7 @@ fn named(
     Ok(sheet)
 }
 
-/// The columns of a file that names none.
+/// Columns of a file without heading.
 fn bare(
     near: &[Cut],
     width: usize,
@@ -255,7 +255,7 @@ fn bare(
             expected: expected(layout),
         }]);
     }
-    // names that do not fit the columns are not passed over
+    // a line that names quantities but has another number of cells is a fault
     let names_some = |cells: &Cells| {
         let known = |cell: &Cow<str>| heading(cell, layout.quantities) != Heading::Unknown;
         cells.iter().filter(|cell| known(cell)).count() > 1
@@ -306,7 +306,7 @@ fn bare(
     })
 }
 
-/// What is said of columns whose heading names no unit where there is one.
+/// Message on columns whose heading names no unit although the quantity has one.
 pub(super) fn without_unit(sheet: &Sheet) -> Option<String> {
     let columns = sheet.columns.iter().filter(|column| !column.named_unit);
     let taken = columns

@@ -1,11 +1,11 @@
-//! Curves of one number over another: drag and lift over the Mach number, bank over time or speed.
+//! Curves of one quantity against another: drag and lift against Mach number, bank against time or speed.
 //!
 //! ```text
-//! rows of one Mach number:   their mean
+//! rows of equal Mach number:   replaced by their mean
 //! ```
 //!
 //! # Valid
-//! Two columns, or more of which two are named. Descending rows are turned round.
+//! Two columns, or more of which two are named. Descending rows are reversed.
 //!
 //! # References
 //! - Own convention.
@@ -15,9 +15,10 @@ use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{MOST_FAULTS, Table, TableFault};
 
-/// Part by which rows of one Mach number and one curve may differ: rounded Mach numbers of an export; assumed.
+/// Largest relative difference of rows with equal Mach number on one curve, for rounded Mach numbers of an export;
+/// assumed.
 const ONE_CURVE: f64 = 0.1;
-/// Lines in which the Mach number falls that are told one by one.
+/// Largest number of lines with falling Mach number that are reported one by one.
 const MOST_FALLS: usize = 3;
 
 const DRAG: Layout = Layout {
@@ -41,7 +42,7 @@ const BANK_OVER_SPEED: Layout = Layout {
 };
 const BANK_SPEED_TABLE: &str = "vehicle.bank_speed_table_deg";
 
-/// Mach number and drag coefficient of a point mass; of a table over the angle of attack, the rows at 0 deg.
+/// Mach number and drag coefficient of a point mass; from a table over the angle of attack, the rows at 0 deg.
 pub fn drag(text: &str) -> Result<Table, Vec<TableFault>> {
     let sheet = sheet(text, &DRAG)?;
     curve(
@@ -61,7 +62,7 @@ pub fn lift(text: &str) -> Result<Table, Vec<TableFault>> {
     )
 }
 
-/// Bank over time, or over speed where the file has it or the input asks for it.
+/// Bank against time, or against speed where the file has a speed column or the input asks for it.
 pub fn bank(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
     let over_speed = input == Some(BANK_SPEED_TABLE);
     let sheet = sheet(text, if over_speed { &BANK_OVER_SPEED } else { &BANK })?;
@@ -77,7 +78,7 @@ pub fn bank(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
     }
 }
 
-/// The rows of two columns; over the Mach number, rows of the same one are one.
+/// Rows of two columns; rows of equal Mach number are merged.
 pub(super) fn curve(
     mut sheet: Sheet,
     key: &'static str,
@@ -127,7 +128,7 @@ pub(super) fn curve(
     })
 }
 
-/// One fault in the place of many where Mach numbers fall again and again.
+/// One fault instead of many where Mach numbers fall repeatedly.
 fn one_branch(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     let mut falls = rows.windows(2).filter_map(|pair| match pair {
         [(_, a), (line, b)] => (b.first() <= a.first()).then_some(*line),
@@ -139,7 +140,7 @@ fn one_branch(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     }
 }
 
-/// Rows of the same first number as their mean; a fault where they belong to several curves.
+/// Rows of equal first number replaced by their mean; a fault where they belong to different curves.
 fn means(
     rows: Vec<(u64, Vec<f64>)>,
     sheet: &mut Sheet,
@@ -189,7 +190,7 @@ fn means(
     Ok(joined)
 }
 
-/// Turns rows round that descend.
+/// Reverses descending rows.
 pub(super) fn ascending(rows: &mut [(u64, Vec<f64>)], name: &str, remarks: &mut Vec<String>) {
     let first = |row: &(u64, Vec<f64>)| row.1.first().copied().unwrap_or_default();
     let descends = rows.len() > 1
@@ -203,7 +204,7 @@ pub(super) fn ascending(rows: &mut [(u64, Vec<f64>)], name: &str, remarks: &mut 
     }
 }
 
-/// Faults where rows do not ascend.
+/// Faults of rows that do not ascend.
 pub(super) fn in_order(
     rows: &[(u64, Vec<f64>)],
     name: &'static str,

@@ -1,4 +1,4 @@
-//! What is wrong with a table from a file, in words that say where and what to do.
+//! Faults of a table file, in messages that say where they are and what to do.
 //!
 //! # References
 //! - Own convention.
@@ -6,10 +6,10 @@
 use crate::text::NotText;
 use thiserror::Error;
 
-/// One thing wrong with a file; lines are counted from 1.
+/// Fault of a table file; lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TableFault {
-    /// Bytes that are no text.
+    /// Bytes that are not text.
     #[error("{0}")]
     NotText(#[from] NotText),
     /// No line of numbers.
@@ -25,7 +25,7 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
-    /// A blank cell where every number counts.
+    /// Blank cell where every number is needed.
     #[error(
         "line {line}: column {column}: got \"{text}\", must be a number; the table has a hole there"
     )]
@@ -37,7 +37,7 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
-    /// A number beyond what can be reckoned with once it stands in SI.
+    /// Number that is too large in SI units.
     #[error("line {line}: column {column}: got \"{text}\", which is no finite number in SI")]
     TooLarge {
         /// Line of the file.
@@ -47,12 +47,12 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
-    /// A row of which something derived is no finite number.
+    /// Row with a derived value that is not finite.
     #[error("row {row}: got {value} where the columns give the rest, must be a finite number")]
     NotFinite {
         /// Row of the table, from 1.
         row: usize,
-        /// What came out.
+        /// Derived value.
         value: f64,
     },
     /// Too few or too many cells.
@@ -60,20 +60,20 @@ pub enum TableFault {
     Fields {
         /// Line of the file.
         line: u64,
-        /// Cells in it.
+        /// Number of cells in the line.
         found: usize,
-        /// Cells of the other lines.
+        /// Number of cells of the other lines.
         wanted: usize,
     },
     /// Decimal points and decimal commas in one file.
     #[error("both signs stand for the decimal sign: \"{}\" (line {}) and \"{}\" (line {}); use one of them", texts[0], lines[0], texts[1], lines[1])]
     TwoDecimalSigns {
-        /// Lines of the two.
+        /// One line for each decimal sign.
         lines: [u64; 2],
-        /// The cells, shortened.
+        /// Cells, shortened.
         texts: [String; 2],
     },
-    /// A sign that groups thousands, or stands for decimals.
+    /// Sign that may be a thousands separator or a decimal sign.
     #[error(
         "line {line}: got \"{text}\", which may be thousands or decimals; write it without the sign, or with other decimals"
     )]
@@ -83,27 +83,27 @@ pub enum TableFault {
         /// The cell, shortened.
         text: String,
     },
-    /// A heading of which nothing is known.
+    /// Heading without any known name.
     #[error("line {line}: header: got {names}; must be of {expected}, with their units")]
     UnknownHeading {
         /// Line of the file.
         line: u64,
-        /// Its cells, shortened.
+        /// Cells of the heading, shortened.
         names: String,
-        /// Names that are understood.
+        /// Known names.
         expected: String,
     },
-    /// Rows that no heading names, and that may not go without.
+    /// Rows without heading that need one.
     #[error(
         "the rows have {columns} columns and no heading names them; name {expected} above them"
     )]
     NoHeading {
-        /// Columns of the rows.
+        /// Number of columns.
         columns: usize,
-        /// Names that are understood.
+        /// Known names.
         expected: String,
     },
-    /// A column that is named twice.
+    /// Column named twice.
     #[error(
         "line {line}: header: column {column}: \"{text}\" is {name} a second time; take one of the two out"
     )]
@@ -114,10 +114,10 @@ pub enum TableFault {
         column: usize,
         /// The heading, shortened.
         text: String,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
     },
-    /// One quantity in two units that do not say the same.
+    /// Quantity in two units whose values disagree.
     #[error(
         "line {line}: {name} is {} in column {} and {} in column {}, both in SI; take the wrong one of the two columns out",
         values[0], columns[0], values[1], columns[1]
@@ -125,14 +125,14 @@ pub enum TableFault {
     Disagree {
         /// Line of the file.
         line: u64,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
         /// The two columns, from 1.
         columns: [usize; 2],
-        /// What they say, in SI.
+        /// Their values, in SI.
         values: [f64; 2],
     },
-    /// A unit that is not known for its column.
+    /// Unknown unit of a column.
     #[error(
         "header: column {column}: got the unit \"{unit}\", must be one of {expected}; if the column is no {name}, give it another name"
     )]
@@ -141,36 +141,36 @@ pub enum TableFault {
         column: usize,
         /// The unit, shortened.
         unit: String,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
-        /// Units that are understood.
+        /// Known units.
         expected: &'static str,
     },
-    /// A needed column is missing.
+    /// Required column that is missing.
     #[error("header: no column for {name}{}", if others.is_empty() { String::new() } else { format!("; the others are {others}") })]
     MissingColumn {
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
-        /// Columns that are not understood.
+        /// Unknown columns.
         others: String,
     },
-    /// A line between heading and numbers that is neither.
+    /// Line between heading and numbers that is neither.
     #[error("line {line}: neither units of the heading above nor numbers")]
     NeitherUnitsNorNumbers {
         /// Line of the file.
         line: u64,
     },
-    /// Angles in radians under a heading that does not say so.
+    /// Angles that appear to be in radians under a heading without unit.
     #[error(
         "header: the largest angle is {0}, which is pi or a part of it, or a whole number of deg in rad; name its unit, alpha_deg or alpha_rad"
     )]
     Radians(f64),
-    /// A plain H on the Earth.
+    /// Column "H" on the Earth, which may be geopotential or geometric altitude.
     #[error(
         "header: H is geopotential altitude in standard atmospheres and height elsewhere; name it geopotential_altitude or altitude"
     )]
     CapitalH,
-    /// A table without heading whose second column is no density.
+    /// Table without heading whose second column is not density.
     #[error(
         "line {line}: the second column grows with height, as no density does; name the columns in a heading"
     )]
@@ -178,43 +178,43 @@ pub enum TableFault {
         /// Line of the file.
         line: u64,
     },
-    /// The same of one that is denser than any air.
+    /// Table without heading whose second column is larger than any density.
     #[error(
         "line {line}: the second column is {value}, which is no density in kg/m3; name the columns in a heading"
     )]
     TooDense {
         /// Line of the file.
         line: u64,
-        /// What stands there.
+        /// Value in the second column.
         value: f64,
     },
-    /// A quantity without unit that is not in the one taken.
+    /// Quantity without unit whose values do not fit the assumed unit.
     #[error(
         "line {line}: the heading names no unit for {name}, and {value} is no {name} there in {taken}; name its unit, {such}"
     )]
     NoUnit {
         /// Line of the file.
         line: u64,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
-        /// What stands there.
+        /// Value.
         value: f64,
-        /// The unit taken.
+        /// Assumed unit.
         taken: &'static str,
-        /// A heading that may be meant.
+        /// Example of a heading with unit.
         such: &'static str,
     },
-    /// An altitude without unit that is not in m.
+    /// Altitude without unit that is not in m.
     #[error(
         "header: the altitude has no unit and is no m: density would be {fall:.1} times less {rise} m higher; name it with its unit, altitude_km"
     )]
     Steep {
-        /// From the lowest row to the highest, m.
+        /// Altitude of the highest row above the lowest, m.
         rise: f64,
-        /// Density of the one in that of the other.
+        /// Ratio of density at the bottom to that at the top.
         fall: f64,
     },
-    /// Rows of one Mach number that belong to several curves.
+    /// Rows of equal Mach number that belong to several curves.
     #[error(
         "line {line}: at mach {mach} {name} goes from {} to {}, and the columns left out tell its rows apart: {others}; keep the rows of one curve",
         range[0], range[1]
@@ -224,11 +224,11 @@ pub enum TableFault {
         line: u64,
         /// Mach number.
         mach: f64,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
-        /// Least and largest value.
+        /// Smallest and largest value.
         range: [f64; 2],
-        /// The columns.
+        /// Columns left out, which distinguish the curves.
         others: String,
     },
     /// Mach numbers that rise and fall, as along a flight.
@@ -238,38 +238,38 @@ pub enum TableFault {
     Branches {
         /// Line of the file.
         line: u64,
-        /// Other lines in which it does.
+        /// Number of other lines in which it falls.
         more: usize,
     },
-    /// A pressure that gives no density, as the gas is not known.
+    /// Density missing and not computable from pressure and temperature, as the gas is unknown.
     #[error(
         "header: no column for density; it is not found from pressure and temperature, as the gas of this planet is not known"
     )]
     UnknownGas,
-    /// Pressure altitudes off the Earth, or without temperature and density.
+    /// Pressure altitude on another planet, or without temperature and density.
     #[error("header: pressure altitude is a pressure; {0}")]
     PressureAltitude(&'static str),
-    /// Rows that are in no order.
+    /// Rows that are not in order.
     #[error("line {line}: {name} {value} after {before}; rows must ascend in it, or descend")]
     Order {
         /// Line of the file.
         line: u64,
-        /// The quantity.
+        /// Quantity.
         name: &'static str,
-        /// Its value.
+        /// Value.
         value: f64,
-        /// That of the row before.
+        /// Value of the previous row.
         before: f64,
     },
-    /// Columns of another input than the rows are for.
+    /// Columns of another input than the one to be filled.
     #[error("the columns are those of {found}, must be those of {wanted}")]
     OtherTable {
         /// Key of the input that takes such columns.
         found: &'static str,
-        /// Key of the input that the rows are for.
+        /// Key of the input to be filled.
         wanted: String,
     },
-    /// What the table itself says of its rows.
+    /// Fault found by the check of the table's rows.
     #[error("{0}")]
     Rows(String),
 }

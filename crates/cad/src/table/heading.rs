@@ -1,11 +1,11 @@
-//! Headings of a table: a name and its unit in the spellings that files use.
+//! Headings of a table: name and unit in the spellings that files use.
 //!
 //! ```text
 //! Altitude (km)    alt [km]    altitude_km    T, K    p / Pa    density kg/m^3
 //! ```
 //!
 //! # Valid
-//! One name a heading.
+//! One name per heading.
 //!
 //! # References
 //! - Own convention.
@@ -13,19 +13,19 @@
 use super::quantity::Quantity;
 use super::squeezed::squeezed;
 
-/// A heading as it is understood.
+/// Parsed heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Heading<'h> {
     /// A quantity with its unit, or without one.
     Known(Quantity, Option<&'h str>),
-    /// A quantity with a unit that it has not.
+    /// A quantity with a unit that is not one of its own.
     OddUnit(Quantity, &'h str),
-    /// Something else.
+    /// No known quantity.
     Unknown,
 }
 
-/// What a heading names, of the quantities that the table may hold: `Altitude (km)`, `alt [km]`, `altitude_km`, `T, K`,
-/// `p / Pa` or `density kg/m^3`.
+/// Parsed heading, among the quantities that the table may hold: `Altitude (km)`, `alt [km]`, `altitude_km`, `T, K`, `p
+/// / Pa` or `density kg/m^3`.
 pub fn heading<'h>(field: &'h str, quantities: &[Quantity]) -> Heading<'h> {
     let (name, unit) = parts(field);
     if name.trim() == "H" && quantities.contains(&Quantity::Altitude) {
@@ -49,7 +49,7 @@ pub fn heading<'h>(field: &'h str, quantities: &[Quantity]) -> Heading<'h> {
     if unit.is_some() {
         return Heading::Unknown;
     }
-    // the unit goes on from the name: density_kg_m3, T_K, Höhe km
+    // the unit follows the name: density_kg_m3, T_K, Höhe km
     let mut longest: Option<(usize, Quantity, &str)> = None;
     for (quantity, name) in quantities
         .iter()
@@ -74,7 +74,7 @@ pub fn heading<'h>(field: &'h str, quantities: &[Quantity]) -> Heading<'h> {
     }
 }
 
-/// What stands behind the signs of `name` in a field.
+/// Text of a field after the characters of `name`.
 fn after<'f>(field: &'f str, name: &str) -> Option<&'f str> {
     let mut left = name.chars().count();
     for (place, sign) in field.char_indices() {
@@ -86,7 +86,7 @@ fn after<'f>(field: &'f str, name: &str) -> Option<&'f str> {
     None
 }
 
-/// Name and unit of a heading that divides them by brackets, a comma or a stroke.
+/// Name and unit of a heading separated by brackets, a comma or a slash.
 fn parts(field: &str) -> (&str, Option<&str>) {
     let inner = |open: usize, text: &'_ str| {
         text.get(open + 1..)

@@ -1,12 +1,12 @@
-//! Heat fluxes over speed and density from a file, of the stagnation point or of points along the forebody.
+//! Heat fluxes against speed and density from a file, at the stagnation point or at points along the forebody.
 //!
 //! ```text
 //! columns by name: speed, density, convective and radiative, or total; r or s as a fraction
 //! ```
 //!
 //! # Valid
-//! Each speed with each density, in any order, without holes. A total heat flux stands as convective beside radiative fluxes of 0.
-//!
+//! A complete grid of speeds and densities, in any order. A total heat flux is stored as convective, with radiative
+//! fluxes of 0.
 //! # References
 //! - Own convention.
 
@@ -56,7 +56,7 @@ const fn bare_along(fraction: Quantity) -> [Quantity; 5] {
     ]
 }
 
-/// Rows of speed, density and heat fluxes; before them the fraction, where the file has one or the input asks for it.
+/// Rows of speed, density and heat fluxes, preceded by the fraction where the file has one or the input asks for it.
 pub fn read(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
     let bare: (&'static [Quantity], usize) = match input {
         Some(RADIUS_TABLE) => (&BARE_OVER_RADIUS, 5),

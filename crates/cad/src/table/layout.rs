@@ -1,7 +1,7 @@
-//! What a kind of table may hold, and a table as it is read: what the steps of reading hand on.
+//! Layout of a kind of table, and the intermediate results of the steps of reading.
 //!
 //! # Valid
-//! One table a file.
+//! One table per file.
 //!
 //! # References
 //! - Own convention.
@@ -11,79 +11,79 @@ use super::cells::Line;
 use super::quantity::Quantity;
 use std::borrow::Cow;
 
-/// Names that a remark lists.
+/// Largest number of names in a message.
 const MOST_NAMES: usize = 12;
 
-/// What a kind of table may hold.
+/// Columns that a kind of table may hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
-    /// Quantities that are understood.
+    /// Quantities read.
     pub quantities: &'static [Quantity],
-    /// Columns of a table without heading, in their order, and how many of them it must have.
+    /// Columns of a table without heading, in order, and the least number of them.
     pub bare: (&'static [Quantity], usize),
-    /// Whether a row without a number is a fault; else it is left out.
+    /// Whether a row with a missing number is a fault; otherwise it is left out.
     pub whole: bool,
 }
 
-/// A column that is understood.
+/// Column that is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Column {
-    /// What it holds.
+    /// Quantity of the column.
     pub quantity: Quantity,
-    /// Its place in the file, from 0.
+    /// Index in the file, from 0.
     pub place: usize,
-    /// Whether the file names its unit.
+    /// Whether the file names the unit.
     pub named_unit: bool,
-    /// Whether another column has the same quantity in another unit and is the one that is read.
+    /// Whether another column with the same quantity in another unit is used instead.
     pub spare: bool,
-    /// SI units, or deg, in its unit.
+    /// Factor from the column's unit to SI units, or deg.
     pub factor: f64,
-    /// What is added to it.
+    /// Offset added after the factor.
     pub offset: f64,
 }
 
-/// The numbers of a table in SI.
+/// Numbers of a table in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// Its columns.
+    /// Columns.
     pub columns: Vec<Column>,
-    /// Line of the file and a number a column; none is missing.
+    /// Line of the file, and one number per column; none is missing.
     pub rows: Vec<(u64, Vec<f64>)>,
     /// Whether the file names its columns.
     pub headed: bool,
-    /// Columns that were left out.
+    /// Names of columns that were left out.
     pub unknown: Vec<String>,
-    /// Faults of the spare columns, in their order, where no number tells that they agree with those that are read.
+    /// Faults of the spare columns, in order; reported where no row has a number to compare with the column used.
     pub twice: Vec<TableFault>,
-    /// What was decided on the way.
+    /// Decisions made on the way, for the user.
     pub remarks: Vec<String>,
 }
 
 impl Sheet {
-    /// Whether it has a column of a quantity.
+    /// Whether there is a column of a quantity.
     pub fn has(&self, quantity: Quantity) -> bool {
         self.place(quantity).is_some()
     }
 
-    /// Place of a quantity among the columns.
+    /// Index of a quantity's column.
     pub fn place(&self, quantity: Quantity) -> Option<usize> {
         self.columns
             .iter()
             .position(|column| column.quantity == quantity)
     }
 
-    /// Whether the file names the unit of a quantity; of one that it has not, too.
+    /// Whether the file names the unit of a quantity; true for a quantity that it does not have.
     pub fn has_unit(&self, quantity: Quantity) -> bool {
         let column = self.place(quantity).and_then(|n| self.columns.get(n));
         column.is_none_or(|column| column.named_unit)
     }
 
-    /// The number of a quantity in a row.
+    /// Value of a quantity in a row.
     pub fn value(&self, row: &[f64], quantity: Quantity) -> Option<f64> {
         row.get(self.place(quantity)?).copied()
     }
 
-    /// A fault that says which column is missing, and which the file has.
+    /// Fault that names the missing column and those that the file has.
     pub fn missing(&self, name: &'static str) -> TableFault {
         TableFault::MissingColumn {
             name,
@@ -94,17 +94,17 @@ impl Sheet {
 
 pub(super) type Cells<'t> = Vec<Cow<'t, str>>;
 
-/// A line in cells.
+/// Line split into cells.
 pub(super) struct Cut<'t> {
     pub line: Line<'t>,
     pub cells: Cells<'t>,
-    /// Whether most of it are numbers.
+    /// Whether the cells are mostly numbers.
     pub data: bool,
-    /// Whether its cells stand where the heading says, blanks among them.
+    /// Whether the cells were assigned by column position, blanks included.
     pub placed: bool,
 }
 
-/// Whether a line only divides others.
+/// Whether a line is only a separator rule.
 pub(super) fn is_rule(cells: &[Cow<str>]) -> bool {
     cells.iter().all(|cell| {
         cell.chars()
@@ -112,7 +112,7 @@ pub(super) fn is_rule(cells: &[Cow<str>]) -> bool {
     })
 }
 
-/// Names in quotes, no more than a message takes.
+/// Names in quotes, as many as a message shows.
 pub(super) fn listed(names: &[String]) -> String {
     let shown = names
         .iter()

@@ -1,13 +1,14 @@
-//! Numbers of a file: one decimal sign for the whole of it.
+//! Numbers of a file: one decimal sign for the whole file.
 //!
 //! ```text
-//! 1.2250  0,7361  1.5e-3  1.234,5  1,234.5  1,234,567    prove the decimal sign
-//! 1.400  1,212                                           may have it, or group thousands
+//! 1.2250  0,7361  1.5e-3  1.234,5  1,234.5  1,234,567    determine the decimal sign
+//! 1.400  1,212                                           ambiguous: decimal sign or thousands separator
 //! ```
 //!
-//! What is proven holds for the file. Two signs that are proven, and a sign that may group thousands where the file uses
-//! the other one for decimals, are faults; but a column of altitudes in m or ft without any decimal sign may group them.
-//! Where nothing is proven, the point is the decimal sign, and the comma only where semicolons separate.
+//! A decimal sign that one number determines holds for the file. Two different decimal signs are a fault, and so is a
+//! sign that may separate thousands where the file uses the other one for decimals; but a column of altitudes in m or
+//! ft without any decimal sign may have thousands separators. Where nothing is determined, the point is the decimal
+//! sign, and the comma only where semicolons separate the cells.
 //!
 //! # Valid
 //! Digits 0 to 9, exponents with e, E, d or D.
@@ -20,27 +21,27 @@ use super::separator::Separator;
 use super::shown;
 use std::borrow::Cow;
 
-/// Words for what was not measured.
+/// Words for missing values.
 const HOLES: [&str; 9] = ["", "-", "--", "---", "nan", "na", "n/a", "null", "none"];
-/// Numbers that stand for what was not measured.
+/// Numbers that stand for missing values.
 const HOLE_NUMBERS: [f64; 3] = [-999.0, -9999.0, -99999.0];
 
-/// Whether a cell is the spelling of a number, whatever its decimal sign.
+/// Whether a cell is a number with either decimal sign.
 pub fn is_number(cell: &str) -> bool {
     Parts::of(cell).is_some()
 }
 
-/// Whether a cell is a number, or says that there is none.
+/// Whether a cell is a number or marks a missing value.
 pub fn is_number_or_hole(cell: &str) -> bool {
     is_hole(cell) || is_number(cell)
 }
 
-/// Whether a cell says that there is no number.
+/// Whether a cell marks a missing value.
 pub fn is_hole(cell: &str) -> bool {
     HOLES.iter().any(|hole| cell.eq_ignore_ascii_case(hole))
 }
 
-/// The parts of a number as typed.
+/// Parts of a number as typed.
 struct Parts<'c> {
     negative: bool,
     /// Digits, points and commas.
@@ -48,16 +49,16 @@ struct Parts<'c> {
     exponent: &'c str,
 }
 
-/// What a body says of the decimal sign.
+/// Evidence of a number for the decimal sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Evidence {
-    /// Digits only.
+    /// None: digits only.
     Nothing,
     /// The sign is a decimal sign.
     Proof(char),
-    /// The sign is a decimal sign, or groups thousands.
+    /// The sign is a decimal sign or a thousands separator.
     Either(char),
-    /// Neither reading fits.
+    /// Not a number with either sign.
     Malformed,
 }
 
@@ -78,7 +79,7 @@ impl<'c> Parts<'c> {
         if !whole(digits) || !body.contains(|c: char| c.is_ascii_digit()) {
             return None;
         }
-        // blanks that do not break a line, and the apostrophe, only ever group digits
+        // no-break and thin spaces and apostrophes only ever separate thousands
         let groups = ['\u{a0}', '\u{202f}', '\u{2009}', '\'', '’'];
         let body = if body.contains(groups) {
             let sound = body.split(groups).enumerate().all(|(n, part)| {
@@ -161,18 +162,18 @@ impl<'c> Parts<'c> {
     }
 }
 
-/// What a cell holds.
+/// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
     /// A number.
     Number(f64),
-    /// Nothing was measured.
+    /// Missing value.
     Hole,
-    /// Something else.
+    /// Anything else.
     Words,
 }
 
-/// How the numbers of a file are spelled.
+/// Spelling of the numbers of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Spelling {
     /// Decimal sign.
@@ -180,7 +181,7 @@ pub struct Spelling {
 }
 
 impl Spelling {
-    /// The spelling that the cells of a file prove: line and cell of each.
+    /// The spelling determined by the cells, each with its line.
     pub fn of<'c>(
         cells: impl Iterator<Item = (u64, &'c str)>,
         separator: Separator,
@@ -227,7 +228,7 @@ impl Spelling {
         Ok(Spelling { decimal })
     }
 
-    /// What a cell holds.
+    /// Content of a cell.
     pub fn read(self, cell: &str) -> Cell {
         if is_hole(cell) {
             return Cell::Hole;
@@ -240,13 +241,13 @@ impl Spelling {
         }
     }
 
-    /// Whether a cell may be read in two ways: a sign that is not the decimal sign of the file, in the place of one.
+    /// Whether a cell is ambiguous: its only sign is not the decimal sign of the file, but could be one.
     pub fn is_doubtful(self, cell: &str) -> bool {
         let evidence = Parts::of(cell).map(|parts| parts.evidence());
         matches!(evidence, Some(Evidence::Either(sign)) if sign != self.decimal)
     }
 
-    /// Whether a cell has the decimal sign and does not prove by another sign that it groups thousands.
+    /// Whether a cell contains the decimal sign of the file and not the other sign.
     pub fn has_plain_decimals(self, cell: &str) -> bool {
         let parts = Parts::of(cell);
         parts.is_some_and(|parts| {

@@ -1,4 +1,4 @@
-//! Cells of listings in fixed columns, where blanks stand for what was not measured.
+//! Cells of listings in fixed columns, where blanks stand for missing values.
 //!
 //! ```text
 //!    PRES   HGHT   TEMP   DRCT   SKNT
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! # Valid
-//! Rows without tabs and quotes, below a heading of one word a column. Other rows are left as they are cut.
+//! Rows without tabs and quotes, below a heading with one word per column. Other rows are left as they were split.
 //!
 //! # References
 //! - Own convention.
@@ -16,7 +16,7 @@ use super::layout::Cut;
 use super::quantity::Quantity;
 use std::borrow::Cow;
 
-/// Puts the cells of rows with fewer cells than the heading has names below these names.
+/// Assigns the cells of incomplete rows to the headings above them.
 pub(super) fn place(cuts: &mut [Cut], quantities: &[Quantity]) {
     let known = |cut: &Cut| {
         let names = cut.cells.iter();
@@ -40,6 +40,7 @@ pub(super) fn place(cuts: &mut [Cut], quantities: &[Quantity]) {
             let place = |word| names.iter().position(|name| end(name) == end(word));
             words.iter().map(place).collect()
         };
+        // columns are aligned at their last characters, or else at their first
         let Some(places) = below(|span| span[1]).or_else(|| below(|span| span[0])) else {
             continue;
         };
@@ -55,7 +56,8 @@ pub(super) fn place(cuts: &mut [Cut], quantities: &[Quantity]) {
     }
 }
 
-/// First character and that behind the last of each word of a line; none where tabs or quotes are in it.
+/// Index of the first character of each word of a line and of the one after the last; empty where the line has tabs or
+/// quotes.
 fn spans(cut: &Cut) -> Vec<[usize; 2]> {
     let mut spans: Vec<[usize; 2]> = Vec::new();
     let mut inside = false;

@@ -1,4 +1,4 @@
-//! What a column may hold: the words for it and its units.
+//! Quantities that a column may hold: their names and units.
 //!
 //! ```text
 //! SI = factor × number + offset
@@ -14,12 +14,12 @@
 
 mod unit;
 
-/// What a column holds.
+/// Quantity of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     Altitude,
     Geopotential,
-    /// A plain H, which is geopotential in standard atmospheres and geometric elsewhere.
+    /// Column "H", which is geopotential in standard atmospheres and geometric elsewhere.
     CapitalH,
     PressureAltitude,
     Density,
@@ -46,16 +46,16 @@ pub enum Quantity {
     Bulge,
     Convective,
     Radiative,
-    /// Convective and radiative heat flux together.
+    /// Sum of convective and radiative heat flux.
     TotalHeat,
-    /// Distance from the axis over the largest radius.
+    /// Distance from the axis divided by the largest radius.
     RadiusFraction,
-    /// Length along the outline over that to the largest radius.
+    /// Length along the outline divided by that to the largest radius.
     ArcFraction,
 }
 
 impl Quantity {
-    /// Its name, and the words for it, small, without blanks and signs.
+    /// Name, and its synonyms in lower case without blanks and signs.
     pub fn names(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Altitude => (

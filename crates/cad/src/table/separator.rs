@@ -1,13 +1,13 @@
-//! What divides the cells of a line.
+//! Separators of the cells of a line.
 //!
 //! # References
 //! - Own convention.
 
-/// What stands between cells.
+/// Separator of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Separator {
-    /// One character.
+    /// A single character.
     Sign(char),
-    /// Blanks and tabs, any number of them.
+    /// Any number of blanks and tabs.
     Blanks,
 }

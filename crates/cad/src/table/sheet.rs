@@ -1,12 +1,12 @@
-//! The numbers of a table in SI, column by column.
+//! Numbers of a table in SI, column by column.
 //!
 //! ```text
 //! numbers     from the first to the last line that is mostly numbers
-//! notes       lines below the last one, left out with a remark
+//! notes       lines below the last one, left out with a message
 //! ```
 //!
 //! # Valid
-//! One table a file.
+//! One table per file.
 //!
 //! # References
 //! - Own convention.
@@ -21,7 +21,7 @@ use super::separator::Separator;
 use super::units;
 use super::{MOST_FAULTS, TableFault, shown};
 
-/// The columns and numbers of a text.
+/// Columns and numbers of a text.
 pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
     let (lines, named) = cells::lines(text);
     let separator = named.unwrap_or_else(|| cells::separator(&lines));
@@ -71,7 +71,8 @@ pub fn sheet(text: &str, layout: &Layout) -> Result<Sheet, Vec<TableFault>> {
     Ok(sheet)
 }
 
-/// The first row of numbers; a title that ends in a number, with words between it and the rows, is none.
+/// Index of the first row of numbers; a title that ends in a number, with words between it and the rows, does not
+/// count.
 fn first_row(cuts: &[Cut]) -> Option<usize> {
     let first = cuts.iter().position(|cut| cut.data)?;
     let whole = cuts
@@ -86,7 +87,7 @@ fn first_row(cuts: &[Cut]) -> Option<usize> {
     })
 }
 
-/// Cells of most lines.
+/// Number of cells of most lines.
 fn width(body: &[Cut]) -> usize {
     let mut counts: Vec<usize> = body
         .iter()
@@ -215,7 +216,7 @@ fn rows_of(count: usize) -> String {
     }
 }
 
-/// Faults where a sign may be that of thousands; altitudes in m and ft without a decimal sign may have thousands.
+/// Faults of numbers with a possible thousands separator; altitudes in m and ft without a decimal sign may have one.
 fn grouped(
     sheet: &mut Sheet,
     columns: &[Column],

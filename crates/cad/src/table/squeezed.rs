@@ -1,15 +1,15 @@
-//! Names and units of a heading without what differs from file to file.
+//! Normalized names and units of headings.
 //!
 //! # References
 //! - Own convention.
 
-/// A name without blanks and signs, in small letters.
+/// A name in lower case without blanks and signs.
 pub(super) fn squeezed(name: &str) -> String {
     name.chars()
         .filter(|c| c.is_alphanumeric() || *c == '®')
         .flat_map(char::to_lowercase)
         .map(|c| match c {
-            // what spreadsheets make of (R)
+            // spreadsheets replace (R) by this sign
             '®' => 'r',
             '³' => '3',
             '²' => '2',
@@ -18,7 +18,7 @@ pub(super) fn squeezed(name: &str) -> String {
         .collect()
 }
 
-/// A unit without strokes and powers: kg/m³, kg m^-3 and kg/m**3 are `kgm3`.
+/// A unit without slashes and power signs: kg/m³, kg m^-3 and kg/m**3 become `kgm3`.
 pub(super) fn squeezed_unit(symbol: &str) -> String {
     if symbol.trim() == "\"" {
         return "\"".to_owned();

@@ -160,13 +160,13 @@ fn what_was_decided_is_told() {
 #[test]
 fn what_can_be_read_in_two_ways_is_refused_with_its_line() {
     let said = |text: &str| faults("atmosphere.file", text).join("\n");
-    // thousands or decimals, with nothing to tell them apart
+    // thousands or decimals, with nothing to distinguish them
     assert!(
         said("z (m)\trho (kg/m3)\n0\t1,225\n1000\t1,112\n").starts_with("line 2: got \"1,225\"")
     );
     // both signs
     assert!(said("z (m)\trho (kg/m3)\n0.5\t1,2250\n").contains("both signs"));
-    // not an altitude, or one in km
+    // not an altitude, or an altitude in km
     assert!(
         said("z (m)\trho (kg/m3)\tT (K)\n0\t1,225\t288.15\n1000\t1,112\t281.65\n")
             .starts_with("line 2: got \"1,225\"")
@@ -182,7 +182,7 @@ fn what_can_be_read_in_two_ways_is_refused_with_its_line() {
     let aero =
         "mach;alpha_deg;ca;cn\n1;0;1.400;0\n1;30;1,212;0.250\n20;0;1.400;0\n20;30;1,212;0.250\n";
     assert!(faults("vehicle.aerodynamics.file", aero)[0].starts_with("line 3: got \"1,212\""));
-    // columns that nothing names, or that are not those of an atmosphere
+    // columns without names, or not those of an atmosphere
     assert!(
         said("# Z, foo, bar\n0,200,358\n1,200,300\n")
             .contains("header: got \"Z\", \"foo\", \"bar\"")
@@ -286,7 +286,7 @@ fn the_planet_is_the_one_that_the_case_flies_over() {
     assert_eq!(of("").radius_m, EARTH_RADIUS_M);
 }
 
-/// Unit behind a comma as in public files; a heading of another number of cells is no title.
+/// Unit after a comma, as in public files; a heading with another number of cells is not a title.
 #[test]
 fn a_heading_that_does_not_fit_its_columns_is_not_passed_over() {
     let rows = "0,1.225,340.3\n5000,0.7361,320.5\n10000,0.4135,299.5\n";
@@ -310,7 +310,7 @@ fn rows_for_one_input_are_read_as_its_columns_or_refused() {
     };
     let (by_time, by_speed) = ("vehicle.bank_table_deg", "vehicle.bank_speed_table_deg");
     let bank = |table: &str, text: &str| read(table, "vehicle.bank_file", text);
-    // without heading, as a spreadsheet in Germany copies them
+    // without heading, as copied from a German spreadsheet
     for table in [by_time, by_speed] {
         let rows = bank(table, "10\t0,5\n20\t1,5\n").unwrap();
         same(&rows, &[&[10.0, 0.5], &[20.0, 1.5]]);

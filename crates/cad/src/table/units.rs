@@ -1,11 +1,11 @@
-//! Quantities that a table gives in several units.
+//! Quantities given in several units.
 //!
 //! ```text
-//! Altitude (km)   Altitude (ft)        one is read, in SI units where there is one, and the others are compared with it
+//! Altitude (km)   Altitude (ft)        one is read, in SI units if available, and the others are compared with it
 //! ```
 //!
 //! # Valid
-//! Units that differ; a quantity twice in one unit is a fault, as the file does not say which one counts.
+//! Different units; a quantity given twice in one unit is a fault, as the file does not say which to use.
 //!
 //! # References
 //! - Own convention.
@@ -13,10 +13,11 @@
 use super::layout::{Column, Sheet};
 use super::{TableFault, shown};
 
-/// Largest part by which the same in two units may differ, of it and of the largest of its column: figures are rounded; assumed.
+/// Largest differences of a value in two units, relative to itself and to the largest of its column: figures are
+/// rounded; assumed.
 const ALIKE: [f64; 2] = [0.02, 1e-3];
 
-/// Chooses the column to read of a quantity that stands in several units; the others are kept to be compared with it.
+/// Chooses the column to read of a quantity given in several units; the others are kept for comparison.
 pub(super) fn chosen(sheet: &mut Sheet, names: &[&str], line: u64, faults: &mut Vec<TableFault>) {
     let mut columns: Vec<Column> = Vec::with_capacity(sheet.columns.len());
     let mut spares = Vec::new();
@@ -31,6 +32,7 @@ pub(super) fn chosen(sheet: &mut Sheet, names: &[&str], line: u64, faults: &mut 
             .filter(|c| c.quantity == column.quantity)
             .collect();
         let named = || same.iter().filter(|c| c.named_unit);
+        // SI needs no conversion; a column with a named unit is safer than one without
         let si = named().find(|c| c.factor == 1.0 && c.offset == 0.0);
         let best = **si.or(named().next()).unwrap_or(&column);
         columns.push(best);
@@ -66,7 +68,7 @@ pub(super) fn chosen(sheet: &mut Sheet, names: &[&str], line: u64, faults: &mut 
     sheet.columns = columns;
 }
 
-/// A fault where a quantity in two units is two things.
+/// A fault where the values of a quantity in two units disagree.
 pub(super) fn agree(sheet: &Sheet) -> Result<(), Vec<TableFault>> {
     let [part, of_largest] = ALIKE;
     let spares = sheet.columns.iter().enumerate().filter(|(_, c)| c.spare);

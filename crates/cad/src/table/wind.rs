@@ -1,10 +1,10 @@
-//! Rows of wind from a file: components, or speed and the direction from which it blows.
+//! Rows of wind from a file: components, or speed and the direction it blows from.
 //!
 //! ```text
 //! east = −w sin d        north = −w cos d
 //! ```
 //!
-//! with w the speed in m/s and d the direction from which the wind blows, clockwise from north.
+//! with w the speed in m/s and d the direction the wind blows from, clockwise from north.
 //!
 //! # Valid
 //! Horizontal wind.

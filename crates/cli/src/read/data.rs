@@ -1,4 +1,4 @@
-//! Data files of one's own: a folder laid out as `crates/msape/data`.
+//! User data files: a folder laid out as `crates/msape/data`.
 
 use super::{bytes, cut, utf8};
 use crate::failure::Failure;
@@ -6,19 +6,19 @@ use msape::Library;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-/// Most files of a folder that are read. Assumed: ten times what ships.
+/// Largest number of files read from a folder. Assumed: ten times what ships.
 const MOST_FILES: usize = 1000;
 
-/// The data that a command works with.
+/// Data available to a command.
 pub struct Data {
-    /// The library that ships with the program, with the files of a folder where one is given.
+    /// Built-in library, with the files of the user's folder where one is given.
     pub library: Library,
-    /// The files of that folder.
+    /// Files of that folder.
     pub files: Vec<PathBuf>,
 }
 
 impl Data {
-    /// Reads the files of a folder, where one is given.
+    /// Reads the files of a folder, if one is given.
     pub fn of(folder: Option<&Path>) -> Result<Data, Failure> {
         let Some(folder) = folder else {
             return Ok(Data {
@@ -30,7 +30,7 @@ impl Data {
             |fault: String| format!("--data {}: {fault}", cut(&folder.display().to_string()));
         let mut texts = Vec::new();
         collect(folder, "", &mut texts).map_err(|fault| Failure::input(named(fault)))?;
-        // The order of a folder is the file system's.
+        // the order of directory entries depends on the file system
         texts.sort();
         let library = Library::with_files(&texts).map_err(|faults| {
             let named = faults.iter().map(|fault| named(fault.to_string()));
@@ -41,7 +41,7 @@ impl Data {
     }
 }
 
-/// Paths below the folder, with slashes, and texts; what is hidden is left out.
+/// Paths relative to the folder, with slashes, and texts; hidden files are left out.
 fn collect(folder: &Path, prefix: &str, files: &mut Vec<(String, String)>) -> Result<(), String> {
     let unreadable = |error| match prefix {
         "" => format!("cannot be read: {error}"),

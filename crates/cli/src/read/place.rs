@@ -1,23 +1,23 @@
-//! Where the files that a case names may lie.
+//! Allowed places of the files that a case names.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// Where a file may lie.
+/// Place where a file may lie.
 pub enum Place<'p> {
-    /// Named on the command line: anywhere, looked for from where the command is given.
+    /// Named on the command line: anywhere, relative to the current folder.
     Anywhere,
     /// Named in a case: below its folder, or below the root that the command line allows.
     Below {
         /// Folder of the case.
         folder: &'p Path,
-        /// What `--root` says.
+        /// Folder given with `--root`.
         root: Option<&'p Path>,
     },
 }
 
 impl Place<'_> {
-    /// The file of a name, or why it is not read.
+    /// Path of the file with a name, or the reason why it is not read.
     pub fn find(&self, name: &str) -> Result<PathBuf, String> {
         let found = match self {
             Place::Anywhere => {
@@ -25,7 +25,7 @@ impl Place<'_> {
             }
             Place::Below { folder, root } => below(name, folder, *root)?,
         };
-        // a pipe would be waited for, a device may have no end
+        // reading a pipe may block, a device may have no end
         match fs::metadata(&found) {
             Ok(there) if there.is_file() => Ok(found),
             Ok(there) if there.is_dir() => Err("is a folder".to_string()),
@@ -53,13 +53,13 @@ fn below(name: &str, folder: &Path, root: Option<&Path>) -> Result<PathBuf, Stri
     let mut reason = None;
     for place in [Some(folder), root].into_iter().flatten() {
         match fs::canonicalize(place.join(name)) {
-            // links have been followed here
+            // the canonical path has its links resolved
             Ok(real) if allowed.iter().any(|allowed| real.starts_with(allowed)) => return Ok(real),
             Ok(_) => return outside(),
             Err(error) => reason = reason.or(Some(error)),
         }
     }
-    // whether there is something outside is nobody's business
+    // do not reveal whether a file outside exists
     if root.is_none() && leaves(name) {
         return outside();
     }
@@ -69,7 +69,7 @@ fn below(name: &str, folder: &Path, root: Option<&Path>) -> Result<PathBuf, Stri
     ))
 }
 
-/// Whether a name leads out of its folder as it is written.
+/// Whether a name as written leads out of its folder.
 fn leaves(name: &str) -> bool {
     let mut depth = 0_i32;
     for component in Path::new(name).components() {

@@ -1,15 +1,15 @@
-//! Text in columns.
+//! Text in aligned columns.
 
-/// Which side of a column its text keeps to.
+/// Alignment of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
-    /// Names.
+    /// Left, for names.
     Left,
-    /// Numbers.
+    /// Right, for numbers.
     Right,
 }
 
-/// Rows of cells that are as wide as the widest of their column.
+/// Rows of cells, padded to the widest of their column.
 #[derive(Clone, Debug)]
 pub struct Columns {
     aligns: Vec<Align>,
@@ -17,7 +17,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// No rows yet.
+    /// Columns without rows.
     pub fn new(aligns: &[Align]) -> Columns {
         Columns {
             aligns: aligns.to_vec(),
@@ -30,7 +30,7 @@ impl Columns {
         self.rows.push(row);
     }
 
-    /// The rows as lines, two spaces between the columns, none at the end.
+    /// The rows as lines, two spaces between columns, no trailing spaces.
     pub fn lines(&self) -> impl Iterator<Item = String> + '_ {
         let width = |i: usize| {
             let cells = self.rows.iter().filter_map(move |row| row.get(i));

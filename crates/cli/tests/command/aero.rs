@@ -23,7 +23,7 @@ fn array(object: &Value, key: &str) -> Vec<f64> {
 fn arrays_as_long_as_the_list_of_angles_and_no_moment_without_a_centre_of_gravity() {
     let newton = object(&["--regime", "newtonian", "--alpha", "0,30,180"], OUTLINE);
     assert_eq!(array(&newton, "alpha_deg"), [0.0, 30.0, 180.0]);
-    // an independent panel method: 1.46939, 1.16772, −1.90821 and −0.17332, errors of its mesh within 1e-3
+    // an independent panel method: 1.46939, 1.16772, −1.90821 and −0.17332, with discretization errors within 1e-3
     for (got, want) in array(&newton, "ca")
         .iter()
         .zip([1.46939, 1.16772, -1.90821])
@@ -38,7 +38,7 @@ fn arrays_as_long_as_the_list_of_angles_and_no_moment_without_a_centre_of_gravit
     let free = object(&["--regime", "free-molecular", "--alpha", "0,90"], &cg);
     // C_m about 0.2 diameters at 90 deg: −0.02065
     assert!((array(&free, "cm_cg")[1] + 0.02065).abs() < 1e-3);
-    // specular in a cold limit, a disc of the same outline would have 4; half as accommodated lies above full
+    // specular in the cold limit; a disc of the same outline would have 4; half accommodation lies above full
     let wall = object(
         &[
             "--regime",

@@ -1,4 +1,4 @@
-//! Answers in every form.
+//! Answers in every format.
 
 use crate::{M2, command, folder, msape, msape_with, path, root};
 use serde_json::Value;
@@ -16,7 +16,7 @@ fn a_flight_is_answered_as_one_object() {
     assert_eq!((finished.code, finished.err.as_str()), (Some(0), ""));
     let answer = object(&finished.out);
     assert_eq!(answer["outcome"], "landed");
-    // 29.84381 by an independent integration, within 0.1 %.
+    // 29.84381 by an independent integration, within 0.1 %
     let peak = answer["results"]["peak_deceleration_earth_g"]
         .as_f64()
         .unwrap();
@@ -66,7 +66,7 @@ fn results_and_history_are_written_as_csv() {
     assert!(cell("Max Entry Load (Earth g)").starts_with("29.84"));
     let si = msape(&["fly", M2, "--csv-si", "--trajectory-step", "100"]).out;
     assert!(si.starts_with("time_s,altitude_m,latitude_deg,"));
-    // 0, 100, ... 500 and the end.
+    // 0, 100, ... 500 and the end
     assert_eq!(si.lines().count(), 1 + 6 + 1);
 }
 
@@ -175,7 +175,7 @@ fn a_reader_that_goes_away_is_no_fault() {
         .unwrap();
     let mut first = [0; 1];
     child.stdout.take().unwrap().read_exact(&mut first).unwrap();
-    // The pipe is closed by now, with megabytes still to come.
+    // the pipe is closed here, with megabytes still to be written
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty());
@@ -281,7 +281,7 @@ fn the_facts_of_an_outline_and_a_mass_tree_are_printed() {
     let facts = msape_with(&["outline", "-", "--json"], case);
     assert_eq!((facts.code, facts.err.as_str()), (Some(0), ""));
     let facts: serde_json::Value = serde_json::from_str(&facts.out).unwrap();
-    // printed to eight decimals, hence half a unit of the last
+    // printed to eight decimals, hence half a unit of the last digit
     let area = facts["outline"]["forebody_area_m2"].as_f64().unwrap();
     assert!((area - 0.934_500_31).abs() < 5.001e-9, "{area}");
     let none = msape(&["outline", M2]);

@@ -1,4 +1,4 @@
-//! Each fault is named with key, value, range and unit; nothing is written; the code is 2.
+//! Each fault is reported with key, value, range and unit; nothing is written; the exit code is 2.
 
 use crate::{Finished, M2, folder, msape, msape_with, path, root};
 use std::fs;
@@ -185,7 +185,7 @@ fn arguments_are_checked() {
     );
 }
 
-/// Spelled in a file and typed: beyond what a number can be, none at all, a formula, grouped by a sign that may be the decimal one.
+/// In a file and typed: overflow, not a number, a formula, grouped by a sign that may be the decimal sign.
 #[test]
 fn numbers_without_end_are_refused_and_typed_ones_read() {
     let case = fs::read_to_string(root().join(M2)).unwrap();

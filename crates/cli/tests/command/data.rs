@@ -1,4 +1,4 @@
-//! Data files of one's own, in the folder of `--data`.
+//! User data files, in the folder of `--data`.
 
 use crate::files::{DROP, with};
 use crate::{folder, msape, path};
@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder of data with the Earth as a ball of twice its gravity, by the name of `heavy`.
+/// A data folder with the planet `heavy`: the Earth as a sphere with twice its gravity.
 fn data(name: &str) -> PathBuf {
     let here = folder(name).join("data");
     fs::create_dir_all(here.join("planets")).unwrap();
@@ -19,7 +19,7 @@ fn data(name: &str) -> PathBuf {
     here
 }
 
-/// The answer of a fall from 5 km on a planet.
+/// Answer of a fall from 5 km on a planet.
 fn flown(data: &Path, planet: &str) -> Result<Value, String> {
     let case = data.join("../case.toml");
     let text = with(DROP, "").replace("planet = \"earth\"", &format!("planet = \"{planet}\""));
@@ -51,7 +51,8 @@ fn a_planet_of_one_s_own_is_flown_and_listed() {
             .unwrap();
         speeds.last().unwrap().as_f64().unwrap()
     };
-    // after 1 s, without drag 2.003 for the pull outwards of the rotation; drag takes 1 % of the one and 2.5 % of the other
+    // after 1 s, without drag 2.003 because of the centrifugal acceleration; drag takes 1 % of the one and 2.5 % of the
+    // other
     let ratio = fall("heavy") / fall("earth");
     assert!((1.96..2.0).contains(&ratio), "{ratio}");
     let list = msape(&["quantities", "inputs", "--data", path(&data)]);

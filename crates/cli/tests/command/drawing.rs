@@ -3,7 +3,7 @@
 use super::{folder, msape, path};
 use std::fs;
 
-/// The side and the base of a cone of 0.5 m by 0.5 m, below the axis, in a drawing that says metres.
+/// Side and base of a cone of 0.5 m by 0.5 m, below the axis, in a drawing in meters.
 const DRAWING: &str = "0 SECTION 2 HEADER 9 $INSUNITS 70 6 0 ENDSEC 0 SECTION 2 ENTITIES \
     0 LINE 8 0 10 0 20 0 11 500 21 -500 0 XLINE 8 0 10 0 20 0 11 1 21 0 \
     0 LINE 8 0 10 500 20 -500 11 500 21 0 0 ENDSEC 0 EOF";

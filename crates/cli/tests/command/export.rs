@@ -174,7 +174,7 @@ fn the_exported_outline_of_a_vehicle_is_read_again() {
         let again = outline(&export(path(&case), "csv"));
         assert_eq!(again.len(), first.len(), "{format}");
         for (is, was) in again.iter().zip(&first) {
-            // the importer closes gaps of rounding and makes arcs from their bulge: a millionth of a millimetre
+            // the importer closes rounding gaps and computes arcs from their bulge: a millionth of a millimeter
             assert!((is - was).abs() < 1e-6, "{format}: {is} was {was}");
         }
     }

@@ -1,4 +1,4 @@
-//! Files that a case names, whatever their dialect and wherever they lie.
+//! Files that a case names, in any dialect and at any place.
 
 use crate::{M2, folder, msape, msape_with, path, root};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// A drop from 5 km through the air of a file; what its first instant is like.
+/// A drop from 5 km through the atmosphere of a file, with its initial state.
 pub const DROP: &str = "schema = \"msape/1\"
 [entry]
 planet = \"earth\"
@@ -27,12 +27,12 @@ nose_radius_m = 0.5
 drag_coefficient = 1.0
 ";
 
-/// A case with more at its end.
+/// A case with text appended.
 pub fn with(case: &str, extra: &str) -> String {
     format!("{case}{extra}\n")
 }
 
-/// The answer of a case in `folder` that names its air.
+/// Answer of a case in `folder` that names its atmosphere file.
 fn flown(here: &Path, case: &str) -> Result<Value, String> {
     let file = here.join("case.toml");
     fs::write(&file, case).unwrap();
@@ -224,7 +224,7 @@ fn files_are_read_below_the_folder_of_the_case() {
         "{}",
         refused.err
     );
-    // what the user names on the command line may lie anywhere
+    // a file named on the command line may lie anywhere
     fs::write(&file, DROP).unwrap();
     let named = format!("atmosphere.file={secret}");
     assert_eq!(msape(&["fly", path(&file), "--set", &named]).code, Some(0));
@@ -271,7 +271,7 @@ fn links_pipes_and_devices_are_no_way_around() {
         "{}",
         device.err
     );
-    // even a file that is allowed is not shown where it is no table
+    // not even an allowed file is quoted if it is not a table
     let shown = msape(&["fly", path(&file), "--set", "atmosphere.file=/etc/passwd"]);
     assert_eq!(
         shown.err.trim_end(),
@@ -343,7 +343,7 @@ fn large_tables_and_many_keys_take_no_minutes() {
     let free = DROP.replace("drag_coefficient = 1.0\n", "");
     let case = with(&free, "[vehicle.aerodynamics]\nfile = \"table.csv\"");
     let start = Instant::now();
-    // each row compared with each other one took half a minute
+    // comparing each row with each other one took half a minute
     assert!(flown(&here, &case).is_ok());
     let mut scattered = String::from("mach,alpha_deg,ca,cn\n");
     for n in 0..100_000 {

@@ -1,4 +1,4 @@
-//! The command as its users meet it: exit codes, messages, files.
+//! Tests of the command as users see it: exit codes, messages, files.
 
 mod aero;
 mod answers;
@@ -15,7 +15,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// A finished command.
+/// Finished run of the command.
 struct Finished {
     code: Option<i32>,
     out: String,
@@ -42,7 +42,7 @@ fn msape(arguments: &[&str]) -> Finished {
     command(arguments).output().unwrap().into()
 }
 
-/// The command with a case on standard input.
+/// Runs the command with a case on standard input.
 fn msape_with(arguments: &[&str], case: &[u8]) -> Finished {
     let mut child = command(arguments)
         .stdin(Stdio::piped())
@@ -50,7 +50,7 @@ fn msape_with(arguments: &[&str], case: &[u8]) -> Finished {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // A command that refuses early closes its end.
+    // a command that fails early closes its standard input
     let _ = child.stdin.take().unwrap().write_all(case);
     child.wait_with_output().unwrap().into()
 }
@@ -59,7 +59,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A folder of its own for a test.
+/// A separate folder for a test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);

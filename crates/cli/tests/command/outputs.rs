@@ -1,4 +1,4 @@
-//! What is written, where, and what stays when something goes wrong.
+//! Written files, and files left unchanged after an error.
 
 use crate::files::{DROP, with};
 use crate::{Finished, M2, command, folder, msape, path, root};
@@ -65,7 +65,8 @@ fn a_full_standard_error_changes_no_code() {
     assert_eq!(wrong.code(), Some(2));
 }
 
-/// Closed is not sent away: a shell closes with `>&-`, and both a shell and Python's or Node's "no output" open the null device.
+/// A closed descriptor differs from a discarded stream: a shell closes with `>&-`, while a shell's, Python's and Node's
+/// "no output" open the null device.
 #[cfg(unix)]
 #[test]
 fn a_closed_standard_output_is_told() {
@@ -96,7 +97,7 @@ fn a_closed_standard_output_is_told() {
         let done = shell(away, &fly);
         assert_eq!((done.code, done.err.as_str()), (Some(0), ""), "{away}");
     }
-    // what goes into a file needs no standard output, and bad input stays bad input
+    // output to a file needs no standard output, and bad input is still reported
     let file = folder("closed").join("answer.json");
     let done = shell(">&-", &format!("{fly} -o {}", path(&file)));
     assert!(done.code == Some(0) && file.is_file(), "{}", done.err);

@@ -1,10 +1,10 @@
-//! The published schema against the shipped cases, with the part of JSON Schema that it uses.
+//! The published schema checked against the shipped cases, with the part of JSON Schema that it uses.
 
 use crate::{msape, root};
 use serde_json::{Value, json};
 use std::fs;
 
-/// What of `value` does not follow `schema`.
+/// Violations of `schema` in `value`.
 fn faults(schema: &Value, value: &Value, at: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut fault = |what: &str| found.push(format!("{at}: {what}"));

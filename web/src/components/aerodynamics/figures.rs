@@ -1,4 +1,4 @@
-//! Figures of a database: which curves, over what, with which marks.
+//! Figures of a database: curves, axes and marks.
 
 use crate::aerodynamics::{Curves, Family, Line};
 use crate::display::input_number;
@@ -7,7 +7,7 @@ use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
 use msape_plot::{Axis, EventLine, Figure, Kind, LimitLine, Marker, Scale, Series, Style};
 
-/// What a figure is drawn over.
+/// Horizontal axis of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     /// Angle of attack.
@@ -19,7 +19,7 @@ pub enum Over {
 }
 
 impl Over {
-    /// Heading of a coefficient over this.
+    /// Heading of a coefficient over this axis.
     pub fn title(self, coefficient: Coefficient) -> String {
         let over = match self {
             Over::Alpha => "angle of attack",
@@ -38,9 +38,9 @@ impl Over {
     }
 }
 
-/// Mach numbers at which the database changes its sources, and what begins there.
+/// Mach numbers at which the database changes its sources, with the regime that begins there.
 const MACH_MARKS: [(f64, &str); 3] = [(0.5, "transonic"), (1.5, "supersonic"), (5.0, "hypersonic")];
-/// Knudsen numbers of the same kind.
+/// Knudsen numbers at which it changes its sources.
 const KNUDSEN_MARKS: [(f64, &str); 2] = [
     (CONTINUUM, "transitional"),
     (FREE_MOLECULAR, "free-molecular"),
@@ -73,7 +73,7 @@ pub fn family_names(curves: &Curves) -> Vec<String> {
         .collect()
 }
 
-/// A coefficient over something; trim is marked on the moment about the centre of gravity.
+/// Figure of a coefficient; trim is marked on the moment about the center of gravity.
 pub fn figure(curves: &Curves, coefficient: Coefficient, over: Over) -> Figure {
     let lines = match over {
         Over::Alpha => {
@@ -150,7 +150,7 @@ fn marks(curves: &Curves, over: Over) -> Vec<EventLine> {
     let marks: &[(f64, &str)] = match over {
         _ if curves.is_table => &[],
         Over::Alpha => &[],
-        // In thin air it does not matter.
+        // the Mach number has no effect in free-molecular flow
         Over::Mach
             if curves
                 .places
@@ -170,19 +170,19 @@ fn marks(curves: &Curves, over: Over) -> Vec<EventLine> {
     marks.iter().map(mark).collect()
 }
 
-/// A part of a figure and where its numbers come from.
+/// Part of a figure and the origin of its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
-    /// Which curve or which part.
+    /// Curve or part of it.
     pub part: String,
-    /// Where it comes from.
+    /// Origins.
     pub origins: Vec<(Origin, String)>,
 }
 
-/// Mach numbers within each regime of a continuum.
+/// Mach numbers within each continuum regime.
 const WITHIN: [f64; 4] = [0.3, 1.0, 3.0, 20.0];
 
-/// The part of a computed database that answers at a Mach and a Knudsen number.
+/// Regime of a computed database at a Mach and a Knudsen number.
 fn regime_at(mach: f64, knudsen: f64) -> Regime {
     match knudsen {
         k if k >= FREE_MOLECULAR => Regime::FreeMolecular,
@@ -191,7 +191,7 @@ fn regime_at(mach: f64, knudsen: f64) -> Regime {
     }
 }
 
-/// Where the numbers of a figure come from, part by part.
+/// Origins of the numbers of a figure, by part.
 pub fn sources(curves: &Curves, coefficient: Coefficient, over: Over) -> Vec<Source> {
     let of = |part: String, regime: Regime, mach: f64| Source {
         part,
@@ -244,7 +244,7 @@ fn origins(
         (Coefficient::Cmq, DampingOrigin::Table) => {
             return vec![(Origin::Given, Origin::Given.name().to_string())];
         }
-        // A table of static coefficients says nothing of damping.
+        // a table of static coefficients does not define damping
         (Coefficient::Cmq, DampingOrigin::Report) => Regime::of_mach(mach),
         _ => regime,
     };

@@ -1,4 +1,4 @@
-//! What is asked: the places of curves and the choices of the database.
+//! Form: conditions of the curves and choices of the database.
 
 use super::{AeroView, PlacesText};
 use crate::aerodynamics::Family;
@@ -8,7 +8,7 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::quantity::input;
 
-/// Inputs of a database that is computed, of the general first.
+/// Inputs of a computed database; general ones first.
 const FIELDS: [&str; 6] = [
     "vehicle.aerodynamics",
     "vehicle.aerodynamics.damping",
@@ -18,7 +18,7 @@ const FIELDS: [&str; 6] = [
     "vehicle.aerodynamics.extrapolation",
 ];
 
-/// Where coefficients are wanted.
+/// Fields for the conditions.
 #[component]
 pub fn PlacesForm() -> impl IntoView {
     let view = AeroView::expect();

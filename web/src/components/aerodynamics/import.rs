@@ -1,4 +1,4 @@
-//! Tables of coefficients from files, and the list of those that were imported.
+//! Import of coefficient tables, and the list of imported ones.
 
 use super::AeroView;
 use crate::components::file_import::{FileImport, Verdict, Wording, notes, stem};
@@ -18,7 +18,7 @@ const WORDING: Wording = Wording {
     pasted: "Pasted table.csv",
 };
 
-/// Choose, drop or paste a table; the list of those that were imported.
+/// Choose, drop or paste a table; the list of imported tables.
 #[component]
 pub fn TableImport() -> impl IntoView {
     let state = State::expect();

@@ -36,7 +36,7 @@ fn Plot(coefficient: Coefficient, over: Over) -> impl IntoView {
             .with(|curves| curves.as_ref().map(|curves| curves.name.clone()))
             .unwrap_or_default()
     });
-    // Without a centre of gravity there is no moment about it.
+    // without a center of gravity there is no moment about it
     let has_points = Memo::new(move |_| drawn.with(has_points));
     let is_moment = coefficient == Coefficient::CmCg;
     view! {

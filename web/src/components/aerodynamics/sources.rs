@@ -1,4 +1,4 @@
-//! Where coefficients come from: marks below each figure, and sentences for each regime.
+//! Origins of coefficients: marks below each figure, and a description of each regime.
 
 use super::AeroView;
 use super::figures::{Over, sources};
@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use msape::aero::coefficient::{Coefficient, Origin};
 use msape::aero::database::Regime;
 
-/// Look of a mark.
+/// Style class of a mark.
 fn class(origin: Origin) -> &'static str {
     match origin {
         Origin::Published | Origin::Given => "mark mark-good",
@@ -15,7 +15,7 @@ fn class(origin: Origin) -> &'static str {
     }
 }
 
-/// Where the numbers of a figure come from, part by part.
+/// Origins of the numbers of a figure, by part.
 #[component]
 pub fn OriginMarks(coefficient: Coefficient, over: Over) -> impl IntoView {
     let view = AeroView::expect();
@@ -36,7 +36,7 @@ pub fn OriginMarks(coefficient: Coefficient, over: Over) -> impl IntoView {
     }
 }
 
-/// The regimes in their order.
+/// Regimes in order.
 const REGIMES: [Regime; 6] = [
     Regime::FreeMolecular,
     Regime::Transitional,
@@ -58,7 +58,7 @@ fn reach(regime: Regime) -> &'static str {
     }
 }
 
-/// Sentences for each regime.
+/// Description of each regime.
 #[component]
 pub fn Sources() -> impl IntoView {
     let view = AeroView::expect();

@@ -1,11 +1,11 @@
-//! Angles at which a body flies of itself, and how it gets there.
+//! Trim angles of a body and its stability there.
 
 use super::AeroView;
 use super::figures::family_names;
 use crate::display::number;
 use leptos::prelude::*;
 
-/// Trim points, centre of pressure and static margin of each curve.
+/// Trim points, center of pressure and static margin of each curve.
 #[component]
 pub fn TrimTable() -> impl IntoView {
     let view = AeroView::expect();

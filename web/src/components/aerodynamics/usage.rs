@@ -1,4 +1,4 @@
-//! A database that is used: in the present design, in a flight of the outline, or as a file.
+//! Use of a database: in the current design, in a flight of the outline, or as a file.
 
 use super::{AeroView, Body, TABLE};
 use crate::components::export::save;
@@ -9,12 +9,12 @@ use leptos::prelude::*;
 use msape::Case;
 use msape::quantity::input::OWN_OUTLINE;
 
-/// Keys of a case that choose coefficients.
+/// Whether a key of a case belongs to the coefficients.
 fn is_aerodynamic(key: &str) -> bool {
     key == "vehicle.aerodynamics" || key.starts_with("vehicle.aerodynamics.")
 }
 
-/// Puts the coefficients of a case into another, in the place of those it had.
+/// Replaces the coefficients of a case by those of another.
 pub fn put(from: &Case, into: &mut Case) {
     into.values.retain(|key, _| !is_aerodynamic(key));
     for (key, value) in from.values.iter().filter(|(key, _)| is_aerodynamic(key)) {
@@ -36,7 +36,7 @@ pub fn Usage() -> impl IntoView {
         state.edit("Aerodynamics of the design", None, |document| {
             document.with_case(|design| {
                 put(&case, design);
-                // The point mass of the design takes the axial force by name.
+                // the point mass of the design takes the axial force by name
                 let name = case.text("vehicle.aerodynamics");
                 design.set(
                     "design.aerodynamics",
@@ -60,7 +60,7 @@ pub fn Usage() -> impl IntoView {
         };
         let mut fields = Case::default();
         put(&case, &mut fields);
-        // A point mass needs an axial force: that of a name or of a table, else of a blunt body at high speed.
+        // a point mass needs an axial force: a named one, that of a table, or else that of a blunt body at high speed
         if !fields.values.contains_key("vehicle.aerodynamics") && !fields.values.contains_key(TABLE)
         {
             fields.set("vehicle.drag_coefficient", "1.5");

@@ -1,11 +1,11 @@
-//! Attitude, rates and centre of gravity at the start.
+//! Attitude, rates and center of gravity at the start.
 
 use crate::components::number::NumberField;
 use crate::components::rows::RowsField;
 use leptos::prelude::*;
 use msape::quantity::input::{self, Kind};
 
-/// Inputs of the card.
+/// Input keys of the card.
 const FIELDS: [&str; 5] = [
     "attitude.alpha_deg",
     "attitude.beta_deg",

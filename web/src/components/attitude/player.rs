@@ -1,13 +1,13 @@
-//! Time of the flight: run, stopped, moved along.
+//! Controls of the animation time: run, stop, move.
 
 use super::AttitudeView;
 use crate::clock::now_ms;
 use crate::display::number;
 use leptos::prelude::*;
 
-/// Seconds of flight in a second.
+/// Animation speeds, s of flight per s.
 const SPEEDS: [f64; 6] = [0.1, 0.25, 1.0, 4.0, 16.0, 64.0];
-/// A pause between two pictures that is longer than this does not count, s: the page was hidden.
+/// Longest interval between two frames that counts, s: after a longer one the page was hidden.
 const LONGEST_FRAME_S: f64 = 0.25;
 
 /// The controls.
@@ -42,7 +42,7 @@ pub fn Player() -> impl IntoView {
         let last_ms = now_ms();
         request_animation_frame(move || this.picture(last_ms));
     };
-    // The page may be left while time runs.
+    // the page may be left while the animation runs
     on_cleanup(move || {
         let _ = view.playing.try_set(false);
     });
@@ -85,18 +85,18 @@ pub fn Player() -> impl IntoView {
     }
 }
 
-/// Time that runs since a press of the button.
+/// A run of the animation, started by a press of the button.
 #[derive(Clone, Copy)]
 struct Run {
     view: AttitudeView,
     speed: RwSignal<f64>,
-    /// Count of presses, and the one that this run is of.
+    /// Number of starts so far, shared by all runs; `number` is that of this run.
     started: StoredValue<u32>,
     number: u32,
 }
 
 impl Run {
-    /// One picture; the next is asked for while time runs.
+    /// Draws one frame and requests the next while the animation runs.
     fn picture(self, last_ms: f64) {
         let Run {
             view,
@@ -104,7 +104,7 @@ impl Run {
             started,
             number,
         } = self;
-        // The card may be gone, or time may have been stopped and started anew.
+        // stop if the card is gone, or if the animation was stopped or restarted
         if view.playing.try_get_untracked() != Some(true) || started.get_value() != number {
             return;
         }

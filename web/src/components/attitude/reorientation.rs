@@ -1,4 +1,5 @@
-//! Whether the design turns nose first: its trims, and entries from a set of attitudes and rates, flown one after the other.
+//! Reorientation of the design: its trim angles, and entries from a set of attitudes and rates, flown one after the
+//! other.
 
 use crate::components::export::save;
 use crate::display::number;
@@ -11,25 +12,25 @@ use msape::table;
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
-/// Entries of a design.
+/// Entries flown for a design.
 #[derive(Clone)]
 struct Flown {
     solved: Arc<Solved>,
     turning: Turning,
 }
 
-/// What the card knows.
+/// State of the card.
 #[derive(Clone, Copy)]
 struct View {
     flown: RwSignal<Option<Flown>>,
     running: RwSignal<bool>,
-    /// Count of runs; an older one stops at its next entry.
+    /// Number of the newest run; an older one stops at its next entry.
     run: StoredValue<u32>,
     fault: RwSignal<Option<String>>,
 }
 
 impl View {
-    /// Flies the set for the design that is shown, an entry a question, until it is done or stopped.
+    /// Flies the set for the displayed design, one entry per question, until it is complete or stopped.
     fn start(self, state: State) {
         let Some(solved) = state.latest.get_untracked() else {
             return;
@@ -49,7 +50,7 @@ impl View {
         spawn_local(async move {
             for entry in 0..ENTRIES as u32 {
                 let told = state.turn(&solved, entry).await;
-                // The card may be gone, or the run stopped or started anew.
+                // stop if the card is gone, or if the run was stopped or restarted
                 if self.run.try_get_value() != Some(this) {
                     return;
                 }
@@ -74,14 +75,14 @@ impl View {
         });
     }
 
-    /// Stops after the entry under way, which is dropped.
+    /// Stops the run; the entry being flown is dropped.
     fn stop(self) {
         self.run.update_value(|run| *run += 1);
         self.running.set(false);
     }
 }
 
-/// The part of the card.
+/// Reorientation part of the card.
 #[component]
 pub fn Reorientation() -> impl IntoView {
     let state = State::expect();
@@ -91,7 +92,7 @@ pub fn Reorientation() -> impl IntoView {
         run: StoredValue::new(0),
         fault: RwSignal::new(None),
     };
-    // Another design is another question.
+    // a new design invalidates the entries
     Effect::new(move |_| {
         let newest = state.latest.with(|latest| latest.as_ref().map(|s| s.id));
         let flown = view
@@ -201,7 +202,7 @@ fn Trims() -> impl IntoView {
     }
 }
 
-/// The table of entries and its file.
+/// Table of entries and its export.
 #[component]
 fn Entries(view: View) -> impl IntoView {
     let state = State::expect();

@@ -1,4 +1,4 @@
-//! The vehicle as it turns, with the direction in which it flies.
+//! Animated view of the vehicle, with its flight direction.
 
 use super::AttitudeView;
 use crate::components::view3d::stage::{Paint, PaintedPart, Stage, Subject};
@@ -10,7 +10,7 @@ use crate::view3d::attitude::{Attitude, on_screen};
 use crate::view3d::camera::Camera;
 use leptos::prelude::*;
 
-/// From the middle of the view, half of which is 100: where arrows begin and end.
+/// Start and end of arrows, from the center of the view; its half-width is 100.
 const ARROW: (f64, f64) = (62.0, 92.0);
 
 /// The view.
@@ -69,7 +69,7 @@ pub fn Scene() -> impl IntoView {
             shown("knudsen", 1.0, 2),
         )
     };
-    // What is spoken does not run with the time.
+    // the accessible description does not change with time
     let summary = Signal::derive(move || {
         "Vehicle as it turns in flight, seen from the right of its track: downrange to the right, up upwards.".to_string()
     });
@@ -95,7 +95,7 @@ pub fn Scene() -> impl IntoView {
     }
 }
 
-/// An arrow outwards in a direction of the screen; none where it points to the viewer.
+/// Arrow in a direction on the screen; `None` where it points at the viewer.
 fn arrow([x, y, _]: [f64; 3], class: &'static str, label: &'static str) -> Option<impl IntoView> {
     let length = x.hypot(y);
     if length < 0.1 {
@@ -106,7 +106,7 @@ fn arrow([x, y, _]: [f64; 3], class: &'static str, label: &'static str) -> Optio
     let to = from + (to - from) * length.min(1.0);
     let (tip_x, tip_y) = (to * x, to * y);
     let (back_x, back_y) = (tip_x - 7.0 * x, tip_y - 7.0 * y);
-    // The label stands to the right of an arrow, or below one that lies.
+    // the label is to the right of a vertical arrow, below a horizontal one
     let (aside_x, aside_y) = if y > 0.0 { (y, -x) } else { (-y, x) };
     let anchor = if aside_x > 0.3 { "start" } else { "middle" };
     let middle = 0.5 * (from + to);

@@ -7,12 +7,12 @@ use msape::vehicle::impact::history::History;
 use msape::vehicle::impact::landing::Landing;
 use msape_plot::{Axis, EventLine, Figure, LimitLine, Series};
 
-/// Which figure.
+/// Figure of the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Curves {
     /// Deceleration of the payload over time on a rigid surface.
     Rigid,
-    /// The same on the chosen ground, which lasts so much longer that one axis would not do.
+    /// Deceleration of the payload over time on the chosen ground; the much longer duration needs an axis of its own.
     Ground,
     /// Force of the foam over its crush.
     Force,
@@ -28,7 +28,7 @@ impl Curves {
         }
     }
 
-    /// Keys of the columns across and upwards.
+    /// Keys of the horizontal and the vertical column.
     fn keys(self) -> [&'static str; 2] {
         match self {
             Curves::Rigid | Curves::Ground => ["time_s", "payload_deceleration_earth_g"],
@@ -37,23 +37,23 @@ impl Curves {
     }
 }
 
-/// What the figures are drawn of.
+/// Data of the figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histories {
     rigid: History,
     ground: History,
-    /// Load that the foam is made for, Earth g.
+    /// Load limit for which the foam is sized, Earth g.
     limit_earth_g: f64,
-    /// Load of a rigid vehicle in the chosen ground, Earth g.
+    /// Load of a rigid vehicle on the chosen ground, Earth g.
     rigid_vehicle_earth_g: Option<f64>,
-    /// Force of equation 6 over the stroke of equation 4, N and m.
+    /// Force of equation 6, N, and stroke of equation 4, m.
     equation: (f64, f64),
-    /// Crushes at which the foam stiffens and is solid, m.
+    /// Crush at which the foam stiffens and at which it is solid, m.
     bends_m: [f64; 2],
 }
 
 impl Histories {
-    /// Of a designed vehicle.
+    /// Data of a designed vehicle.
     pub fn of(vehicle: &Vehicle, landing: &Landing) -> Histories {
         let [_, plateau_m, closed_m] = landing.absorber.bends_m();
         let impact = &vehicle.impact;
@@ -68,7 +68,7 @@ impl Histories {
     }
 }
 
-/// A column of both surfaces.
+/// A column of the landing histories, by key.
 fn column(key: &str) -> Option<&'static LandingColumn> {
     columns().iter().find(|column| column.column.key == key)
 }
@@ -157,7 +157,7 @@ mod tests {
         // F = m G g
         let mass = peak(&force) / (peak(&load) * 9.80665);
         assert!((mass / design.landing.payload_side_kg - 1.0).abs() < 1e-9);
-        // equation 6 over the stroke of equation 4 is the energy of the payload
+        // equation 6 times the stroke of equation 4 is the energy of the payload
         let [_, (_, force_n), (stroke_m, _)] = force.series[2].points[..] else {
             panic!("three corners");
         };

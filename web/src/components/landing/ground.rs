@@ -1,4 +1,4 @@
-//! The ground: the choice, and where its numbers come from.
+//! Choice of the ground, and the sources of its properties.
 
 use crate::components::field::control_id;
 use crate::components::vehicle::VehicleView;
@@ -10,10 +10,10 @@ use msape::case::Value;
 use msape::quantity::input::{self, Input, Preset};
 use msape::vehicle::impact::Ground;
 
-/// The input.
+/// Key of the input.
 const KEY: &str = "design.ground";
 
-/// Name of the ground of a case in the library.
+/// Library name of the ground of a case.
 fn key_of(case: &Case) -> String {
     case.text(KEY)
         .unwrap_or_else(|| match input::find(KEY).map(|input| input.preset) {
@@ -30,7 +30,7 @@ fn found(key: &str) -> Option<Ground> {
     })
 }
 
-/// Name of the ground of the answer in view.
+/// Name of the ground of the displayed answer.
 pub fn ground_name(card: VehicleView) -> Memo<String> {
     let key = card.of_answer(|solved| Some(key_of(&solved.case)));
     Memo::new(move |_| {
@@ -39,7 +39,7 @@ pub fn ground_name(card: VehicleView) -> Memo<String> {
     })
 }
 
-/// A list of grounds beside what is known of the chosen one.
+/// List of grounds with the properties of the chosen one.
 #[component]
 pub fn GroundChoice() -> impl IntoView {
     input::find(KEY).map(|input| view! { <Choice input /> })
@@ -51,7 +51,7 @@ fn Choice(input: &'static Input) -> impl IntoView {
     let now = Memo::new(move |_| state.case.with(|case| key_of(case)));
     let id = format!("landing-{}", control_id(KEY));
     let choose = move |name: String| {
-        // Letters typed on the list go through several grounds: one step to undo.
+        // typing on the list passes through several grounds: one undo step
         state.edit(input.label, Some(KEY), |document| {
             document.with_case(|case| {
                 case.values.insert(KEY.to_string(), Value::Text(name));

@@ -1,4 +1,4 @@
-//! The two levels of fidelity side by side: equations 1 to 6, and the dynamics of the crush.
+//! Two levels of fidelity side by side: equations 1 to 6, and the dynamics of the crush.
 
 use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, symbol};
@@ -6,14 +6,14 @@ use leptos::prelude::*;
 use msape::Answer;
 use msape::answer::output::{self, Output};
 
-/// Where the vehicle lands.
+/// Landing surface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum On {
     Rigid,
     Ground,
 }
 
-/// One thing by both levels: keys of outputs.
+/// One quantity from both levels: keys of outputs.
 struct Pair {
     on: On,
     name: &'static str,

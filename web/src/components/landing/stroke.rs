@@ -1,4 +1,4 @@
-//! How much of the foam is there, how much is used, and where it stiffens.
+//! Available and used stroke of the foam, and the crush at which it stiffens.
 
 use crate::components::vehicle::VehicleView;
 use crate::display::{UnitSystem, number, with_unit};
@@ -7,10 +7,10 @@ use leptos::prelude::*;
 use msape::vehicle::Vehicle;
 use msape::vehicle::impact::landing::Landing;
 
-/// Length of the bar in its own units.
+/// Length of the bar in SVG units.
 const BAR: f64 = 200.0;
 
-/// Strokes in one foam: thickness, and the crushes at which it stiffens and is solid, m.
+/// Strokes of one foam: thickness, and crush at which it stiffens and at which it is solid, m.
 #[derive(Clone, Copy)]
 struct Foam {
     thickness_m: f64,
@@ -18,7 +18,7 @@ struct Foam {
     closed_m: f64,
 }
 
-/// The table with its bars.
+/// Table with bars.
 #[component]
 pub fn Stroke(ground: Memo<String>) -> impl IntoView {
     let card = VehicleView::expect();

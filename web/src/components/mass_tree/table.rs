@@ -1,4 +1,4 @@
-//! The mass tree: every component, the margin once, and their sum.
+//! Mass tree: every component, the margin once, and the sum.
 
 use super::basis;
 use crate::components::export::save;
@@ -12,7 +12,7 @@ use msape::units::{Dimension, Unit, canonical};
 use msape::vehicle::Vehicle;
 use msape::vehicle::mass_tree::{Line, MassTree as Tree};
 
-/// A column of numbers: heading, quantity, and its value in a line.
+/// Numeric column: heading, quantity, and value for a line.
 struct Column {
     heading: &'static str,
     dimension: Dimension,
@@ -52,7 +52,7 @@ const COLUMNS: &[Column] = &[
     },
 ];
 
-/// Number of digits of masses and of the rest.
+/// Significant digits of masses and of other numbers.
 const DIGITS: (usize, usize) = (5, 4);
 
 fn unit(units: UnitSystem, dimension: Dimension) -> &'static Unit {

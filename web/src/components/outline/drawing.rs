@@ -1,4 +1,4 @@
-//! The section of an outline, to scale, with its main dimensions.
+//! Section of an outline, to scale, with its main dimensions.
 
 use crate::display::{UnitSystem, number, symbol};
 use crate::drawing::{Silhouette, silhouette};
@@ -13,7 +13,7 @@ fn length(metres: f64, units: UnitSystem) -> String {
     format!("{shown} {}", symbol(unit))
 }
 
-/// What is drawn, in a sentence.
+/// Description of the drawing in a sentence.
 pub fn describe(body: &RigidBody, units: UnitSystem) -> String {
     let nose = body.nose_radius_m.map_or(String::new(), |radius| {
         format!(", nose radius {}", length(radius, units))

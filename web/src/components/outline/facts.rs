@@ -1,4 +1,4 @@
-//! Dimensions of an outline with their sources, and what follows from them.
+//! Dimensions of an outline with their sources, and derived properties.
 
 use super::Entry;
 use crate::display::{UnitSystem, input_number, number, symbol};
@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use msape::units::{Dimension, canonical};
 use msape::vehicle::body::RigidBody;
 
-/// Number of digits that facts are shown with.
+/// Significant digits of properties.
 const DIGITS: usize = 5;
 
 fn shown(value: f64, dimension: Dimension, units: UnitSystem) -> String {
@@ -16,7 +16,7 @@ fn shown(value: f64, dimension: Dimension, units: UnitSystem) -> String {
     format!("{text} {}", symbol(unit))
 }
 
-/// A number of a source, with no digit that the source does not have.
+/// A number of a source, with no more digits than the source has.
 fn as_given(value: f64, dimension: Dimension, units: UnitSystem) -> String {
     let unit = units.unit(dimension, canonical(dimension));
     let text = input_number(unit.from_canonical(value));
@@ -134,7 +134,7 @@ pub fn Facts(
     }
 }
 
-/// Unit of lengths in files, where a file does not say it.
+/// Choices of the unit of length for files that do not name it.
 pub fn length_units() -> [&'static str; 5] {
     ["m", "cm", "mm", "in", "ft"]
 }

@@ -1,4 +1,4 @@
-//! Flies an outline as a rigid body through the mission of the present design.
+//! Flight of an outline as a rigid body through the mission of the current design.
 
 use super::Entry;
 use crate::charts::{ChartSpec, Span};
@@ -16,7 +16,7 @@ use msape::{Answer, Case};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
-/// Inputs of the form; what the mission needs comes from the design.
+/// Inputs of the form; the mission comes from the design.
 const FIELDS: [&str; 4] = [
     "vehicle.mass_kg",
     "vehicle.drag_coefficient",
@@ -24,7 +24,7 @@ const FIELDS: [&str; 4] = [
     "vehicle.nose_radius_m",
 ];
 
-/// Numbers that are shown of a flight.
+/// Outputs shown for a flight.
 const SHOWN: [&str; 8] = [
     "peak_deceleration_earth_g",
     "peak_total_heat_flux_w_m2",
@@ -36,7 +36,7 @@ const SHOWN: [&str; 8] = [
     "final_speed_m_s",
 ];
 
-/// Sections of a case that are the mission's.
+/// Sections of a case that define the mission.
 const MISSION: [&str; 7] = [
     "entry.",
     "planet.",
@@ -47,7 +47,7 @@ const MISSION: [&str; 7] = [
     "solver.",
 ];
 
-/// A case that flies an outline through the mission of a design.
+/// Case that flies an outline through the mission of a design.
 fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
     let mut case = Case {
         name: entry.title(),
@@ -55,7 +55,7 @@ fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
     };
     let of_mission = |key: &&String| MISSION.iter().any(|section| key.starts_with(section));
     for key in design.values.keys().filter(of_mission) {
-        // A case for flying has no use for what only a design asks.
+        // omit inputs that only a design uses
         if let (Some(value), Some(_)) = (design.values.get(key), input::find(key)) {
             case.values.insert(key.clone(), value.clone());
         }
@@ -72,7 +72,7 @@ fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
 pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoView {
     let state = State::expect();
     let fields = RwSignal::new(first_fields(state));
-    // Until another is typed, the mass is that of the present design.
+    // until the user enters one, the mass is that of the current design
     let typed = RwSignal::new(false);
     Effect::new(move |_| {
         let mass_kg = state.latest.with(|latest| {
@@ -91,7 +91,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
         let design = state.case.get();
         Some(fields.with(|fields| flight_case(&design, &entry, fields)))
     });
-    // Flown at each change; of several answers the newest counts.
+    // flown at each change; only the newest answer counts
     Effect::new(move |_| {
         let Some(case) = case.get() else {
             return asker.wants_nothing();
@@ -142,8 +142,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     }
 }
 
-/// The fields as they are at first: the coefficients that the Aerodynamics page hands over, else the drag of a blunt body
-/// at high speed.
+/// Initial fields: the coefficients handed over by the Aerodynamics page, else the drag of a blunt body at high speed.
 fn first_fields(state: State) -> Case {
     let handed_over = state.flight_fields.try_update_value(Option::take).flatten();
     handed_over.unwrap_or_else(|| {
@@ -153,7 +152,7 @@ fn first_fields(state: State) -> Case {
     })
 }
 
-/// A field of an input in a small case.
+/// Field of an input in a small case.
 #[component]
 pub fn FlightField(
     input: &'static Input,
@@ -187,7 +186,7 @@ pub fn FlightField(
     };
     let control = match input.kind {
         Kind::Choice(_) => {
-            // What holds where nothing is chosen; where that is something, there is nothing to leave empty.
+            // label of the empty choice: its preset value; an input without preset has none
             let preset = match input.preset {
                 Preset::Name(name) => name,
                 _ => "",

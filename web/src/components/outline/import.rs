@@ -1,4 +1,4 @@
-//! Outlines from files.
+//! Import of outlines.
 
 use super::facts::length_units;
 use crate::components::file_import::{FileImport, Verdict, Wording, notes, stem};
@@ -18,7 +18,7 @@ const WORDING: Wording = Wording {
     pasted: "Pasted outline.csv",
 };
 
-/// Choose, drop or paste; `take` gets the identifier of what was imported.
+/// Choose, drop or paste; `take` gets the identifier of the imported outline.
 #[component]
 pub fn Import(take: impl Fn(String) + Copy + Send + Sync + 'static) -> impl IntoView {
     let state = State::expect();

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use msape::units::{Dimension, Unit};
 use msape::vehicle::structure::{Check, Rule};
 
-/// The table of checks of the chosen wall.
+/// Table of checks of the selected wall.
 #[component]
 pub fn Checks() -> impl IntoView {
     let view = StructureView::expect();
@@ -17,7 +17,7 @@ pub fn Checks() -> impl IntoView {
             let least = structural.critical(wall);
             let checks = structural.checks.iter().filter(|check| check.wall == wall);
             let mut checks: Vec<&Check> = checks.collect();
-            // The gauge, then what is nearest to failure.
+            // minimum gauge first, then by increasing margin
             checks.sort_by(|a, b| {
                 let gauge = |check: &Check| check.rule != Rule::MinimumGauge;
                 (gauge(a).cmp(&gauge(b))).then(a.margin.total_cmp(&b.margin))
@@ -52,7 +52,7 @@ pub fn Checks() -> impl IntoView {
     }
 }
 
-/// Unit of demand and capacity on screen, and what turns them into it.
+/// Displayed unit of demand and capacity, and the unit to convert to.
 fn unit_of(check: &Check, units: UnitSystem) -> (String, Option<&'static Unit>) {
     let found = Unit::find(&check.unit).map(|unit| match unit.dimension {
         Dimension::Pressure => units.named("MPa"),

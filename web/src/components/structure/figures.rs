@@ -6,20 +6,20 @@ use msape::shell::wall::Place;
 use msape::vehicle::WallPlace;
 use msape_plot::{Axis, EventLine, Figure, LimitLine, Series};
 
-/// What is drawn along a wall.
+/// Quantity plotted along a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// Equivalent stress.
     Stress,
-    /// Displacement against the foot of the lid.
+    /// Displacement relative to the foot of the lid.
     Displacement,
 }
 
-/// An allowed stress this many times the peak is left out of the figure, which it would flatten.
+/// Ratio of allowable stress to peak stress above which the allowable is omitted, as it would flatten the figure.
 const FAR: f64 = 3.0;
 
 impl Along {
-    /// Name for headings and axes.
+    /// Label for headings and axes.
     pub fn label(self) -> &'static str {
         match self {
             Along::Stress => "Stress",
@@ -43,7 +43,7 @@ impl Along {
     }
 }
 
-/// A quantity along a wall at entry and at launch, broken where its parts meet.
+/// Quantity along a wall at entry and at launch, broken at the joints of its parts.
 pub fn figure(
     shell: &CarrierAnalysis,
     wall: WallPlace,
@@ -124,7 +124,7 @@ mod tests {
                 let finite = series.points.iter().map(|p| p.1).filter(|y| y.is_finite());
                 let drawn = finite.fold(0.0, f64::max);
                 let told = case.of_wall(wall).map(|p| p.stress_pa).fold(0.0, f64::max);
-                // Curves are at the Gauss points, the table also looks at the ends of elements.
+                // curves are at the Gauss points, the table also evaluates the ends of elements
                 assert!(drawn > 0.5 * told && drawn <= told, "{drawn} {told}");
                 let rising = series.points.windows(2).all(|pair| pair[0].0 <= pair[1].0);
                 assert!(rising || wall == WallPlace::Aftbody);

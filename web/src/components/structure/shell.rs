@@ -1,11 +1,11 @@
-//! What the shell model says of a wall's parts, and how the vehicle vibrates.
+//! Results of the shell model for the parts of a wall, and natural frequencies of the vehicle.
 
 use super::{StructureView, margin};
 use crate::display::{UnitSystem, number, symbol};
 use leptos::prelude::*;
 use msape::shell::analysis::PartStress;
 
-/// Peak stress of each part of the chosen wall, at entry and at launch, and where.
+/// Peak stress of each part of the selected wall, at entry and at launch, with its location.
 #[component]
 pub fn PartTable() -> impl IntoView {
     let view = StructureView::expect();
@@ -85,7 +85,7 @@ fn row(
     }
 }
 
-/// How the vehicle moves with so many waves round the axis.
+/// Motion of the vehicle with a circumferential wave number.
 fn motion(waves: u32) -> &'static str {
     match waves {
         0 => "along the axis",
@@ -95,7 +95,7 @@ fn motion(waves: u32) -> &'static str {
     }
 }
 
-/// First frequency of each number of waves.
+/// Lowest frequency for each circumferential wave number.
 #[component]
 pub fn Frequencies() -> impl IntoView {
     let view = StructureView::expect();

@@ -1,4 +1,4 @@
-//! The three walls: what they are, what sized them, and what both levels say.
+//! The three walls: properties, sizing rule, and results of both levels.
 
 use super::{StructureView, margin};
 use crate::catalog::WallMaterial;
@@ -10,7 +10,7 @@ use msape::shell::analysis::CaseStress;
 use msape::vehicle::WallPlace;
 use msape::vehicle::{ComponentKind, Vehicle};
 
-/// The component that a wall is.
+/// Component of a wall.
 fn component(wall: WallPlace) -> ComponentKind {
     match wall {
         WallPlace::Forebody => ComponentKind::ForebodyCarrier,
@@ -19,7 +19,7 @@ fn component(wall: WallPlace) -> ComponentKind {
     }
 }
 
-/// The walls side by side: rules, and shell model.
+/// Walls side by side: rules, and shell model.
 #[component]
 pub fn WallTable() -> impl IntoView {
     let view = StructureView::expect();
@@ -100,7 +100,7 @@ fn row(
     }
 }
 
-/// A margin and where it is.
+/// A margin and its location.
 fn cell(value: f64, place: String) -> impl IntoView + use<> {
     view! {
         <span class="value" class:short=value < -1e-6>{margin(value)}</span>
@@ -108,7 +108,7 @@ fn cell(value: f64, place: String) -> impl IntoView + use<> {
     }
 }
 
-/// What is assumed of the walls' materials, and the loads of the shell model.
+/// Assumptions on the materials of the walls, and loads of the shell model.
 #[component]
 pub fn Basis() -> impl IntoView {
     let view = StructureView::expect();

@@ -1,18 +1,18 @@
-//! What the pointer does to the view, as buttons and fields.
+//! Buttons and fields for the pointer actions of the view.
 
 use crate::view3d::camera::Camera;
 use leptos::prelude::*;
 
-/// A turn by a key or a button, rad.
+/// Rotation per key press or button, rad.
 pub const TURN_RAD: f32 = 0.2618;
-/// A zoom by a key or a button.
+/// Zoom factor per key press or button.
 pub const ZOOM: f32 = 1.2;
-/// A step of the cut, degrees.
+/// Step of the cut, deg.
 pub const CUT_STEP_DEG: f64 = 15.0;
-/// The widest cut, degrees.
+/// Largest cut, deg.
 pub const CUT_MAX_DEG: f64 = 270.0;
 
-/// A button: sign, name, what it does to the camera.
+/// Button: symbol, name, effect on the camera.
 type Turn = (&'static str, &'static str, fn(Camera) -> Camera);
 
 const TURNS: [Turn; 6] = [
@@ -24,16 +24,16 @@ const TURNS: [Turn; 6] = [
     ("−", "Zoom out", |camera| camera.zoomed(1.0 / ZOOM)),
 ];
 
-/// Buttons that turn, zoom and stand the camera, and the cut as slider and field.
+/// Buttons for rotation, zoom and position of the camera; the cut as slider and field.
 #[component]
 pub fn Controls(
     camera: RwSignal<Camera>,
     cut_deg: RwSignal<f64>,
-    /// Where the camera stands at first.
+    /// Initial position of the camera.
     home: Camera,
-    /// Ends identifiers.
+    /// Suffix of identifiers.
     id: &'static str,
-    /// Stands the camera anew so that the vehicle fills the view.
+    /// Sets the camera so that the vehicle fills the view.
     stand: Callback<Camera>,
 ) -> impl IntoView {
     let places = [
@@ -64,7 +64,7 @@ pub fn Controls(
                 <input type="text" inputmode="decimal" class="cut-field" aria-label="Cut open, degrees" prop:value=move || cut_deg.get().to_string()
                     on:change:target=move |event| {
                         set_cut(cut_deg, &event.target().value());
-                        // What is no angle gives way to the one that holds.
+                        // restore the current angle if the text is not an angle
                         event.target().set_value(&cut_deg.get_untracked().to_string());
                     } />
                 <span class="unit" aria-hidden="true">"deg"</span>

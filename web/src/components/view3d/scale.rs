@@ -1,15 +1,15 @@
-//! The legend of a scale of colours.
+//! Legend of a color scale.
 
 use crate::display::number;
 use crate::view3d::paint::{SCALE, css};
 use leptos::prelude::*;
 
-/// Identifier of the colours, for other drawings.
+/// Identifier of the gradient, for other drawings.
 pub const GRADIENT: &str = "scale-colours";
-/// Marks along the scale.
+/// Number of marks along the scale.
 const MARKS: usize = 4;
 
-/// A bar of the colours from nothing to the largest value.
+/// Color bar from zero to the largest value.
 #[component]
 pub fn Scale(largest: f64, unit: String) -> impl IntoView {
     let stops = SCALE.into_iter().enumerate().map(|(i, colour)| {

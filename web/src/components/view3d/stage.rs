@@ -1,4 +1,4 @@
-//! The canvas of a view in three dimensions: what is drawn, from where, and what pointer and keys do to it.
+//! Canvas of a 3-D view: content, camera, and handling of pointer and keys.
 
 mod stored;
 
@@ -21,56 +21,56 @@ pub use stored::Subject;
 use stored::{Moved, Stored, place};
 use wasm_bindgen::{JsCast, closure::Closure};
 
-/// Where a colour comes from.
+/// Source of a color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Paint {
-    /// A variable of the style sheet, which follows the theme.
+    /// A variable of the style sheet, which depends on the theme.
     Variable(&'static str),
-    /// Always the same.
+    /// A constant color.
     Fixed(Colour),
 }
 
-/// How a part is drawn.
+/// Appearance of a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PaintedPart {
-    /// Its colour.
+    /// Color.
     pub paint: Paint,
-    /// Whether it is drawn.
+    /// Whether the part is drawn.
     pub shown: bool,
-    /// Whether it stands out.
+    /// Whether the part is highlighted.
     pub lit: bool,
 }
 
-/// Turn for a movement of the pointer by a CSS px, rad.
+/// Rotation per CSS px of pointer movement, rad.
 const TURN_RAD_PER_PX: f32 = 0.009;
-/// A press that moves less is a click, CSS px.
+/// Largest movement of a press that counts as a click, CSS px.
 const CLICK_PX: f64 = 4.0;
 
-/// A canvas with its controls.
+/// Canvas with its controls.
 #[component]
 pub fn Stage(
     #[prop(into)] subject: Signal<Option<Subject>>,
     #[prop(into)] parts: Signal<Vec<PaintedPart>>,
     #[prop(into)] by_scale: Signal<bool>,
-    /// What is drawn, in words.
+    /// Description of the picture in words.
     #[prop(into)]
     summary: Signal<String>,
-    /// Name of the image when it is saved.
+    /// File name of a saved image.
     #[prop(into)]
     name: Signal<String>,
-    /// Called with the place of a part that was clicked.
+    /// Called with the index of the clicked part.
     #[prop(optional)]
     pick: Option<Callback<usize>>,
-    /// Ends identifiers, where there is more than one view on a page.
+    /// Suffix of identifiers, where a page has more than one view.
     #[prop(default = "3d")]
     id: &'static str,
-    /// How the vehicle is turned, where it does not stand still.
+    /// Attitude of the vehicle, if it moves.
     #[prop(optional)]
     attitude: Option<Signal<Attitude>>,
-    /// From where it is looked at, where others must know it.
+    /// Camera, if other components need it.
     #[prop(optional)]
     camera: Option<RwSignal<Camera>>,
-    /// What is drawn over it.
+    /// Overlay on the canvas.
     #[prop(optional, into)]
     overlay: ViewFn,
 ) -> impl IntoView {
@@ -83,7 +83,7 @@ pub fn Stage(
     let size = RwSignal::new((0.0, 0.0));
     let fault = RwSignal::new(None::<String>);
     let focused = RwSignal::new(false);
-    // The graphics processor may lose everything, and give it back.
+    // the graphics context may be lost and restored
     let restored = RwSignal::new(0_u32);
     let ready = RwSignal::new(0_u32);
     let stored = StoredValue::new_local(Stored::default());
@@ -134,7 +134,7 @@ pub fn Stage(
             });
         });
     };
-    // Several changes make one drawing, with the next frame of the screen.
+    // several changes cause one drawing, in the next frame
     let draw_soon = move || {
         let waits =
             stored.try_update_value(|stored| std::mem::replace(&mut stored.draws_soon, true));
@@ -169,7 +169,7 @@ pub fn Stage(
         subject.with(|subject| {
             let start_ms = now_ms();
             stored.update_value(|stored| stored.load(subject.as_ref()));
-            // For the tests, and for who wonders.
+            // drawing time, for tests and diagnostics
             let took = format!("{:.2}", now_ms() - start_ms);
             let loads = stored.with_value(|stored| stored.loads.to_string());
             let _ = canvas.set_attribute("data-load-ms", &took);
@@ -225,7 +225,7 @@ pub fn Stage(
         }
         event.prevent_default();
     };
-    // Without the focus the page scrolls.
+    // without the focus the wheel scrolls the page
     let on_wheel = move |event: WheelEvent| {
         if focused.get_untracked() || event.ctrl_key() {
             event.prevent_default();
@@ -238,7 +238,7 @@ pub fn Stage(
             return;
         }
         if let Some(frame) = frame_ref.get_untracked() {
-            // A pointer that cannot be caught ends at the edge.
+            // if the pointer cannot be captured, dragging ends at the edge
             let _ = frame.set_pointer_capture(event.pointer_id());
         }
         stored.update_value(|stored| {
@@ -344,7 +344,7 @@ pub fn Stage(
                 <canvas
                     node_ref=canvas_ref
                     aria-hidden="true"
-                    // So that it can be given back.
+                    // allows the context to be restored
                     on:webglcontextlost=|event: Event| event.prevent_default()
                     on:webglcontextrestored=move |_: Event| restored.update(|count| *count += 1)
                 ></canvas>
@@ -360,5 +360,5 @@ pub fn Stage(
     }
 }
 
-/// What a lit part is mixed with.
+/// Color mixed into a highlighted part.
 const LIT: Colour = [1.0, 0.35, 0.75];

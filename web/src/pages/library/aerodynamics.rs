@@ -1,4 +1,4 @@
-//! The Aerodynamics page of the Library: coefficients of a body over angle, Mach and Knudsen number.
+//! Aerodynamics page of the Library: coefficients of a body over angle, Mach and Knudsen number.
 
 use crate::components::aerodynamics::form::{DatabaseForm, PlacesForm};
 use crate::components::aerodynamics::import::TableImport;

@@ -1,4 +1,4 @@
-//! What a page that is closed hands over, and what the next one makes of it.
+//! Unsaved work handed over by a closed page, and its use by the next page.
 
 use super::*;
 
@@ -12,7 +12,7 @@ fn a_page_that_closes_hands_over_what_waits_and_the_next_goes_on() {
         browser.put(Key::apart(&id), &text);
         browser
     };
-    // nobody wrote since: it is the stored work
+    // nobody has written since: it becomes the stored work
     let mut browser = closed(&|_| {});
     let mut next = Tab::open(&browser);
     assert_eq!(speed(&next.document), "13000");
@@ -22,7 +22,7 @@ fn a_page_that_closes_hands_over_what_waits_and_the_next_goes_on() {
         (speed(&stock.work.unwrap().document), stock.apart.len()),
         ("13000".to_string(), 0)
     );
-    // another tab wrote since: both are kept
+    // another tab has written since: both are kept
     let browser = closed(&|browser| {
         let mut other = Tab::open(browser);
         other.set_speed("15000");
@@ -31,7 +31,7 @@ fn a_page_that_closes_hands_over_what_waits_and_the_next_goes_on() {
     let stock = browser.stock();
     assert_eq!(speed(&stock.work.unwrap().document), "15000");
     assert_eq!(speed(&stock.apart[0].document), "13000");
-    // it was written after all: there is nothing to say
+    // it was written after all: no message
     let browser = closed(&|browser| {
         let mut same = Tab::open(browser);
         same.set_speed("13000");
@@ -64,7 +64,7 @@ fn what_a_closed_page_handed_over_stays_until_the_stored_work_goes_on_from_it() 
             linked.save(&mut browser).unwrap();
             let next = browser.stock();
             assert_eq!(speed(&next.work.unwrap().document), "13000", "{label}");
-            // the stored work goes on, and then it alone has what was handed over
+            // the stored work continues, and then is the only copy of the handed-over work
             linked.document = Document {
                 place: Place::Stored,
                 ..linked.document
@@ -104,7 +104,7 @@ fn another_look_at_the_records_goes_on_as_the_first_one_does() {
 fn a_closing_page_hands_over_only_what_is_not_written() {
     let (_, mut tab) = with_work();
     assert_eq!(tab.ledger.last(&tab.document, "last", 3.0), None);
-    // neither an outline nor a record that goes is a change of case and units
+    // neither an outline nor a removed record is a change of case and units
     tab.import("cone", 1.0);
     tab.ledger.dooms(Key::apart("old"));
     assert!(!tab.ledger.changes(&tab.document, 3.0).is_empty());
@@ -140,7 +140,7 @@ fn what_was_handed_over_becomes_a_record_whatever_its_own_holds() {
         }
         let records = &browser.records;
         assert!(records.values().any(|found| *found == text("handed over")));
-        // what is no text is not written over
+        // a record that is not a text is not overwritten
         if let Some(Found::Other(_)) = found {
             assert_eq!(records.get(&key), found.as_ref());
         }

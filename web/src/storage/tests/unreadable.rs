@@ -1,8 +1,8 @@
-//! Records that cannot be read, and those of earlier versions.
+//! Unreadable records, and records of earlier versions.
 
 use super::*;
 
-/// Stored work that some program or fault left behind.
+/// Invalid stored work, as another program or an error may leave it.
 fn bad_works() -> Vec<(&'static str, Found)> {
     let sheet = |case: &str, units: &str| {
         let case = serde_json::Value::String(case.to_string());
@@ -62,7 +62,7 @@ fn every_record_that_cannot_be_read_is_listed_with_its_reason_and_never_written_
             tab.save(&mut browser).unwrap();
             assert_eq!(browser.records.get(&key), Some(&found), "{what} at {key:?}");
         }
-        // the stored work itself: were it not moved out of the way, it would not be written over either
+        // the stored work itself: if it were not moved aside, it could not be overwritten
         let mut browser = Browser::default();
         browser.records.insert(Key::current(), found.clone());
         assert!(

@@ -1,33 +1,33 @@
-//! What a drawing of release 2000 must hold around its entities: header, tables, blocks, objects.
+//! Required content of a release 2000 drawing around its entities: header, tables, blocks, objects.
 
-/// Handles, each given once.
+/// Generator of unique handles.
 pub struct Handles {
     next: u32,
 }
 
 impl Default for Handles {
     fn default() -> Self {
-        // those below are of the frame
+        // lower handles are used by the fixed records
         Self { next: 0x100 }
     }
 }
 
 impl Handles {
-    /// A handle that nothing else has.
+    /// A handle not used before.
     pub fn next(&mut self) -> String {
         self.next += 1;
         format!("{:X}", self.next)
     }
 }
 
-/// A layer.
+/// Layer of a drawing.
 pub struct Layer {
     name: String,
     color: u8,
 }
 
 impl Layer {
-    /// A layer with a colour of the index.
+    /// A layer with a DXF color index.
     pub fn new(name: &str, color: u8) -> Self {
         Self {
             name: name.to_owned(),
@@ -36,7 +36,7 @@ impl Layer {
     }
 }
 
-/// The whole drawing.
+/// The complete drawing.
 pub fn drawing(layers: &[Layer], entities: &str, mut handles: Handles) -> String {
     let tables = tables(layers, &mut handles);
     let seed = handles.next();
@@ -75,7 +75,7 @@ fn table([name, handle]: [&str; 2], records: &[String]) -> String {
     )
 }
 
-/// A record: kind, class, handle, owner, name; then what else it holds.
+/// A record: type, class, handle, owner and name, followed by its other groups.
 fn record([kind, class, handle, owner, name]: [&str; 5], rest: &str) -> String {
     let code = if kind == "DIMSTYLE" { 105 } else { 5 };
     format!(

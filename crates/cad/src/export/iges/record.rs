@@ -1,21 +1,21 @@
-//! Records of 80 columns: start, global, directory, parameters, end.
+//! Records of 80 columns: start, global, directory, parameter and terminate sections.
 
-/// An entity before it has its place.
+/// Entity before it is written to the file.
 #[derive(Clone, Debug)]
 pub struct Entity<'a> {
     /// Entity type.
     pub kind: usize,
-    /// Form of the type.
+    /// Form number of the type.
     pub form: usize,
     /// Level.
     pub level: usize,
-    /// Directory entry of the colour; zero for none.
+    /// Directory entry of the color; zero for none.
     pub color: usize,
     /// Blank status, subordinate switch, use, hierarchy.
     pub status: &'static str,
-    /// Label, of which eight letters are kept.
+    /// Label; the first eight characters are kept.
     pub label: &'a str,
-    /// Parameters after the type.
+    /// Parameters after the entity type.
     pub parameters: Vec<String>,
 }
 
@@ -33,7 +33,7 @@ impl Default for Entity<'_> {
     }
 }
 
-/// Directory and parameters.
+/// Directory and parameter sections of a file.
 #[derive(Default)]
 pub struct File {
     directory: Vec<String>,
@@ -41,7 +41,7 @@ pub struct File {
 }
 
 impl File {
-    /// Adds an entity; its place in the directory refers to it.
+    /// Adds an entity and returns its directory entry number, by which others refer to it.
     pub fn add(&mut self, entity: Entity) -> usize {
         let place = self.directory.len() + 1;
         let first = self.parameters.len() + 1;
@@ -76,7 +76,7 @@ impl File {
         place
     }
 
-    /// The whole file.
+    /// The complete file.
     pub fn into_text(self, remark: &str, global: &[String]) -> String {
         let mut text = String::new();
         let remark = ascii(remark);
@@ -100,7 +100,7 @@ impl File {
     }
 }
 
-/// Parameters with their delimiters on lines of at most `width` columns; only a string that is longer is cut.
+/// Parameters with their delimiters in lines of at most `width` columns; only a string longer than a line is split.
 fn wrapped(parameters: &[String], width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
@@ -118,7 +118,7 @@ fn wrapped(parameters: &[String], width: usize) -> Vec<String> {
     lines
 }
 
-/// ASCII in pieces of `width` letters, at least one.
+/// ASCII text in pieces of `width` characters, at least one piece.
 fn pieces(text: &str, width: usize) -> Vec<String> {
     let letters: Vec<char> = text.chars().collect();
     match letters.is_empty() {
@@ -132,13 +132,13 @@ fn ascii(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
-/// A string with its length before it.
+/// A string with its length as prefix (Hollerith form).
 pub fn text(text: &str) -> String {
     let text = ascii(text);
     format!("{}H{text}", text.len())
 }
 
-/// A number in double precision, with its point.
+/// A double-precision number, always with a decimal point.
 pub fn real(value: f64) -> String {
     let text = format!("{:?}", value + 0.0);
     match text.split_once('e') {

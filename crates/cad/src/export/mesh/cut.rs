@@ -1,10 +1,10 @@
-//! The flat faces where a body is cut: its half-section in triangles, by clipping ears.
+//! Flat faces where a body is cut: its half-section triangulated by ear clipping.
 
 use super::Mesh;
 use super::revolve::{Run, Turn, position_m};
 use msape::vehicle::segment::Point;
 
-/// Adds the faces at both ends of the turn. The chains of one profile follow each other along the axis.
+/// Adds the faces at both ends of the revolution. The chains of one profile follow each other along the axis.
 pub fn faces(mesh: &mut Mesh, runs: &[Run], turn: &Turn) {
     let mut polygon: Vec<Point> = Vec::new();
     for station in runs.iter().flatten().flatten() {
@@ -15,7 +15,7 @@ pub fn faces(mesh: &mut Mesh, runs: &[Run], turn: &Turn) {
     while polygon.len() > 1 && polygon.last() == polygon.first() {
         polygon.pop();
     }
-    // the chains run with their inside on the right: as a polygon, backwards
+    // chains run with the inside on the right, a counter-clockwise polygon has it on the left
     polygon.reverse();
     let triangles = triangulated(&polygon);
     let (Some(&from), Some(&to)) = (turn.columns.first(), turn.columns.last()) else {
@@ -42,8 +42,8 @@ fn area(a: Point, b: Point, c: Point) -> f64 {
     (b.x_m - a.x_m) * (c.r_m - a.r_m) - (b.r_m - a.r_m) * (c.x_m - a.x_m)
 }
 
-/// Triangles of a counter-clockwise polygon, two fewer than it has corners. Where the polygon touches or, by its chords, crosses
-/// itself the triangles may overlap, but their edges still meet in pairs.
+/// Triangulation of a counter-clockwise polygon: two triangles fewer than corners. Where the polygon touches itself or,
+/// because of its chords, crosses itself, triangles may overlap, but their edges still meet in pairs.
 pub fn triangulated(polygon: &[Point]) -> Vec<[u32; 3]> {
     let mut left: Vec<(u32, Point)> = (0..).zip(polygon.iter().copied()).collect();
     let mut triangles = Vec::with_capacity(polygon.len().saturating_sub(2));
@@ -77,7 +77,7 @@ pub fn triangulated(polygon: &[Point]) -> Vec<[u32; 3]> {
             % n;
         triangles.push(corner(ear).map(|(i, _)| i));
         left.remove(ear);
-        // one further, so that the triangles do not all meet in one corner
+        // move on by one corner, so that the triangles do not all share one
         at = ear + 1;
     }
     triangles

@@ -1,4 +1,4 @@
-//! The surface: stations along a chain, each turned about the axis.
+//! Surface of revolution: stations along a chain, repeated about the axis.
 
 use super::stations::{Station, chords, stations};
 use super::{Mesh, MeshOptions};
@@ -6,10 +6,10 @@ use crate::export::chain::Chain;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{PI, sin_cos};
 
-/// The stations of each segment of a chain; a joint is the end of one and the start of the next.
+/// Stations of each segment of a chain; a joint is the last station of one segment and the first of the next.
 pub type Run = Vec<Vec<Station>>;
 
-/// Sines and cosines of the turn.
+/// Sines and cosines of the azimuths.
 pub struct Turn {
     /// (sine, cosine) of each column of vertices.
     pub columns: Vec<(f64, f64)>,
@@ -17,7 +17,7 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// As many columns as the widest circle of the chains needs.
+    /// As many columns as the largest circle of the chains needs.
     pub fn new(chains: &[Chain], options: &MeshOptions) -> Self {
         let widest = |s: &Segment| match *s {
             Segment::Line { start, end } => start.r_m.max(end.r_m),
@@ -38,13 +38,13 @@ impl Turn {
         }
     }
 
-    /// Whether it goes all the way round.
+    /// Whether the revolution is a full turn.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
 }
 
-/// The stations of a chain.
+/// Stations of a chain.
 pub fn run(chain: &Chain, options: &MeshOptions) -> Run {
     let segments = chain.segments.iter();
     segments
@@ -52,12 +52,12 @@ pub fn run(chain: &Chain, options: &MeshOptions) -> Run {
         .collect()
 }
 
-/// Position of a point of the half-section at a column, m; zero has one sign only.
+/// Position of a point of the half-section at a column, m; negative zero becomes positive zero.
 pub fn position_m(at: Point, (sine, cosine): (f64, f64)) -> [f32; 3] {
     [at.x_m, at.r_m * cosine, at.r_m * sine].map(|v| v as f32 + 0.0)
 }
 
-/// Adds the surface of a run.
+/// Adds the surface of the stations.
 pub fn surface(mesh: &mut Mesh, run: &Run, turn: &Turn) {
     let columns = turn.columns.len() as u32;
     let turns = if turn.whole { columns } else { columns - 1 };
@@ -79,6 +79,7 @@ pub fn surface(mesh: &mut Mesh, run: &Run, turn: &Turn) {
             for j in 0..turns {
                 let next = (j + 1) % columns;
                 let [a, b, c, d] = [row + j, row + next, row + columns + next, row + columns + j];
+                // a station on the axis is a single point: one of the two triangles has no area
                 if from.at.r_m > 0.0 {
                     mesh.triangles.push([a, b, c]);
                 }

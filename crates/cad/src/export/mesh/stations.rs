@@ -1,4 +1,4 @@
-//! Points along a segment, close enough for straight pieces between them, with the normals of the segment.
+//! Points along a segment, close enough to be joined by straight pieces, with the normals of the segment.
 
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{PI, asin, hypot, sin_cos};
@@ -6,30 +6,31 @@ use numerics::math::{PI, asin, hypot, sin_cos};
 /// Fewest and most chords of a full circle.
 const CHORDS: (f64, f64) = (12.0, 1440.0);
 
-/// A point of a segment with its normal.
+/// Point of a segment with its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Where.
+    /// Position in the half-section.
     pub at: Point,
-    /// Unit normal (x, r), to the left of the run.
+    /// Unit normal (x, r), to the left of the segment's direction.
     pub normal: (f64, f64),
 }
 
-/// Angle of the chord that is `error_m` away from a circle of radius `radius_m`, rad.
+/// Angle of a chord that is `error_m` away from a circle of radius `radius_m`, rad.
 fn step_rad(radius_m: f64, error_m: f64) -> f64 {
     let share = (error_m / (2.0 * radius_m)).clamp(0.0, 1.0);
     4.0 * asin(share.sqrt())
 }
 
-/// How many chords an arc of a circle takes.
+/// Number of chords of an arc.
 pub(super) fn chords(sweep_rad: f64, radius_m: f64, error_m: f64) -> usize {
     let (fewest, most) = CHORDS;
     let circle = (2.0 * PI / step_rad(radius_m, error_m)).clamp(fewest, most);
-    // a whole number in spite of rounding
+    // the small term keeps rounding from adding a chord
     ((circle * sweep_rad.abs() / (2.0 * PI) - 1e-9).ceil() as usize).max(1)
 }
 
-/// The stations of a segment: its chords are at most `chord_error_m` away from it, its straight pieces at most `longest_piece_m` long.
+/// Stations of a segment: chords deviate by at most `chord_error_m`, straight pieces are at most `longest_piece_m`
+/// long.
 pub fn stations(segment: &Segment, chord_error_m: f64, longest_piece_m: f64) -> Vec<Station> {
     match *segment {
         Segment::Line { start, end } => {
@@ -55,7 +56,7 @@ pub fn stations(segment: &Segment, chord_error_m: f64, longest_piece_m: f64) -> 
             sweep_rad,
         } => {
             let pieces = chords(sweep_rad, radius_m, chord_error_m);
-            // the outside is on the left: away from the centre where the arc runs from r towards x
+            // the outside is on the left: away from the center where the arc runs from r towards x
             let side = if sweep_rad < 0.0 { 1.0 } else { -1.0 };
             ends_kept((start, end), pieces, |k| {
                 let (s, c) = sin_cos(start_angle_rad + sweep_rad * k as f64 / pieces as f64);
@@ -72,7 +73,7 @@ pub fn stations(segment: &Segment, chord_error_m: f64, longest_piece_m: f64) -> 
     }
 }
 
-/// Stations 0 to `pieces`, the first and the last at the very ends.
+/// Stations 0 to `pieces`, with the first and the last exactly at the ends.
 fn ends_kept(
     (start, end): (Point, Point),
     pieces: usize,

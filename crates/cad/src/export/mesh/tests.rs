@@ -1,4 +1,4 @@
-//! Closed bodies, and what they enclose.
+//! Closed bodies and their volumes.
 
 use super::*;
 use msape::vehicle::segment::{Point, Segment};
@@ -46,7 +46,7 @@ fn pencil() -> Profile {
     .closed()
 }
 
-/// Each edge of the welded mesh, with how often it is run forwards less backwards, and how often at all.
+/// Each edge of the welded mesh: forward minus backward uses, and total uses.
 fn edges(mesh: &Mesh) -> Vec<(i32, i32)> {
     let mut edges: BTreeMap<_, (i32, i32)> = BTreeMap::new();
     let bits = |i: u32| mesh.positions_m[i as usize].map(f32::to_bits);
@@ -168,12 +168,14 @@ fn every_component_of_both_concepts_is_watertight_whole_and_cut() {
             assert!(list.len() > 8);
             for ComponentMesh { kind, mesh } in list {
                 let exact = vehicle.component(kind).unwrap();
-                // one by one: both pieces of the body foam end in the circle in which the impact sphere touches
+                // one profile at a time: both pieces of the body foam end in the circle in which the impact sphere
+                // touches
                 for profile in &exact.profiles {
                     watertight(&super::mesh(std::slice::from_ref(profile), &options(sweep)));
                 }
                 let area: f64 = exact.profiles.iter().map(Profile::wetted_area_m2).sum();
-                // no wall is further from its triangles than twice the chord error: once along, once round
+                // walls deviate from their triangles by at most twice the chord error: along the profile and around the
+                // axis
                 let error = mesh.volume_m3() - exact.volume_m3 * sweep / (2.0 * PI);
                 assert!(error.abs() < 2e-3 * area, "{case} {kind:?} {error}");
             }

@@ -1,4 +1,4 @@
-//! Text of ISO 10303-21: instances, numbers, strings.
+//! Text encoding of ISO 10303-21: instances, numbers, strings.
 
 /// Instances of the data section, numbered from 1.
 #[derive(Default)]
@@ -7,7 +7,7 @@ pub struct Instances {
     count: usize,
 }
 
-/// Number of an instance.
+/// Instance number.
 pub type Id = usize;
 
 impl Instances {
@@ -24,26 +24,26 @@ impl Instances {
         self.add(&format!("{name}({})", parameters.join(",")))
     }
 
-    /// The lines.
+    /// The instances, one per line.
     pub fn into_text(self) -> String {
         self.text
     }
 }
 
-/// A reference.
+/// Reference to an instance.
 pub fn of(id: Id) -> String {
     format!("#{id}")
 }
 
-/// References in brackets.
+/// References in parentheses.
 pub fn list(ids: &[Id]) -> String {
     let ids: Vec<String> = ids.iter().map(|&id| of(id)).collect();
     format!("({})", ids.join(","))
 }
 
-/// A number with its point, as short as reads back to the same bits.
+/// The number in the shortest form that reads back to the same bits, always with a decimal point.
 pub fn real(value: f64) -> String {
-    // zero has one sign only
+    // turns negative zero into positive zero
     let text = format!("{:?}", value + 0.0).to_uppercase();
     match text.split_once('E') {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.E{exponent}"),
@@ -52,13 +52,13 @@ pub fn real(value: f64) -> String {
     }
 }
 
-/// Numbers in brackets.
+/// Numbers in parentheses.
 pub fn reals(values: &[f64]) -> String {
     let values: Vec<String> = values.iter().map(|&v| real(v)).collect();
     format!("({})", values.join(","))
 }
 
-/// A string in quotes; what is not ASCII by its code.
+/// A quoted string; characters outside ASCII are escaped by code.
 pub fn string(text: &str) -> String {
     let mut out = String::from("'");
     for c in text.chars() {

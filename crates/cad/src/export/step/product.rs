@@ -1,4 +1,4 @@
-//! Products: the assembly, its parts, and what is said about each.
+//! Products: the assembly, its parts and their properties.
 
 use super::part21::{Id, Instances, list, of, real, reals, string};
 use super::{properties, shell};
@@ -8,7 +8,7 @@ use crate::export::model::Part;
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Instances that all parts share, and what has been added.
+/// Instances shared by all parts, and the parts added so far.
 pub struct Assembly {
     product_context: Id,
     definition_context: Id,
@@ -116,10 +116,10 @@ impl Assembly {
         }
     }
 
-    /// Adds a part with its solids, and puts it in its place.
+    /// Adds a part with its solids and places it in the assembly.
     pub fn add(&mut self, i: &mut Instances, part: &Part, solids: &[Id]) {
         let context = self.context;
-        // an axis system of its own: a placement belongs to one representation
+        // each part needs its own axis system: a placement belongs to one representation
         let own = shell::placement(i, [0.0; 3], [Z, X]);
         let mut items = vec![own];
         items.extend_from_slice(solids);
@@ -201,7 +201,7 @@ impl Assembly {
         self.property(i, [kind, "density"], definition, &[density]);
     }
 
-    /// Volume, area and centroid, for the reader to compare with.
+    /// Validation properties: volume, area and centroid, for the reader to compare with.
     fn checks(&self, i: &mut Instances, part: &Part, shape: Id) {
         let solid = properties(part);
         let area_m2: f64 = part.profiles.iter().map(|p| p.wetted_area_m2()).sum();
@@ -225,7 +225,7 @@ impl Assembly {
         self.property(i, [kind, "centroid"], shape, &[centroid]);
     }
 
-    /// What needs to know all parts.
+    /// Adds the instances that refer to all parts.
     pub fn finish(self, i: &mut Instances) {
         i.add(&format!(
             "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,{})",

@@ -1,33 +1,33 @@
-//! A chain turned about the axis as a closed shell: each segment makes two faces of half a turn on one analytic surface.
+//! A chain revolved about the axis as a closed shell: each segment gives two half-turn faces on one analytic surface.
 //!
 //! ```text
 //! ∂S/∂φ × ∂S/∂s points outwards: round a face the first circle forwards, the far meridian forwards, the second circle
 //! backwards, the near meridian backwards
 //! ```
 //!
-//! with S the surface, φ the angle about the axis, s the length along the chain. Half a turn each, so that no face meets
-//! itself in a seam; where the chain ends on the axis the meridians meet in a vertex.
+//! with S the surface, φ the angle about the axis, s the length along the chain. Faces cover half a turn, so that none
+//! meets itself in a seam; where the chain ends on the axis the meridians meet in a vertex.
 
 use super::part21::{Id, Instances, list, of, real, reals};
 use crate::export::chain::{Chain, Ends, NOTHING_M};
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{atan2, sin_cos};
 
-/// Lengths in the file are in millimetres.
+/// Lengths in the file are in millimeters.
 const MM_PER_M: f64 = 1000.0;
 
-/// Arcs up to this sweep stay whole, rad: a half-turn with a little room.
+/// Largest sweep of an arc that is not split, rad: a half-turn with a margin for rounding.
 const WHOLE_RAD: f64 = 3.2;
 
-/// The two meridians between which the faces lie: direction of r, (y, z) = (±1, 0).
+/// The two meridians that bound the faces: direction of r, (y, z) = (±1, 0).
 const SIDES: [f64; 2] = [1.0, -1.0];
 
-/// Where two segments meet.
+/// Joint of two segments.
 #[derive(Clone, Copy)]
 enum Joint {
     /// On the axis: one vertex.
     Pole(Id),
-    /// On a circle: a vertex on either meridian, an edge in either half.
+    /// On a circle: one vertex per meridian, one edge per half.
     Circle { vertices: [Id; 2], halves: [Id; 2] },
 }
 
@@ -59,7 +59,7 @@ impl Joint {
     }
 }
 
-/// Adds the closed shell of a chain with its outside out; lengths become millimetres.
+/// Adds the closed shell of a chain, oriented outward; lengths become millimeters.
 pub fn closed_shell(instances: &mut Instances, chain: &Chain) -> Id {
     let segments: Vec<Segment> = chain.segments.iter().flat_map(halved).collect();
     let starts: Vec<Joint> = segments
@@ -78,7 +78,7 @@ pub fn closed_shell(instances: &mut Instances, chain: &Chain) -> Id {
     instances.add(&format!("CLOSED_SHELL('',{})", list(&shell)))
 }
 
-/// Arcs of more than a half-turn in equal pieces, so that a loop has at least two joints.
+/// Arcs of more than a half-turn split into equal pieces, so that a loop has at least two joints.
 fn halved(segment: &Segment) -> Vec<Segment> {
     match *segment {
         Segment::Arc {
@@ -184,7 +184,7 @@ fn faces(instances: &mut Instances, segment: &Segment, start: Joint, end: Joint)
     })
 }
 
-/// The curve of a segment on one side, run as the segment is.
+/// Curve of a segment on one meridian, in the direction of the segment.
 fn meridian(instances: &mut Instances, segment: &Segment, side: f64) -> Id {
     match *segment {
         Segment::Line { start, end } => {
@@ -201,7 +201,7 @@ fn meridian(instances: &mut Instances, segment: &Segment, side: f64) -> Id {
             sweep_rad,
             ..
         } => {
-            // from x towards r when the sweep is positive: about +z on the near side
+            // the arc turns from x towards r when the sweep is positive: about +z on the side of +y
             let axis = [0.0, 0.0, side * if sweep_rad < 0.0 { -1.0 } else { 1.0 }];
             let placed = placement(instances, on_meridian_mm(center, side), [axis, X]);
             instances.put(
@@ -212,14 +212,14 @@ fn meridian(instances: &mut Instances, segment: &Segment, side: f64) -> Id {
     }
 }
 
-/// The surface of a segment, and whether its own normal points outwards.
+/// Surface of a segment, and whether its own normal points outward.
 fn surface(instances: &mut Instances, segment: &Segment) -> (Id, &'static str) {
     let sense = |same: bool| if same { ".T." } else { ".F." };
     match *segment {
         Segment::Line { start, end } => {
             let (dx, dr) = (end.x_m - start.x_m, end.r_m - start.r_m);
             if dx.abs() <= NOTHING_M {
-                // outwards is (−dr, dx)
+                // outward is (−dr, dx)
                 let axis = [if dr < 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0];
                 let placed = placement(instances, [start.x_m * MM_PER_M, 0.0, 0.0], [axis, Y]);
                 return (instances.add(&format!("PLANE('',#{placed})")), ".T.");
@@ -233,7 +233,7 @@ fn surface(instances: &mut Instances, segment: &Segment) -> (Id, &'static str) {
                     outwards,
                 );
             }
-            // placed where it is widest, opening along its axis
+            // placed at the wide end, opening along its axis
             let widest = if dr > 0.0 { end } else { start };
             let opening = if (dr > 0.0) == (dx > 0.0) { 1.0 } else { -1.0 };
             let axis = [opening, 0.0, 0.0];
@@ -263,7 +263,7 @@ fn surface(instances: &mut Instances, segment: &Segment) -> (Id, &'static str) {
                 let torus = format!("TOROIDAL_SURFACE('',#{placed},{major},{radius})");
                 return (instances.add(&torus), outwards);
             }
-            // the circle crosses the axis: which of its two parts is turned
+            // the circle crosses the axis: find which of its two parts is revolved
             let middle_r = center.r_m + radius_m * sin_cos(start_angle_rad + sweep_rad / 2.0).0;
             let outer = sense(center.r_m > 0.0 && middle_r > 0.0);
             let torus =

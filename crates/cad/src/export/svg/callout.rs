@@ -1,4 +1,4 @@
-//! Radii and angles that are written beside the section.
+//! Radii and angles written beside the section.
 
 use super::path::widest;
 use crate::export::chain::{chains, length_m};
@@ -6,30 +6,30 @@ use crate::export::model::Model;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{PI, RADIANS_PER_DEGREE, atan2, sin_cos};
 
-/// On which side of the section the words stand.
+/// Side of the section on which a text is placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Ahead of the nose.
     Fore,
-    /// Behind.
+    /// Behind the aft end.
     Aft,
 }
 
-/// Words about a point of the outline.
+/// Text that refers to a point of the outline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Callout {
-    /// The point.
+    /// Point of the outline.
     pub at: Point,
-    /// The words.
+    /// Text.
     pub words: String,
-    /// Where they stand.
+    /// Side.
     pub side: Side,
 }
 
-/// Lines shorter than this part of the radius are not spoken of.
+/// Shortest line that gets a callout, as a fraction of the largest radius.
 const LEAST_LINE: f64 = 0.1;
 
-/// Every radius of the outline, and the angle of every line that is neither along the axis nor across.
+/// Every radius of the outline, and the angle of every line that is neither parallel nor normal to the axis.
 pub fn callouts(model: &Model) -> Vec<Callout> {
     let widest = widest(&model.outline);
     let shown = |s: &&Segment| length_m(s) > LEAST_LINE * widest.r_m || is_arc(s);
@@ -38,7 +38,7 @@ pub fn callouts(model: &Model) -> Vec<Callout> {
     segments
         .filter_map(|segment| {
             let at = middle(segment);
-            // what runs outwards faces forward, also where the wing stands ahead of the shoulder
+            // a segment that runs outward faces forward, even where the wing lies ahead of the shoulder
             let side = if segment.end().r_m > segment.start().r_m {
                 Side::Fore
             } else {
@@ -57,7 +57,7 @@ fn words(segment: &Segment) -> Option<String> {
     match *segment {
         Segment::Arc { radius_m, .. } => Some(format!("R {:.1}", radius_m * 1000.0)),
         Segment::Line { start, end } => {
-            // against the axis, 0 to 90 deg
+            // angle to the axis, 0 to 90 deg
             let angle = atan2((end.r_m - start.r_m).abs(), (end.x_m - start.x_m).abs());
             let angle_deg = angle / RADIANS_PER_DEGREE;
             (0.01..89.99)

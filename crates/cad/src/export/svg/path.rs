@@ -1,24 +1,24 @@
-//! From the half-section to the sheet.
+//! Transformation from the half-section to the sheet.
 
 use msape::vehicle::profile::Profile;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::PI;
 
-/// Scale and place of the section on the sheet.
+/// Scale and position of the section on the sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Millimetres of the body in one of the sheet.
+    /// Millimeters of the body per millimeter of the sheet.
     pub scale: f64,
     /// Axial position of the nose, m.
     pub nose_x_m: f64,
-    /// Where the nose is on the sheet, mm.
+    /// Position of the nose on the sheet, mm.
     pub left_mm: f64,
-    /// Where the axis is on the sheet, mm.
+    /// Position of the axis on the sheet, mm.
     pub axis_mm: f64,
 }
 
 impl View {
-    /// A point on the sheet, mm; `half` is 1 above the axis, −1 below.
+    /// Position on the sheet, mm; `half` is 1 above the axis, −1 below.
     pub fn at(&self, point: Point, half: f64) -> [f64; 2] {
         let per_m = 1000.0 / self.scale;
         [
@@ -27,12 +27,12 @@ impl View {
         ]
     }
 
-    /// The path of a closed profile.
+    /// Path of a closed profile.
     pub fn path(&self, profile: &Profile, half: f64) -> String {
         format!("{}Z", self.run(profile.segments.iter(), half))
     }
 
-    /// The path without pieces of the axis.
+    /// Path without the segments on the axis.
     pub fn open_path(&self, profile: &Profile, half: f64) -> String {
         let off_axis = |s: &&Segment| s.start().r_m != 0.0 || s.end().r_m != 0.0 || is_arc(s);
         self.run(profile.segments.iter().filter(off_axis), half)
@@ -56,12 +56,12 @@ impl View {
                     end,
                     ..
                 } => {
-                    // two pieces, so that none is more than a half-turn
+                    // two pieces of at most a half-turn each, so that the large-arc flag is always 0
                     let piece = sweep_rad / 2.0;
                     let middle = Segment::arc(center, radius_m, start_angle_rad, piece).end();
                     let radius = radius_m * 1000.0 / self.scale;
                     let large = u8::from(piece.abs() > PI);
-                    // the sheet's y runs down
+                    // y of the sheet points down
                     let turn = u8::from((sweep_rad < 0.0) == (half > 0.0));
                     for point in [middle, end] {
                         let [x, y] = self.at(point, half);
@@ -86,7 +86,7 @@ fn is_arc(segment: &Segment) -> bool {
     matches!(segment, Segment::Arc { .. })
 }
 
-/// A point of the largest distance from the axis.
+/// A point at the largest distance from the axis.
 pub fn widest(profile: &Profile) -> Point {
     let points = profile.segments.iter().flat_map(|segment| {
         let top = match *segment {

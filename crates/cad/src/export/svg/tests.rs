@@ -1,4 +1,4 @@
-//! To scale, and markup.
+//! Scale and markup.
 
 use super::*;
 use crate::export::model::Measures;
@@ -18,7 +18,7 @@ fn ball() -> Model {
 #[test]
 fn a_ball_of_1_m_is_drawn_at_1_to_15_with_its_diameter() {
     let model = ball();
-    // 1000 mm in a box of 90 mm: 11.1, the next plain scale is 15
+    // 1000 mm in a box of 90 mm: 11.1, the next scale of the list is 15
     assert_eq!(view(&model).scale, 15.0);
     let text = svg(&model, &Info::default());
     // the upper half by two quarter-circles of 500 / 15 mm: body, its edge, outline

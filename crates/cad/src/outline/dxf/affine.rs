@@ -1,10 +1,10 @@
-//! Plane maps: how a block stands in the drawing, and lengths of the file in metres.
+//! Affine maps of the plane: placement of a block in the drawing, conversion of file lengths to meters.
 //!
 //! ```text
 //! x' = a x + b y + e        y' = c x + d y + f
 //! ```
 //!
-//! with a to d without unit, or in m per unit of the file, e and f in m.
+//! with a to d dimensionless, or in m per unit of the file, and e and f in m.
 //!
 //! # Valid
 //! Any finite numbers.
@@ -14,33 +14,33 @@
 
 use numerics::math::{RADIANS_PER_DEGREE, sin_cos};
 
-/// A map of the plane.
+/// Affine map of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine {
-    /// Columns x and y.
+    /// Matrix columns: images of the x and y unit vectors.
     columns: [[f64; 2]; 2],
-    /// Where the origin goes.
+    /// Image of the origin.
     shift: [f64; 2],
 }
 
-/// Lengths that differ by this part are the same.
+/// Relative difference below which lengths are equal.
 const SAME: f64 = 1e-9;
 
 impl Affine {
-    /// The plane stretched by `x` and `y` along its axes.
+    /// Scaling by `x` and `y` along the axes.
     pub fn scale(x: f64, y: f64) -> Self {
         let columns = [[x, 0.0], [0.0, y]];
         let shift = [0.0; 2];
         Self { columns, shift }
     }
 
-    /// Everything moved by `shift`.
+    /// Translation by `shift`.
     pub fn shift(shift: [f64; 2]) -> Self {
         let columns = [[1.0, 0.0], [0.0, 1.0]];
         Self { columns, shift }
     }
 
-    /// A turn about the origin, counter-clockwise.
+    /// Rotation about the origin, counter-clockwise.
     pub fn turn(angle_deg: f64) -> Self {
         let (s, c) = sin_cos(angle_deg * RADIANS_PER_DEGREE);
         let columns = [[c, s], [-s, c]];
@@ -48,7 +48,7 @@ impl Affine {
         Self { columns, shift }
     }
 
-    /// The map that does `first` and then this.
+    /// Composition: `first`, then this map.
     pub fn after(&self, first: &Self) -> Self {
         Self {
             columns: first.columns.map(|column| self.direction(column)),
@@ -56,26 +56,27 @@ impl Affine {
         }
     }
 
-    /// Where a point goes.
+    /// Image of a point.
     pub fn point(&self, p: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.direction(p);
         [x + self.shift[0], y + self.shift[1]]
     }
 
-    /// What becomes of a direction.
+    /// Image of a direction.
     pub fn direction(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [u, v] = self.columns;
         [u[0] * x + v[0] * y, u[1] * x + v[1] * y]
     }
 
-    /// Whether it keeps circles: 1 where it keeps the sense of turning, −1 where it is a mirror; `None` where circles become ellipses.
+    /// 1 where the map keeps circles and their sense of rotation, −1 where it mirrors them; `None` where circles become
+    /// ellipses.
     pub fn keeps_circles(&self) -> Option<f64> {
         let [u, v] = self.columns;
         circle(u, v).then(|| cross(u, v).signum())
     }
 }
 
-/// Whether two conjugate half-axes are those of a circle.
+/// Whether two conjugate half-axes belong to a circle.
 pub fn circle(u: [f64; 2], v: [f64; 2]) -> bool {
     let [uu, vv, uv] = [dot(u, u), dot(v, v), dot(u, v)];
     (uu - vv).abs() <= SAME * uu.max(vv) && uv.abs() <= SAME * uu.max(vv)
@@ -86,7 +87,7 @@ pub fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[0] + u[1] * v[1]
 }
 
-/// Area of the parallelogram, positive where the second is to the left of the first.
+/// Area of the parallelogram, positive where the second vector is to the left of the first.
 pub fn cross(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[1] - u[1] * v[0]
 }
@@ -97,7 +98,7 @@ mod tests {
 
     #[test]
     fn maps_are_done_from_right_to_left() {
-        // (1, 0) doubled is (2, 0), turned (0, 2), moved (1, 2)
+        // (1, 0) scaled is (2, 0), rotated (0, 2), shifted (1, 2)
         let map =
             Affine::shift([1.0, 0.0]).after(&Affine::turn(90.0).after(&Affine::scale(2.0, 2.0)));
         let [x, y] = map.point([1.0, 0.0]);

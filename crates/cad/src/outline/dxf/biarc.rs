@@ -1,5 +1,5 @@
-//! Smooth curves as pairs of arcs: a rational Bézier curve is halved until two arcs that are tangent to it at its ends, and to each
-//! other, follow it.
+//! Smooth curves as pairs of arcs (biarcs): a rational Bézier curve is halved until two arcs that are tangent to it at
+//! its ends, and to each other, approximate it.
 //!
 //! ```text
 //! d = [−V·T + √((V·T)² + 2 (1 − T₀·T₁) V·V)] / [2 (1 − T₀·T₁)],  V = P₁ − P₀,  T = T₀ + T₁;  the arcs meet at (P₀ + P₁ + d (T₀ − T₁)) / 2
@@ -9,7 +9,7 @@
 //! with unit tangents T₀, T₁ at the ends P₀, P₁, lengths in m, α in rad.
 //!
 //! # Valid
-//! Positive weights. Deviations are looked at in fifteen points of each piece; a piece is halved at most twelve times.
+//! Positive weights. Deviations are checked at fifteen points of each piece; a piece is halved at most twelve times.
 //!
 //! # References
 //! - \[bolton-1975\] biarcs; \[piegl-tiller-1997\] section 1.4 (rational Bézier curves, de Casteljau's algorithm).
@@ -19,21 +19,21 @@ use msape::vehicle::body::points::bulged;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{atan2, hypot, tan};
 
-/// How often a piece is halved.
+/// Largest number of halvings.
 const DEPTH: u32 = 12;
-/// Points in which the deviation is looked at, and one.
+/// Number of intervals of a piece at whose inner ends the deviation is checked.
 const LOOKS: u32 = 16;
-/// An arc of a pair turns by no more than twice this, rad.
+/// Half the largest sweep of an arc of a pair, rad.
 const MOST_TURN: f64 = 0.6;
-/// Bulges below this are lines.
+/// Bulge below which an arc counts as a line.
 const STRAIGHT: f64 = 1e-9;
 
-/// A rational Bézier curve: control points, each times its weight, and the weight.
+/// Rational Bézier curve: weighted control points (w x, w y, w).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bezier(pub Vec<[f64; 3]>);
 
 impl Bezier {
-    /// The curve in another place.
+    /// The curve mapped by `map`.
     pub fn moved(&self, map: &Affine) -> Self {
         let place = |&[x, y, w]: &[f64; 3]| {
             let [x, y] = map.point([x / w, y / w]);
@@ -48,12 +48,12 @@ impl Bezier {
         distances.fold(0.0, f64::max)
     }
 
-    /// Where it starts.
+    /// Start point.
     pub fn start(&self) -> [f64; 2] {
         self.at(0.0).0
     }
 
-    /// Where it ends.
+    /// End point.
     pub fn end(&self) -> [f64; 2] {
         self.at(1.0).0
     }
@@ -85,7 +85,7 @@ impl Bezier {
         (point, slope)
     }
 
-    /// Point and unit tangent at `t`, from the side of `inside` where the curve stands still.
+    /// Point and unit tangent at `t`; where the derivative vanishes, the tangent from the side of `inside`.
     fn tangent(&self, t: f64, inside: f64) -> ([f64; 2], [f64; 2]) {
         let (point, slope) = self.at(t);
         let (other, _) = self.at(t + 1e-4 * (inside - t));
@@ -105,7 +105,7 @@ fn unit(v: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Points and bulges of curves that follow one another, to within `tolerance`; at most about `room` of them.
+/// Points and bulges of consecutive curves, to within `tolerance`; stops at about `room` points.
 pub fn flattened(curves: &[Bezier], tolerance: f64, room: usize) -> Vec<[f64; 3]> {
     let mut points = Vec::new();
     for curve in curves {
@@ -131,6 +131,7 @@ fn halve(curve: &Bezier, span: [f64; 2], tolerance: f64, depth: u32, points: &mu
             points.push([first[0], first[1], 0.0]);
         }
         Some(pair) => points.extend(pair),
+        // smallest piece reached: a line instead of arcs
         None if depth == 0 => points.push([start[0], start[1], 0.0]),
         None => {
             let middle = 0.5 * (from + to);
@@ -140,7 +141,8 @@ fn halve(curve: &Bezier, span: [f64; 2], tolerance: f64, depth: u32, points: &mu
     }
 }
 
-/// Start and bulge of two arcs from `start` to `end` with the tangents there; `None` where they would turn far.
+/// Start and bulge of two arcs from `start` to `end` with the tangents there; `None` where their sweep would be too
+/// large.
 fn pair(start: [f64; 2], t0: [f64; 2], end: [f64; 2], t1: [f64; 2]) -> Option<[[f64; 3]; 2]> {
     let v = [end[0] - start[0], end[1] - start[1]];
     let vt = dot(v, [t0[0] + t1[0], t0[1] + t1[1]]);
@@ -148,7 +150,7 @@ fn pair(start: [f64; 2], t0: [f64; 2], end: [f64; 2], t1: [f64; 2]) -> Option<[[
     let apart = [t1[0] - t0[0], t1[1] - t0[1]];
     let bend = 0.5 * dot(apart, apart);
     let root = (vt * vt + 2.0 * bend * dot(v, v)).sqrt();
-    // the same root of the quadratic, good for parallel tangents too
+    // the root in a form that holds for parallel tangents too
     let d = dot(v, v) / (vt + root);
     if !(vt > 0.0 && d.is_finite()) {
         return None;
@@ -169,7 +171,7 @@ fn angle(from: [f64; 2], to: [f64; 2]) -> f64 {
     atan2(cross(from, to), dot(from, to))
 }
 
-/// Whether the curve keeps to the arcs.
+/// Whether the curve stays within the tolerance of the arcs.
 fn follows(
     curve: &Bezier,
     [from, to]: [f64; 2],
@@ -189,7 +191,7 @@ fn follows(
     })
 }
 
-/// Distance of a point from the line or the circle of a segment.
+/// Distance of a point from the line or circle of a segment.
 fn distance(segment: &Segment, [x, y]: [f64; 2]) -> f64 {
     match *segment {
         Segment::Line { start, end } => {

@@ -1,14 +1,14 @@
-//! What is drawn, before it is lines and arcs: chains, ellipses, rational Bézier curves.
+//! Curves of a drawing before conversion to lines and arcs: chains, ellipses, rational Bézier curves.
 //!
 //! ```text
 //! ellipse: P = C + u cos t + v sin t        a piece of δ of it: control points P₀, C + (u cos m + v sin m) / cos(δ/2), P₁
 //! with the weights 1, cos(δ/2), 1, m its middle: a quadratic rational curve, exactly
 //! ```
 //!
-//! with lengths in the unit of the drawing or, once moved, in m, angles in rad; a circle stays an arc, and an arc is exact.
+//! with lengths in the unit of the drawing or, once mapped, in m, angles in rad. Circles stay arcs, which are exact.
 //!
 //! # Valid
-//! Half-axes u and v that are conjugate, as an affine map leaves them.
+//! Conjugate half-axes u and v, as an affine map leaves them.
 //!
 //! # References
 //! - \[piegl-tiller-1997\] section 7.3 (conics as rational quadratic curves).
@@ -19,33 +19,33 @@ use msape::vehicle::body::points::bulged;
 use msape::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI, cos, sin_cos, tan};
 
-/// Turns shorter than a whole one by no more than this are a whole one, rad.
+/// Sweeps short of a full turn by no more than this count as full, rad.
 const WHOLE: f64 = 1e-9;
 
-/// A curve of a drawing.
+/// Curve of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
-    /// Lines and arcs: x, y and the bulge to the next point.
+    /// Lines and arcs: x, y and the bulge of the segment to the next point.
     Chain(Vec<[f64; 3]>),
-    /// A piece of an ellipse, or of a circle.
+    /// Arc of an ellipse or circle.
     Ellipse {
-        /// Centre.
+        /// Center.
         center: [f64; 2],
         /// Half-axis at t = 0.
         u: [f64; 2],
         /// Half-axis at t = π/2.
         v: [f64; 2],
-        /// Where it begins, rad.
+        /// Start parameter, rad.
         from: f64,
-        /// How far it goes, rad.
+        /// Parameter range, rad.
         sweep: f64,
     },
-    /// Smooth pieces, one after the other.
+    /// Consecutive smooth pieces.
     Smooth(Vec<Bezier>),
 }
 
 impl Curve {
-    /// The curve in another place.
+    /// The curve mapped by `map`.
     pub fn moved(&self, map: &Affine) -> Vec<Self> {
         match self {
             Self::Chain(points) => {
@@ -89,7 +89,7 @@ impl Curve {
         }
     }
 
-    /// A distance from the x axis that it does not go beyond by much.
+    /// Upper estimate of the largest distance from the x axis.
     pub fn reach(&self) -> f64 {
         match self {
             Self::Chain(points) => points.iter().map(|p| p[1].abs()).fold(0.0, f64::max),
@@ -100,7 +100,7 @@ impl Curve {
         }
     }
 
-    /// Points and bulges of it, those of smooth pieces to within `tolerance`; at most about `room` of them.
+    /// Points and bulges, those of smooth pieces to within `tolerance`; stops at about `room` points.
     pub fn flattened(&self, tolerance: f64, room: usize) -> Vec<[f64; 3]> {
         match self {
             Self::Chain(points) => points.clone(),
@@ -135,7 +135,7 @@ impl Curve {
     }
 }
 
-/// One piece of a chain, an arc as a piece of a circle.
+/// One segment of a chain; an arc becomes an arc of a circle.
 fn piece(from: &[f64; 3], to: &[f64; 3]) -> Curve {
     let [start, end] = [from, to].map(|p| Point {
         x_m: p[0],
@@ -164,7 +164,7 @@ fn on_ellipse(center: [f64; 2], u: [f64; 2], v: [f64; 2], t: f64) -> [f64; 2] {
     [0, 1].map(|i| center[i] + u[i] * c + v[i] * s)
 }
 
-/// Rational quadratic pieces of an ellipse, none of more than a quarter.
+/// Rational quadratic pieces of an ellipse, each of at most a quarter turn.
 fn quadratics(center: [f64; 2], u: [f64; 2], v: [f64; 2], from: f64, sweep: f64) -> Vec<Bezier> {
     let count = (sweep.abs() / FRAC_PI_2 - WHOLE).ceil().max(1.0);
     let step = sweep / count;

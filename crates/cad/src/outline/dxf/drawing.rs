@@ -1,7 +1,7 @@
-//! Sections of a drawing: its unit, its layers and what hides them, its blocks, its entities.
+//! Sections of a drawing: unit, layers and their visibility, blocks, entities.
 //!
 //! # Valid
-//! Files without HEADER, TABLES or BLOCKS too, as release 12 allows.
+//! Files may lack HEADER, TABLES or BLOCKS, as release 12 allows.
 //!
 //! # References
 //! - \[autodesk-dxf\] HEADER ($INSUNITS), LAYER (62, 70, 290), BLOCK (2, 10, 20, 70).
@@ -11,33 +11,33 @@ use crate::outline::ImportFault;
 use std::collections::BTreeMap;
 use std::str::from_utf8;
 
-/// The groups from one code 0 to the next.
+/// Groups from one code 0 to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record<'a> {
-    /// Its name.
+    /// Record type.
     pub kind: &'a str,
-    /// Where it stands.
+    /// Place in the file.
     pub place: Place,
     groups: &'a [Group<'a>],
 }
 
 impl<'a> Record<'a> {
-    /// The first group with a code.
+    /// First group with a code.
     pub fn group(&self, code: i32) -> Option<&'a Group<'a>> {
         self.groups.iter().find(|group| group.code == code)
     }
 
-    /// All of its groups.
+    /// All groups of the record.
     pub fn groups(&self) -> &'a [Group<'a>] {
         self.groups
     }
 
-    /// A text in small letters, as names are compared.
+    /// Text of a group in lower case, for comparing names.
     pub fn name(&self, code: i32) -> Option<String> {
         self.group(code).map(|group| group.name().to_lowercase())
     }
 
-    /// A whole number.
+    /// Whole number of a group.
     pub fn whole(&self, code: i32) -> Option<i64> {
         self.group(code).and_then(Group::whole)
     }
@@ -47,7 +47,7 @@ impl<'a> Record<'a> {
         self.whole(70).is_some_and(|flags| flags & bit != 0)
     }
 
-    /// A number that must be there.
+    /// Number of a required group.
     pub fn number(&self, code: i32) -> Result<f64, ImportFault> {
         match self.group(code) {
             Some(group) => group.number(),
@@ -55,71 +55,71 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// A number that may be missing.
+    /// Number of an optional group.
     pub fn number_or(&self, code: i32, otherwise: f64) -> Result<f64, ImportFault> {
         self.group(code).map_or(Ok(otherwise), Group::number)
     }
 
-    /// A point, its x under `code`, its y under ten more.
+    /// Point with x under `code` and y under `code` + 10.
     pub fn point(&self, code: i32) -> Result<[f64; 2], ImportFault> {
         Ok([self.number(code)?, self.number(code + 10)?])
     }
 
-    /// The numbers of all groups with a code.
+    /// Numbers of all groups with a code.
     pub fn numbers(&self, code: i32) -> Result<Vec<f64>, ImportFault> {
         let groups = self.groups.iter().filter(|group| group.code == code);
         groups.map(Group::number).collect()
     }
 
-    /// Something that is wrong with it.
+    /// A fault at the place of this record.
     pub fn fault(&self, reason: String) -> ImportFault {
         let place = self.place;
         ImportFault::Drawing { place, reason }
     }
 }
 
-/// Why a layer, or an entity, is not drawn.
+/// Reason why a layer or an entity is not drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hidden {
-    /// Its layer is off: its color is negative.
+    /// The layer is off: its color is negative.
     Off,
-    /// Its layer is frozen.
+    /// The layer is frozen.
     Frozen,
-    /// Its layer is not plotted.
+    /// The layer is not plotted.
     NotPlotted,
-    /// It is in paper space: a sheet around the drawing.
+    /// The entity is in paper space: the sheet around the drawing.
     Paper,
-    /// It is marked as invisible.
+    /// The entity is marked as invisible.
     Invisible,
 }
 
-/// A block: entities that are drawn where it is inserted.
+/// Block: entities that are drawn where it is inserted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block<'a> {
-    /// The point that goes to the point of insertion.
+    /// Base point, which is mapped to the insertion point.
     pub base: [f64; 2],
-    /// Whether it is the content of another file.
+    /// Whether the block refers to another file.
     pub external: bool,
-    /// Its entities.
+    /// Entities of the block.
     pub entities: Vec<Record<'a>>,
 }
 
-/// A drawing.
+/// Sections of a drawing that are needed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing<'a> {
     /// $INSUNITS.
     pub unit: Option<&'a Group<'a>>,
-    /// Layers that are not drawn, by name in small letters: why, and their names.
+    /// Layers that are not drawn, by lower-case name: reason and name as written.
     pub hidden: BTreeMap<String, (Hidden, String)>,
     /// Whether an insertion is clipped (SPATIAL_FILTER).
     pub clipped: bool,
-    /// Blocks, by name in small letters.
+    /// Blocks by lower-case name.
     pub blocks: BTreeMap<String, Block<'a>>,
-    /// Entities of the drawing itself.
+    /// Entities of the drawing itself, outside blocks.
     pub entities: Vec<Record<'a>>,
 }
 
-/// The drawing of groups.
+/// The drawing that the groups describe.
 pub fn drawing<'a>(groups: &'a [Group<'a>]) -> Result<Drawing<'a>, ImportFault> {
     let mut drawing = Drawing::default();
     let mut section = String::new();

@@ -1,16 +1,17 @@
-//! What of a drawing counts: what is drawn in model space, blocks where they are inserted, and what is left out, to be said.
+//! Selection of the curves that form the outline: entities of model space, blocks where they are inserted, and messages
+//! on what is left out.
 //!
 //! ```text
 //! point of the drawing = insertion + turn (place in the array + scale (point of the block − base))
 //! ```
 //!
-//! Left out are paper space, invisible entities, layers that are off, frozen or not plotted (as construction lines are kept),
-//! construction lines (XLINE, RAY), and what is no line: text, points, dimensions, hatches, pictures. An entity on layer 0 of a
-//! block is on the layer of its insertion. Where something is drawn on a layer called `outline`, or in a block inserted on it,
-//! only that counts.
+//! Left out are paper space, invisible entities, layers that are off, frozen or not plotted (the usual place of
+//! construction lines), construction lines (XLINE, RAY) and entities without lines: text, points, dimensions, hatches,
+//! images. An entity on layer 0 of a block takes the layer of its insertion. Where something is drawn on a layer called
+//! `outline`, or in a block inserted on it, only that counts.
 //!
 //! # Valid
-//! Blocks in blocks to a depth of 32; 200,000 entities in all, each counted as often as it is inserted.
+//! Nested blocks to a depth of 32; 200,000 entities in all, each counted as often as it is inserted.
 //!
 //! # References
 //! - \[autodesk-dxf\] groups 8, 60, 67; INSERT; SPATIAL_FILTER; \[ezdxf\] layer 0 of blocks.
@@ -23,14 +24,14 @@ use super::group::{Group, Place};
 use crate::outline::{ImportFault, MOST_FAULTS, shown};
 use std::collections::BTreeMap;
 
-/// Entities that are read, insertions counted.
+/// Largest number of entities read, including those of inserted blocks.
 pub const MOST_ENTITIES: usize = 200_000;
-/// Depth of blocks in blocks.
+/// Largest depth of nested blocks.
 const DEPTH: usize = 32;
-/// Layers and kinds that are named, each.
+/// Largest number of layers, and of entity types, named in a message.
 const MOST_NAMED: usize = 12;
 
-/// Entities that are no line of an outline.
+/// Entity types that are never part of an outline.
 const PASSED_OVER: [&str; 30] = [
     "TEXT",
     "MTEXT",
@@ -63,31 +64,31 @@ const PASSED_OVER: [&str; 30] = [
     "LIGHT",
     "SUN",
 ];
-/// Records that belong to the entity before them.
+/// Records that belong to the preceding entity.
 const PARTS: [&str; 3] = ["VERTEX", "ATTRIB", "SEQEND"];
 
-/// Curves of one layer, or of all but that, and what is wrong with them.
+/// Curves of layer `outline` or of all other layers, with faults.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
-    /// The curves, with where they stand in the file.
+    /// Curves with their places in the file.
     pub curves: Vec<(Curve, Place)>,
-    /// What is wrong.
+    /// Faults.
     pub faults: Vec<ImportFault>,
 }
 
-/// What was found in a drawing.
+/// Content of a drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawn {
-    /// On the layer `outline`.
+    /// Curves on layer `outline`.
     outline: Found,
-    /// Elsewhere.
+    /// Curves on other layers.
     others: Found,
     hidden: BTreeMap<(Hidden, String), usize>,
     passed_over: BTreeMap<String, usize>,
     visited: usize,
 }
 
-/// Where entities are inserted.
+/// State of nested insertions.
 #[derive(Clone)]
 struct Nest<'n> {
     map: Affine,
@@ -98,7 +99,7 @@ struct Nest<'n> {
     depth: usize,
 }
 
-/// The curves of a drawing, and what is left out; lengths are multiplied by `scale`.
+/// Curves of a drawing and what is left out; lengths are multiplied by `scale`.
 pub fn drawn(drawing: &Drawing, scale: f64) -> Drawn {
     let mut drawn = Drawn::default();
     let nest = Nest {
@@ -112,7 +113,7 @@ pub fn drawn(drawing: &Drawing, scale: f64) -> Drawn {
 }
 
 impl Drawn {
-    /// What counts, and remarks on what does not.
+    /// The curves that count, and messages on those that do not.
     pub fn counted(self) -> (Found, Vec<String>) {
         let mut remarks: Vec<String> = [self.hidden_words(), self.passed_over_words()]
             .into_iter()
@@ -131,7 +132,7 @@ impl Drawn {
         (self.outline, remarks)
     }
 
-    /// What is not drawn, if anything.
+    /// Message on hidden entities, if there are any.
     fn hidden_words(&self) -> Option<String> {
         let one = |((why, layer), count): (&(Hidden, String), &usize)| {
             let layer = shown(layer);
@@ -157,7 +158,7 @@ impl Drawn {
         )
     }
 
-    /// Notes an entity; false when there are too many.
+    /// Counts an entity; false once there are too many.
     fn counts(&mut self, entity: &Record) -> bool {
         self.visited += 1;
         if self.visited == MOST_ENTITIES + 1 {
@@ -182,7 +183,7 @@ impl Drawn {
             let layer = nest.layer.filter(|_| own == "0").unwrap_or(&own);
             let why = self.hides(drawing, entity, layer, nest.depth);
             let insert = entity.kind == "INSERT";
-            // a layer that is off hides what a block has on layer 0, not what it has on others
+            // a layer that is off hides a block's entities on layer 0, but not those on other layers
             let through = insert && matches!(why, Some((Hidden::Off | Hidden::NotPlotted, _)));
             if let Some(why) = why
                 && !through
@@ -224,7 +225,7 @@ impl Drawn {
         }
     }
 
-    /// Why an entity is not drawn, and the name of the layer that hides it.
+    /// Reason why an entity is not drawn, and the name of the layer that hides it.
     fn hides(
         &self,
         drawing: &Drawing,
@@ -301,7 +302,7 @@ impl Drawn {
     }
 }
 
-/// The maps of an insertion before and after its places in an array.
+/// Maps of an insertion that apply before and after the shift to a place of its array.
 fn frames(entity: &Record, block: &Block) -> Result<(Affine, Affine), ImportFault> {
     let at = [entity.number_or(10, 0.0)?, entity.number_or(20, 0.0)?];
     let scale = [entity.number_or(41, 1.0)?, entity.number_or(42, 1.0)?];
@@ -330,7 +331,7 @@ impl Found {
     }
 }
 
-/// "what: a, b, and 3 more"; nothing without parts.
+/// "what: a, b, and 3 more"; `None` for an empty list.
 fn listed(what: &str, parts: impl ExactSizeIterator<Item = String>) -> Option<String> {
     let count = parts.len();
     let more = count.saturating_sub(MOST_NAMED);

@@ -1,4 +1,4 @@
-//! One entity as curves: LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE, POLYLINE.
+//! Conversion of an entity to curves: LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE, POLYLINE.
 //!
 //! ```text
 //! x of an object that is seen from behind (extrusion 0, 0, −1) is −x of the drawing; LINE, ELLIPSE, SPLINE are in the drawing's axes
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! # Valid
-//! Objects in planes z = constant. Vertices of the frame of a smoothed POLYLINE (flag 16) are not drawn.
+//! Objects in planes z = constant. Frame control points of a smoothed POLYLINE (flag 16) are not drawn.
 //!
 //! # References
 //! - \[autodesk-dxf\] the entities, object coordinates, VERTEX flags (group 70).
@@ -19,10 +19,10 @@ use super::spline;
 use crate::outline::ImportFault;
 use numerics::math::{PI, RADIANS_PER_DEGREE, hypot};
 
-/// Heights over the plane that differ by this part of the object's size are the same.
+/// Largest difference of heights above the plane that count as equal, as a fraction of the object's size.
 const FLAT: f64 = 1e-6;
 
-/// Whether an entity of this kind may be part of an outline and is read.
+/// Whether entities of this type may be part of an outline and are supported.
 pub fn is_read(kind: &str) -> bool {
     matches!(
         kind,
@@ -30,7 +30,7 @@ pub fn is_read(kind: &str) -> bool {
     )
 }
 
-/// The curves of an entity; `vertices` are the records that follow a POLYLINE.
+/// Curves of an entity; `vertices` are the records that follow a POLYLINE.
 pub fn curves(entity: &Record, vertices: &[Record]) -> Result<Vec<Curve>, ImportFault> {
     match entity.kind {
         "LINE" => line(entity).map(|curve| vec![curve]),
@@ -46,12 +46,12 @@ pub fn curves(entity: &Record, vertices: &[Record]) -> Result<Vec<Curve>, Import
     }
 }
 
-/// The map from an object's own axes to the drawing's.
+/// Map from an object's coordinate system to the drawing's.
 pub fn seen(entity: &Record) -> Result<Affine, ImportFault> {
     Ok(Affine::scale(side(entity)?, 1.0))
 }
 
-/// 1 for an object that is seen from the front, −1 from behind.
+/// 1 for an object seen from the front, −1 from behind.
 fn side(entity: &Record) -> Result<f64, ImportFault> {
     let [x, y] = [entity.number_or(210, 0.0)?, entity.number_or(220, 0.0)?];
     let z = entity.number_or(230, 1.0)?;
@@ -64,7 +64,7 @@ fn side(entity: &Record) -> Result<f64, ImportFault> {
     }
 }
 
-/// Fails where heights over the plane of the drawing differ.
+/// Fails where heights above the plane of the drawing differ.
 fn flat(entity: &Record, heights: &[f64], size: f64) -> Result<(), ImportFault> {
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -196,7 +196,7 @@ fn spline_curve(entity: &Record) -> Result<Curve, ImportFault> {
     if let (true, [Some(start), Some(end)]) = (entity.flag(1), ends)
         && extent(&[start, end]) > FLAT * extent(&control)
     {
-        // some programs draw what the knots say, others a curve that goes round
+        // some programs draw the open curve that the knots define, others a closed one
         return Err(entity.fault(
             "SPLINE is marked as closed, but by its knots its ends do not meet; draw it anew, or as an open one".to_owned(),
         ));
@@ -233,7 +233,7 @@ fn polyline(entity: &Record, vertices: &[Record]) -> Result<Vec<Curve>, ImportFa
             kind: "POLYLINE that is a mesh".to_owned(),
         });
     }
-    // in three dimensions the vertices are in the drawing's axes, without bulges
+    // vertices of a 3-D polyline are in the drawing's axes, without bulges
     let solid = entity.flag(8);
     let (mut points, mut heights) = (Vec::new(), Vec::new());
     for vertex in vertices.iter().filter(|vertex| !vertex.flag(FRAME)) {
@@ -259,7 +259,7 @@ fn polyline(entity: &Record, vertices: &[Record]) -> Result<Vec<Curve>, ImportFa
     Ok(vec![closed(entity, points)])
 }
 
-/// The chain of a polyline, back to its start where it is closed.
+/// Chain of a polyline, with its first point repeated where it is closed.
 fn closed(entity: &Record, mut points: Vec<[f64; 3]>) -> Curve {
     if entity.flag(1) {
         points.extend(points.first().map(|[x, y, _]| [*x, *y, 0.0]));

@@ -1,4 +1,4 @@
-//! Groups of a DXF file, a code and a value each, from text or from binary.
+//! Groups of a DXF file, each a code and a value, from text or binary files.
 //!
 //! ```text
 //! text:    a line with the code, a line with the value
@@ -6,7 +6,8 @@
 //! ```
 //!
 //! # Valid
-//! Text in any encoding that keeps ASCII: names that are not UTF-8 are read byte by byte as Latin-1, on both sides of a comparison.
+//! Text in any encoding that extends ASCII: names that are not UTF-8 are read byte by byte as Latin-1, on both sides of
+//! a comparison.
 //!
 //! # References
 //! - \[autodesk-dxf\] group code value types; binary DXF files.
@@ -18,10 +19,10 @@ use std::str::from_utf8;
 /// First bytes of a binary file.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
-/// Where something stands in a file.
+/// Place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// Line of a text, from 1.
+    /// Line of a text file, from 1.
     Line(u64),
     /// Byte of a binary file, from 1.
     Byte(u64),
@@ -36,30 +37,30 @@ impl fmt::Display for Place {
     }
 }
 
-/// A value as it stands in the file.
+/// Value as stored in the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<'a> {
-    /// Text, and every value of a text file.
+    /// Text; all values of a text file.
     Text(&'a [u8]),
-    /// A number with a fraction, of a binary file.
+    /// Floating-point number of a binary file.
     Real(f64),
-    /// A whole number, of a binary file.
+    /// Whole number of a binary file.
     Whole(i64),
 }
 
-/// A code and its value.
+/// Group code and value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Group<'a> {
     /// Group code.
     pub code: i32,
-    /// Its value.
+    /// Value.
     pub value: Value<'a>,
-    /// Where the code stands.
+    /// Place of the code.
     pub place: Place,
 }
 
 impl Group<'_> {
-    /// Whether it is this code with this word.
+    /// Whether the group has this code and this word as value.
     pub fn is(&self, code: i32, word: &str) -> bool {
         self.code == code && self.value == Value::Text(word.as_bytes())
     }
@@ -76,7 +77,7 @@ impl Group<'_> {
         }
     }
 
-    /// The value as a whole number.
+    /// The value as a whole number, if it is one.
     pub fn whole(&self) -> Option<i64> {
         match self.value {
             Value::Text(bytes) => from_utf8(bytes).ok()?.parse().ok(),
@@ -85,7 +86,7 @@ impl Group<'_> {
         }
     }
 
-    /// The value as a finite number.
+    /// The value as a finite number, or a fault.
     pub fn number(&self) -> Result<f64, ImportFault> {
         let number = match self.value {
             Value::Text(bytes) => from_utf8(bytes).ok().and_then(|text| text.parse().ok()),
@@ -106,7 +107,7 @@ impl Group<'_> {
     }
 }
 
-/// The groups of a file.
+/// Groups of a file.
 pub fn groups(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
     let groups = match bytes.strip_prefix(SENTINEL) {
         Some(rest) => binary(rest)?,
@@ -120,7 +121,7 @@ pub fn groups(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
 
 fn text(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    // files of an old Macintosh have no line feeds
+    // files of old Macintosh systems end lines with a carriage return only
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
     let mut lines = bytes
         .split(|byte| *byte == end)
@@ -130,7 +131,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
     while let Some((code, line)) = lines.next() {
         let number = from_utf8(code).ok().and_then(|code| code.parse().ok());
         let Some(code) = number else {
-            // after the last line feed
+            // the rest after the last line feed
             if code.is_empty() && lines.all(|(rest, _)| rest.is_empty()) {
                 break;
             }
@@ -155,10 +156,10 @@ fn text(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
     Ok(groups)
 }
 
-/// Bytes that are still to be read.
+/// Unread bytes.
 struct Rest<'a> {
     bytes: &'a [u8],
-    /// How many were read, with the sentinel.
+    /// Number of bytes read, including the sentinel.
     read: u64,
 }
 
@@ -181,7 +182,7 @@ impl<'a> Rest<'a> {
         Ok(array)
     }
 
-    /// A text that ends with a zero.
+    /// A zero-terminated text.
     fn text(&mut self) -> Result<&'a [u8], ImportFault> {
         let end = self.bytes.iter().position(|byte| *byte == 0);
         let text = self.take(end.unwrap_or(self.bytes.len()))?;
@@ -213,7 +214,7 @@ impl<'a> Rest<'a> {
 }
 
 fn binary(bytes: &[u8]) -> Result<Vec<Group<'_>>, ImportFault> {
-    // the file begins with code 0 and a word, or with a remark, code 999
+    // the file begins with code 0 and a word, or with a comment, code 999
     let wide = match bytes {
         [0, second, ..] => *second == 0,
         [first, ..] => *first != 0xff,

@@ -1,16 +1,17 @@
-//! A SPLINE as rational Bézier curves: from knots, control points and weights, or through fit points.
+//! Conversion of a SPLINE to rational Bézier curves: from knots, control points and weights, or through fit points.
 //!
 //! ```text
 //! control point j of the span [a, b]: the blossom of the span at n − j times a and j times b
 //! fit points: h_i m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_{i−1} m_{i+1} = 3 (h_i Δ_{i−1} + h_{i−1} Δ_i)
 //! ```
 //!
-//! with the degree n, chords h as the steps of the parameter, slopes Δ of the chords and m of the curve; without a given tangent
-//! the curvature at an end is zero, and a closed curve goes round a second time at both ends, so that it closes smoothly.
+//! with the degree n, chords h as the steps of the parameter, slopes Δ of the chords and m of the curve. Without a
+//! given tangent the curvature at an end is zero; a closed curve overlaps itself at both ends, so that it closes
+//! smoothly.
 //!
 //! # Valid
-//! Degrees up to 25, knots that do not fall, positive weights; the spans between the knots n and N, as many as there are control
-//! points, which holds for clamped and for periodic knots.
+//! Degrees up to 25, non-decreasing knots, positive weights; the spans between knots n and N, with N the number of
+//! control points, which holds for clamped and for periodic knots.
 //!
 //! # References
 //! - \[piegl-tiller-1997\] sections 5.4 (decomposition) and 9.3 (cubic interpolation), equation 9.5 for the chords;
@@ -19,15 +20,15 @@
 use super::biarc::Bezier;
 use numerics::math::hypot;
 
-/// Highest degree that is read.
+/// Highest degree read.
 const MOST_DEGREE: usize = 25;
-/// Part of their range by which knots may fall, and are taken to be equal.
+/// Largest decrease of a knot that counts as rounding, as a fraction of the range of the knots.
 const ROUNDING: f64 = 1e-9;
-/// Points by which a closed curve through points overlaps itself at each end: 0.27¹⁶ is below 1e-9.
+/// Points by which a closed curve through fit points overlaps itself at each end: 0.27¹⁶ is below 1e-9.
 const OVERLAP: usize = 16;
 
-/// Bézier curves of a curve of `degree` with its knots and its control points, each times its weight, and the weight; or what is
-/// wrong.
+/// Bézier curves of a spline of `degree` with its knots and weighted control points (w x, w y, w), or what is wrong
+/// with it.
 pub fn decomposed(
     degree: usize,
     knots: &[f64],
@@ -76,7 +77,7 @@ pub fn decomposed(
     }
 }
 
-/// Knots that do not fall: what falls by rounding stays where it was.
+/// Non-decreasing knots: a knot that falls by rounding takes the value of the one before.
 fn risen(knots: &[f64]) -> Result<Vec<f64>, String> {
     let mut risen: Vec<f64> = Vec::with_capacity(knots.len());
     let range = knots
@@ -95,7 +96,7 @@ fn risen(knots: &[f64]) -> Result<Vec<f64>, String> {
     Ok(risen)
 }
 
-/// Value of the polar form of a span: `local` are its control points, `around` the knots that they depend on.
+/// Value of the polar form (blossom) of a span: `local` are its control points, `around` its knots.
 fn blossom(local: &[[f64; 3]], around: &[f64], argument: impl Fn(usize) -> f64) -> [f64; 3] {
     let degree = local.len() - 1;
     let mut level = local.to_vec();
@@ -106,7 +107,7 @@ fn blossom(local: &[[f64; 3]], around: &[f64], argument: impl Fn(usize) -> f64) 
             .zip(level.iter().skip(1))
             .enumerate()
             .map(|(i, (p, q))| {
-                // knots i + r and i + degree + 1 of the span's neighbourhood, counted without its first
+                // knots i + r and i + degree + 1 of the span's neighborhood, without its first knot
                 let knot = |k: usize| around.get(k).copied().unwrap_or(0.0);
                 let (low, high) = (knot(i + r - 1), knot(i + degree));
                 let part = (t - low) / (high - low);
@@ -117,7 +118,7 @@ fn blossom(local: &[[f64; 3]], around: &[f64], argument: impl Fn(usize) -> f64) 
     level.first().copied().unwrap_or([0.0, 0.0, 1.0])
 }
 
-/// Cubic curves through points; tangents at the ends where they are given.
+/// Cubic curves through points, with tangents at the ends where given.
 pub fn through(points: &[[f64; 2]], tangents: [Option<[f64; 2]>; 2], closed: bool) -> Vec<Bezier> {
     let mut points = points.to_vec();
     points.dedup();
@@ -155,7 +156,7 @@ fn open(points: &[[f64; 2]], tangents: [Option<[f64; 2]>; 2]) -> Vec<Bezier> {
     let ([(_, first), ..], [.., (_, last)]) = (chords.as_slice(), chords.as_slice()) else {
         return Vec::new();
     };
-    // rows (below, middle, above, right side) of the equations of the slopes
+    // rows (lower, main and upper diagonal, right side) of the tridiagonal system for the slopes
     let end = |tangent: Option<[f64; 2]>, chord: &[f64; 2]| match tangent {
         Some(tangent) => (1.0, 0.0, tangent),
         None => (2.0, 1.0, chord.map(|part| 3.0 * part)),
@@ -173,7 +174,7 @@ fn open(points: &[[f64; 2]], tangents: [Option<[f64; 2]>; 2]) -> Vec<Bezier> {
     );
     let (middle, below, right) = end(tangents[1], last);
     rows.push((below, middle, 0.0, right));
-    // elimination downwards, then upwards
+    // Thomas algorithm: forward elimination, then back substitution
     let mut passed: Vec<(f64, [f64; 2])> = Vec::with_capacity(rows.len());
     for (below, middle, above, right) in rows {
         let (ratio, value) = passed.last().copied().unwrap_or((0.0, [0.0; 2]));
@@ -232,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_uniform_quadratic_runs_from_middle_to_middle() {
-        // knots 0, 1, 2 ...: each span from the middle of two control points to the middle of the next two
+        // knots 0, 1, 2 ...: each span runs between the midpoints of successive control points
         let points = [
             [0.0, 0.0, 1.0],
             [2.0, 0.0, 1.0],

@@ -6,13 +6,13 @@ use super::*;
 use msape::vehicle::body::from_rows;
 use numerics::math::{PI, tan};
 
-/// Volume of the cone of 0.5 m by 0.5 m that most drawings below are of, m³.
+/// Volume of a cone of 0.5 m radius and 0.5 m length, which most drawings below show, m³.
 const CONE_M3: f64 = PI * 0.125 / 3.0;
-/// Its side and its base, in millimetres.
+/// Side and base of the cone, mm.
 const SIDE: &str = "0 LINE 8 0 10 0 20 0 11 500 21 500";
 const BASE: &str = "0 LINE 8 0 10 500 20 500 11 500 21 0";
 
-/// A text with a line for each word.
+/// A text with one line per word.
 fn lines(words: &str) -> String {
     words
         .split_whitespace()
@@ -20,7 +20,7 @@ fn lines(words: &str) -> String {
         .collect()
 }
 
-/// A drawing in millimetres with layers, blocks and entities.
+/// A drawing in millimeters with layers, blocks and entities.
 fn sheet(layers: &str, blocks: &str, entities: &str) -> String {
     lines(&format!(
         "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 TABLES {layers} 0 ENDSEC \
@@ -32,7 +32,7 @@ fn entities(entities: &str) -> String {
     sheet("", "", entities)
 }
 
-/// Volume in m³ and what is remarked.
+/// Volume in m³ and messages of a drawing.
 fn taken(text: &str) -> (f64, String) {
     match read(text.as_bytes(), None) {
         Ok(Imported { rows, remarks }) => {
@@ -54,7 +54,7 @@ fn near(volume_m3: f64, wanted_m3: f64) {
     assert!(off.abs() < 1e-8, "{volume_m3} against {wanted_m3}: {off:e}");
 }
 
-/// The same drawing in binary, with codes of two bytes or of one.
+/// The drawing in binary form, with two-byte or one-byte codes.
 fn binary(text: &str, wide: bool) -> Vec<u8> {
     let mut bytes = b"AutoCAD Binary DXF\r\n\x1a\0".to_vec();
     let lines: Vec<&str> = text.lines().collect();
@@ -128,7 +128,7 @@ fn layers_that_are_off_frozen_or_not_plotted_are_not_drawn() {
             "{said}"
         );
     }
-    // locked, and frozen in new viewports: drawn
+    // locked layers, and layers frozen in new viewports, are drawn
     let drawn = sheet(
         "0 LAYER 2 HILFE 70 6 62 7",
         "",
@@ -213,7 +213,7 @@ fn the_unit_of_the_user_stands_above_that_of_the_drawing() {
 
 #[test]
 fn a_thousand_lines_in_any_order_are_joined() {
-    // a paraboloid r² = x / 2 up to x = 0.5 m: V = π/16 less what its chords cut off
+    // a paraboloid r² = x / 2 up to x = 0.5 m: V = π/16 minus what its chords cut off
     let at = |k: i32| [0.5 * f64::from(k * k) / 1e6, 0.5 * f64::from(k) / 1e3].map(|m| 1e3 * m);
     let mut list: Vec<String> = (0..1000)
         .map(|k| {

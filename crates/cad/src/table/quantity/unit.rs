@@ -1,4 +1,4 @@
-//! The units of what a column may hold.
+//! Units of the quantities that a column may hold.
 //!
 //! ```text
 //! SI = factor × number + offset
@@ -14,7 +14,7 @@ use super::Quantity;
 use crate::table::squeezed::squeezed_unit;
 use numerics::math::PI;
 
-/// Spellings of a unit, its factor and its offset to SI.
+/// Spellings of a unit, with factor and offset to SI.
 type Unit = (&'static [&'static str], f64, f64);
 
 const LENGTHS: &[Unit] = &[
@@ -46,7 +46,7 @@ const ANGLES: &[Unit] = &[
 const NUMBERS: &[Unit] = &[(&["1"], 1.0, 0.0)];
 
 impl Quantity {
-    /// Units with their factor and offset; the first is that of a bare number.
+    /// Units with factor and offset; the first is assumed for a number without unit.
     pub fn units(self) -> (&'static str, &'static [Unit]) {
         match self {
             Self::Altitude | Self::CapitalH | Self::PressureAltitude => ("m, km, ft, kft", LENGTHS),
@@ -115,7 +115,7 @@ impl Quantity {
                     (&["h", "hours"], 3600.0, 0.0),
                 ],
             ),
-            // the unit of an outline stands for x and r together
+            // the unit of an outline applies to x and r together
             Self::X | Self::R => (
                 "m, cm, mm, in, ft",
                 &[
@@ -140,7 +140,7 @@ impl Quantity {
                     ),
                 ],
             ),
-            // of the largest radius, of the whole length
+            // fractions of the largest radius, or of the whole length
             Self::RadiusFraction | Self::ArcFraction => (
                 "none",
                 &[(
@@ -153,7 +153,7 @@ impl Quantity {
         }
     }
 
-    /// Factor and offset of a unit as it stands in a file; those of a bare number where it names none.
+    /// Factor and offset of a unit as written in a file; those of the first unit where the file names none.
     pub fn unit(self, symbol: &str) -> Option<(f64, f64)> {
         let plain = squeezed_unit(symbol);
         let (_, units) = self.units();

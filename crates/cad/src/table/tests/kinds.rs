@@ -1,4 +1,4 @@
-//! What each kind of table understands.
+//! Columns and units of each kind of table.
 
 use super::*;
 
@@ -27,7 +27,7 @@ fn geopotential_altitudes_become_geometric() {
     let table = read("atmosphere.file", text.as_bytes(), &mars()).unwrap();
     // mean radius (2 × 3396190 + 3376200)/3 = 3389526.67 m: z = 72518.99 m
     assert!((table.rows[1][0] - 72_519.0).abs() < 0.1, "{table:?}");
-    // where both stand, the geometric one counts
+    // where both are given, the geometric altitude is used
     let both =
         air("geopotential altitude (m),altitude (m),rho (kg/m3)\n0,0,1.2\n71000,71802,6e-5\n");
     assert_eq!(both.rows[1][0], 71_802.0);
@@ -86,7 +86,7 @@ fn a_plain_h_is_told_by_the_weight_of_the_air() {
         );
     }
     assert!(table(|h, _| h, ", rho, kg/m3").is_err());
-    // too low to tell
+    // too low to distinguish
     let low = "H (m), p (Pa), rho (kg/m3)\n0, 101325, 1.225\n1000, 89876, 1.1117\n";
     assert_eq!(
         read("atmosphere.file", low.as_bytes(), &earth()),
@@ -132,7 +132,7 @@ Station information and sounding indices
         table.remarks
     );
     let wind = read("wind.file", listing.as_bytes(), &earth()).unwrap();
-    // 10 kt from the west go east
+    // 10 kt from the west blow east
     assert!(
         (wind.rows[2][1] - 10.0 * 1852.0 / 3600.0).abs() < 1e-12 && wind.rows[2][2].abs() < 1e-12,
         "{wind:?}"
@@ -235,7 +235,7 @@ fn curves_of_drag_and_bank() {
     );
 }
 
-/// 1e308 km is more than a number of metres can be.
+/// 1e308 km is more than a number of meters can be.
 #[test]
 fn numbers_that_no_unit_keeps_finite_are_refused() {
     let text = "altitude (km),density (kg/m3),temperature (K)\n0,1.2,288\n1e308,1e-9,200\n";

@@ -1,8 +1,8 @@
-//! Layouts of public files, each with a few lines of our own; `docs/faults.md` names the files.
+//! Layouts of public files, each with a few lines of our own data; `docs/faults.md` names the files.
 
 use super::*;
 
-/// A listing in fixed columns without wind on most levels, as of the University of Wyoming.
+/// A listing in fixed columns without wind on most levels, as from the University of Wyoming.
 #[test]
 fn blanks_in_fixed_columns_leave_the_other_cells_in_their_places() {
     let listing = "
@@ -24,13 +24,14 @@ fn blanks_in_fixed_columns_leave_the_other_cells_in_their_places() {
     assert!((table.rows[2][1] - 0.68806).abs() < 1e-5, "{table:?}");
     let wind = read("wind.file", listing.as_bytes(), &earth()).unwrap();
     assert_eq!(wind.rows.len(), 1);
-    // names and numbers that begin below one another
+    // names and numbers aligned at their first characters
     let left =
         "z_m    x     rho_kgm3\n0      1     1.225\n5000         0.7361\n10000        0.4135\n";
     same(&air(left).rows, &AIR);
 }
 
-/// A tab too many in the first row, a heading of commas, tabs and blanks, static values beside dynamic ones, falling altitudes.
+/// An extra tab in the first row; a heading with commas, tabs and blanks; static values beside dynamic ones; falling
+/// altitudes.
 #[test]
 fn atmospheres_in_the_headings_of_public_files() {
     let whole: [&[f64]; 3] = [
@@ -91,7 +92,7 @@ fn what_has_no_unit_and_is_not_in_that_taken_is_refused() {
     );
 }
 
-/// Altitude, temperature, pressure, density without a heading: the second column is none of density.
+/// Altitude, temperature, pressure, density without a heading: the second column is not density.
 #[test]
 fn columns_in_another_order_are_not_taken_for_density() {
     let said = |text: &str| faults("atmosphere.file", text).join("\n");
@@ -106,7 +107,7 @@ fn columns_in_another_order_are_not_taken_for_density() {
     assert!(pressed.contains("the second column is 101325"), "{pressed}");
 }
 
-/// A title that ends in a number stands above the heading.
+/// A title above the heading that ends in a number.
 #[test]
 fn a_title_with_a_number_is_no_row() {
     let text = "Title,columns\nCapsule at Mach 5,16\nMach,ALFA,CA,CN\n5,0,1.5,0\n5,10,1.4,0.1\n";
@@ -114,7 +115,7 @@ fn a_title_with_a_number_is_no_row() {
     assert_eq!(table.rows, [[5.0, 0.0, 1.5, 0.0], [5.0, 10.0, 1.4, 0.1]]);
 }
 
-/// CD of an export of RASAero II is that at 0 deg at every angle: CA and CN count.
+/// In an export of RASAero II, CD at every angle is that at 0 deg: CA and CN are used.
 #[test]
 fn axial_force_without_thrust_counts_above_a_drag_that_does_not_change_with_the_angle() {
     let text = "Mach,Alpha,CD,CD Power-Off,CD Power-On,CA Power-Off,CA Power-On,CL,CN,CP\n0.5,0,0.34,0.34,0.30,0.34,0.30,0,0,54\n0.5,4,0.34,0.41,0.37,0.35,0.31,0.89,0.92,54\n";
@@ -166,7 +167,7 @@ fn several_curves_of_drag_are_not_made_one() {
             "line 2: at mach 0.1 cd goes from 0.77 to 1.1, and the columns left out tell its rows apart: \"deployment_level\"; keep the rows of one curve"
         ]
     );
-    // up and down again along a flight
+    // up and down again, as along a flight
     let flight = "0.1,0.5\n0.5,0.4\n0.9,0.6\n0.8,0.5\n0.6,0.45\n0.4,0.5\n0.2,0.55\n0.05,0.6\n";
     assert_eq!(said(flight).len(), 1);
     assert!(said(flight)[0].starts_with("line 4: mach falls here and in 4 more lines"));

@@ -1,4 +1,4 @@
-//! What a stage keeps between drawings: the scene, and the pointers that are down.
+//! State of a stage between drawings: scene and active pointers.
 
 use crate::state::Solved;
 use crate::view3d::camera::Ball;
@@ -9,62 +9,62 @@ use msape::answer::surface::SurfaceHeating;
 use msape::vehicle::profile::Profile;
 use std::sync::Arc;
 
-/// What is drawn.
+/// Subject of a view.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
     /// The vehicle of a design.
     Design(Arc<Solved>),
-    /// One body of revolution.
+    /// A body of revolution.
     Body(Arc<Profile>),
 }
 
-/// A vehicle that is larger or smaller than what fills the view by more than this is fitted into it anew.
+/// Ratio of sizes above which a changed vehicle is fitted to the view again.
 const REFIT: f32 = 1.6;
-/// What outlives a drawing.
+/// State kept between drawings.
 #[derive(Default)]
 pub struct Stored {
-    /// Draws.
+    /// Renderer, once there is one.
     pub renderer: Option<Renderer>,
-    /// What is drawn.
+    /// Scene.
     pub scene: Scene,
-    /// What fills the view.
+    /// Bounding sphere that fills the view.
     pub ball: Ball,
-    /// Whether the next frame of the screen draws.
+    /// Whether a drawing is requested for the next frame.
     pub draws_soon: bool,
-    /// Pointers that are down: number and place.
+    /// Pointers that are pressed: identifier and position.
     pub pointers: Vec<(i32, f64, f64)>,
-    /// How far they moved since the first came down, CSS px.
+    /// Movement since the first was pressed, CSS px.
     pub moved_px: f64,
-    /// How often a subject was taken.
+    /// Number of subjects loaded so far.
     pub loads: u32,
 }
 
-/// A pointer: number and place.
+/// Identifier and position of a pointer.
 pub fn place(event: &PointerEvent) -> (i32, f64, f64) {
     let (x, y) = (event.client_x(), event.client_y());
     (event.pointer_id(), f64::from(x), f64::from(y))
 }
 
-/// What a movement of pointers means.
+/// Meaning of a pointer movement.
 pub enum Moved {
-    /// One was dragged.
+    /// Drag of one pointer.
     Turned {
         /// To the right, CSS px.
         x_px: f64,
         /// Downwards, CSS px.
         y_px: f64,
     },
-    /// Of two, the distance changed.
+    /// Pinch of two pointers.
     Pinched {
-        /// By this factor.
+        /// Ratio of distances.
         factor: f64,
-        /// Both moved down, CSS px.
+        /// Common downward movement, CSS px.
         y_px: f64,
     },
 }
 
 impl Stored {
-    /// Takes a subject.
+    /// Loads a subject.
     pub fn load(&mut self, subject: Option<&Subject>) {
         match subject {
             Some(Subject::Design(solved)) => {
@@ -87,7 +87,7 @@ impl Stored {
         }
     }
 
-    /// Moves a pointer that is down.
+    /// Moves a pressed pointer.
     pub fn moved(&mut self, (id, x, y): (i32, f64, f64)) -> Option<Moved> {
         let other = self
             .pointers
@@ -111,7 +111,7 @@ impl Stored {
         })
     }
 
-    /// Forgets a pointer; whether it was down.
+    /// Removes a pointer; returns whether it was pressed.
     pub fn lifted(&mut self, id: i32) -> bool {
         let before = self.pointers.len();
         self.pointers.retain(|(other, _, _)| *other != id);

@@ -1,4 +1,4 @@
-//! Blocks where they are inserted.
+//! Inserted blocks.
 
 use super::*;
 
@@ -34,7 +34,7 @@ fn blocks_are_drawn_where_they_are_inserted() {
     let (volume, said) = taken(&sheet("", &cone, "0 INSERT 8 0 2 cone 10 0 20 0 42 -1"));
     near(volume, CONE_M3);
     assert!(said.contains("below the axis"), "{said}");
-    // the point p at 2 (p − base) turned by 90°, moved by (10, 20); turned back (20, −10): lifted by 10
+    // the point p at 2 (p − base) rotated by 90°, shifted by (10, 20); rotated back (20, −10): raised by 10
     let nested = format!(
         "{cone} 0 BLOCK 2 turned 70 0 10 0 20 0 0 INSERT 8 0 2 cone 10 10 20 20 41 2 42 2 50 90 0 ENDBLK"
     );
@@ -47,10 +47,10 @@ fn blocks_are_drawn_where_they_are_inserted() {
         .0,
         8.0 * CONE_M3,
     );
-    // an array of the side and its mirror image in steps of 0, both drawn twice
+    // an array of the side and its mirror image in steps of 0: duplicates
     let twice = "0 INSERT 8 0 2 cone 10 0 20 0 70 2 71 1 44 0";
     near(taken(&sheet("", &cone, twice)).0, CONE_M3);
-    // and one that makes a row of two: not one outline
+    // an array that makes a row of two: not one outline
     assert!(
         refused(&sheet(
             "",

@@ -1,10 +1,10 @@
-//! Curves that are neither line nor arc, and what is drawn out of the plane.
+//! Curves that are neither line nor arc, and objects out of the plane.
 
 use super::*;
 
 #[test]
 fn blocks_may_be_mirrored_stretched_and_seen_from_behind() {
-    // nose to the right, an arc of bulge b: its mirror image has the nose to the left
+    // nose on the right, an arc of bulge b: its mirror image has the nose on the left
     let b = tan(PI / 8.0);
     let quarter = format!(
         "0 BLOCK 2 Q 70 0 10 0 20 0 0 LWPOLYLINE 8 0 90 3 70 0 10 100 20 0 42 {b} 10 0 20 100 10 0 20 0 0 ENDBLK"
@@ -21,7 +21,7 @@ fn blocks_may_be_mirrored_stretched_and_seen_from_behind() {
             half_ball,
         );
     }
-    // stretched by 6 along x and 5 across: half an ellipsoid of 0.6 by 0.5
+    // scaled by 6 along x and 5 across: half an ellipsoid of 0.6 by 0.5
     let stretched = sheet("", &quarter, "0 INSERT 8 0 2 Q 10 0 20 0 41 -6 42 5");
     near(taken(&stretched).0, 2.0 / 3.0 * PI * 0.25 * 0.6);
 }
@@ -75,7 +75,7 @@ fn splines_of_any_degree_are_followed() {
         taken(&entities(&format!("{parabola} {BASE}"))).0,
         PI * 11.0 / 120.0,
     );
-    // the same raised to degree 3: inner points at two thirds
+    // the same curve raised to degree 3: inner points at two thirds
     let p = 1000.0 / 3.0;
     let cubic = format!(
         "0 SPLINE 8 0 70 8 71 3 72 8 73 4 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 0 20 {p} 10 {} 20 500 10 500 20 500",
@@ -92,7 +92,7 @@ fn splines_of_any_degree_are_followed() {
 #[test]
 fn rational_and_closed_splines_are_followed() {
     let ball = 4.0 / 3.0 * PI * 0.125;
-    // the circle of nine control points, the weights of the corners cos 45°
+    // a circle of nine control points, with weights cos 45° at the corners
     let corners = [
         (1, 0),
         (1, 1),
@@ -114,8 +114,8 @@ fn rational_and_closed_splines_are_followed() {
     let knots = " 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4";
     let circle = format!("0 SPLINE 8 0 70 13 71 2 72 12 73 9{knots}{weights}{points}");
     near(taken(&entities(&circle)).0, ball);
-    // periodic knots, its first points repeated: uniform quadratic spans from middle to middle of the corners of a square of 2 m
-    // upper half: r = 1 − x² / 2 up to the middle of a side, mirrored: 2 π ∫ r² dx with corners of parabolas
+    // periodic knots with repeated first points: uniform quadratic spans between the midpoints of a square of 2 m;
+    // upper half: r = 1 − x² / 2 up to the middle of a side, mirrored: 2 π ∫ r² dx with parabolic corners
     let square = [(-1, 1), (1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1)];
     let points: String = square
         .iter()
@@ -126,7 +126,7 @@ fn rational_and_closed_splines_are_followed() {
     // a span from (0, 1) over (1, 1) to (1, 0): x = 2 t − t², r = 1 − t²; ∫ r² dx = 2 ∫ (1 − t²)² (1 − t) dt
     // = 2 (8/15 − 1/6) = 11/15, and as much on the other side
     near(taken(&entities(&closed)).0, 2.0 * PI * 11.0 / 15.0);
-    // clamped knots, ends apart, and marked as closed, as some programs write what they draw as a ring
+    // clamped knots with separate ends, marked as closed, as some programs write what they draw as a closed curve
     let apart = "0 SPLINE 8 0 70 11 71 2 72 6 73 3 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 0 20 500 10 500 20 500";
     assert!(refused(&entities(&format!("{apart} {BASE}"))).contains("its ends do not meet"));
     let wrong = circle.replace(" 41 1 ", " 41 -1 ");
@@ -135,7 +135,7 @@ fn rational_and_closed_splines_are_followed() {
 
 #[test]
 fn a_spline_of_fit_points_goes_through_them() {
-    // x = u, r = a cubic of u would be met exactly; here a line, whatever its tangents say along it
+    // any cubic r(u) with x = u would be met exactly; here a line, whatever the length of its tangents
     let fit = "0 SPLINE 8 0 70 8 71 3 74 3 11 0 21 0 11 100 21 100 11 500 21 500";
     near(taken(&entities(&format!("{fit} {BASE}"))).0, CONE_M3);
     let along = format!("{fit} 12 1 22 1 13 2 23 2");
@@ -169,7 +169,7 @@ fn what_leaves_the_plane_is_refused() {
         let found = refused(&entities(&format!("{what} {BASE}")));
         assert!(found.contains(said), "{found}");
     }
-    // a polyline in space at a constant height is as good as flat
+    // a 3-D polyline at constant height counts as flat
     let flat =
         "0 POLYLINE 8 0 66 1 70 8 0 VERTEX 10 0 20 0 30 7 0 VERTEX 10 500 20 500 30 7 0 SEQEND";
     near(taken(&entities(&format!("{flat} {BASE}"))).0, CONE_M3);

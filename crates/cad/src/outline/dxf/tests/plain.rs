@@ -1,4 +1,4 @@
-//! Lines, arcs and polylines, loose and in any order.
+//! Lines, arcs and polylines, unordered.
 
 use super::*;
 
@@ -25,7 +25,7 @@ fn a_half_circle_and_its_diameter_are_a_ball() {
     let arc =
         "0\nARC\n8\n0\n10\n5\n20\n0\n40\n2\n50\n0\n51\n180\n0\nLINE\n10\n3\n20\n0\n11\n7\n21\n0\n";
     assert!((volume(&drawing_of("6", arc)) - 4.0 / 3.0 * PI * 8.0).abs() < 1e-12);
-    // the same seen from behind: the centre is at x = −5
+    // the same seen from behind: the center is at x = −5
     let behind = arc
         .replace("40\n2\n", "40\n2\n230\n-1\n")
         .replace("10\n3\n", "10\n-3\n");
