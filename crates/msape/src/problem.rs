@@ -29,6 +29,7 @@ use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission, Model};
 use crate::library::Library;
 use crate::quantity::Job;
+use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
@@ -198,11 +199,12 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
     {
         let mass = faults
             .iter_mut()
-            .find(|fault| fault.key == "vehicle.mass_kg");
+            .find(|fault| fault.key == input::vehicle::MASS_KG.key);
         if let Some(fault) = mass {
-            fault
-                .message
-                .push_str("; the vehicle of [design] is flown with vehicle.dof = 6");
+            let dof = &input::vehicle::DOF;
+            fault.message.push_str(&format!(
+                "; the vehicle of [design] is flown with {dof} = 6"
+            ));
         }
     }
     Ok(problem?.solve(&case.name, request))

@@ -4,12 +4,14 @@
 //! outputs, [`crate::answer::output`].
 //!
 //! - [`input`]: the numbers and choices of a case, with allowed range, usual range and default.
+//! - [`choice`]: the choices whose names are fixed, as enums.
 //! - [`trajectory`]: the columns of a time history.
-//! - [`Module`], [`Job`]: by which they are grouped.
+//! - [`Module`], [`Job`], [`Task`]: by which they are grouped.
 
+pub mod choice;
 pub mod input;
 mod module;
 pub mod trajectory;
 
 pub use input::{Input, inputs};
-pub use module::{Job, Module};
+pub use module::{Job, Module, Task};

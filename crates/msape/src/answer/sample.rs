@@ -11,6 +11,7 @@ use crate::flight::{Flight, Peak, Request, Trajectory};
 use crate::library::{Library, data_file};
 use crate::planet::horizon::Velocity;
 use crate::problem::DesignProblem;
+use crate::quantity::input;
 use crate::quantity::trajectory::columns;
 
 fn peak(value: f64, time_s: f64) -> Peak {
@@ -107,7 +108,7 @@ pub fn flight() -> Answer {
         findings: vec![Finding {
             severity: Severity::Extrapolated,
             model: "tauber-sutton".to_string(),
-            key: "design.nose_radius_ratio".to_string(),
+            key: input::design::NOSE_RADIUS_RATIO.to_string(),
             value: Some(0.1),
             valid: (Some(0.3), None),
             message: "The nose is smaller than the relation was fitted to.".to_string(),
@@ -131,7 +132,7 @@ pub fn not_closed() -> Answer {
         flight: None,
         design: None,
         adjustments: vec![Adjustment {
-            key: "design.diameter_m".to_string(),
+            key: input::design::DIAMETER_M.to_string(),
             from: 0.5,
             to: 2.0,
             reason: "Grown to make room for the payload.".to_string(),

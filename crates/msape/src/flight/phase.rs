@@ -17,6 +17,7 @@
 use super::mission::Mission;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
+pub use crate::quantity::choice::Direction;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -68,15 +69,6 @@ impl Mark {
             Mark::Deceleration => ("deceleration", " Earth g"),
         }
     }
-}
-
-/// Which way a quantity goes through a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Upwards.
-    Rising,
-    /// Downwards.
-    Falling,
 }
 
 /// What a phase changes; what is absent stays.

@@ -1,10 +1,9 @@
 //! Checks what a case says about coefficients over the angle of attack.
 
 use super::DesignProblem;
-use super::forms::{choice, extrapolation, one_row};
+use super::forms::{beyond, names, one_row};
 use super::outline::rigid_body;
 use super::planet::{atmosphere, planet};
-use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
 use crate::aero::database::{Database, GAMMA};
 use crate::aero::standard::AeroBody;
@@ -18,10 +17,12 @@ use crate::flight::mission::Mission;
 use crate::library::{Library, named};
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
+use crate::quantity::choice::DampingModel;
+use crate::quantity::input::{self, Input};
 use numerics::math::RADIANS_PER_DEGREE;
 
-const TABLE: &str = "vehicle.aerodynamics.table";
-const DAMPING_TABLE: &str = "vehicle.aerodynamics.damping_table";
+const TABLE: &Input = &input::vehicle::AERODYNAMICS_TABLE;
+const DAMPING_TABLE: &Input = &input::vehicle::AERODYNAMICS_DAMPING_TABLE;
 
 /// The air for which coefficients are.
 pub(super) struct Medium {
@@ -78,7 +79,7 @@ pub fn remarked_aero(
     library: &Library,
 ) -> Result<(BodyCoefficients, Vec<Finding>), Vec<InputError>> {
     let mut reader = Reader::new(case);
-    let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
+    let cg_m = one_row::<3>(&mut reader, &input::vehicle::CG_M).flatten();
     let body = match rigid_body(case, library) {
         Ok(Some(body)) => Some(AeroBody::of_rigid(&body, cg_m)),
         Ok(None) => designed(case, library, &mut reader),
@@ -136,24 +137,21 @@ fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<AeroB
 
 /// The drag that a case names, constant or against Mach number; the outline's own where it names none.
 fn named_drag(reader: &mut Reader, library: &Library, gamma: Option<f64>) -> Option<Drag> {
-    let own = [TABLE, "vehicle.drag_coefficient"];
-    let by_name = reader.given("vehicle.aerodynamics");
-    if let (true, Some(gamma)) = (by_name || !own.iter().any(|key| reader.given(key)), gamma) {
-        let name = reader.text("vehicle.aerodynamics").filter(|_| by_name);
+    let own = [TABLE, &input::vehicle::DRAG_COEFFICIENT];
+    let by_name = reader.given(&input::vehicle::AERODYNAMICS);
+    if let (true, Some(gamma)) = (by_name || !reader.any_given(&own), gamma) {
+        let name = reader
+            .text(&input::vehicle::AERODYNAMICS)
+            .filter(|_| by_name);
         fitted_in_air(reader, gamma, name.as_deref());
     }
-    if reader.given("vehicle.aerodynamics") {
-        let names: Vec<&str> = library
-            .aerodynamics
-            .iter()
-            .map(|(name, _)| name.as_str())
-            .collect();
-        let name = reader.choice("vehicle.aerodynamics", &names)?;
+    if reader.given(&input::vehicle::AERODYNAMICS) {
+        let name = reader.name(&input::vehicle::AERODYNAMICS, &names(&library.aerodynamics))?;
         return named(&library.aerodynamics, name).map(|force| Drag::Table(force.table.clone()));
     }
     reader
-        .given("vehicle.drag_coefficient")
-        .then(|| reader.number("vehicle.drag_coefficient"))
+        .given(&input::vehicle::DRAG_COEFFICIENT)
+        .then(|| reader.number(&input::vehicle::DRAG_COEFFICIENT))
         .flatten()
         .map(Drag::Constant)
 }
@@ -169,9 +167,9 @@ pub(super) fn database(
     let before = reader.faults.len();
     let diameter_m = body.surface.diameter_m();
     let damping = damping(reader, library);
-    let bridging = choice(reader, "vehicle.aerodynamics.bridging");
-    let wall = reader.number("vehicle.aerodynamics.wall_temperature_ratio");
-    let accommodation = reader.number("vehicle.aerodynamics.accommodation");
+    let bridging = reader.choice(&input::vehicle::AERODYNAMICS_BRIDGING);
+    let wall = reader.number(&input::vehicle::AERODYNAMICS_WALL_TEMPERATURE_RATIO);
+    let accommodation = reader.number(&input::vehicle::AERODYNAMICS_ACCOMMODATION);
     if reader.given(TABLE) {
         return table_database(reader, library, medium, diameter_m);
     }
@@ -181,10 +179,7 @@ pub(super) fn database(
     let standard = library.aero_standard().in_gas(medium.heat_capacity_ratio);
     let mut options = body.options(&standard, drag);
     options.damping = damping?;
-    options.bridging = match bridging? {
-        "error-function" => Bridging::ErrorFunction,
-        _ => Bridging::SineSquared,
-    };
+    options.bridging = bridging?;
     options.wall_temperature_ratio = wall?;
     options.accommodation = [accommodation?; 2];
     Some(Database::of_surface(&body.surface, options))
@@ -211,7 +206,7 @@ pub(super) fn table_database(
             ..
         }
     );
-    let given = reader.given(DAMPING_TABLE) || reader.given("vehicle.aerodynamics.damping");
+    let given = reader.given(DAMPING_TABLE) || reader.given(&input::vehicle::AERODYNAMICS_DAMPING);
     let damping = if own && !given {
         Damping::Table(grid.clone())
     } else {
@@ -225,7 +220,7 @@ pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) 
     let grid = table(reader, medium, diameter_m)?;
     let rows = grid.axial_force_rows();
     let own = Own {
-        key: TABLE,
+        key: TABLE.key,
         extrapolation: grid.extrapolation,
     };
     match DragTable::try_new(&rows) {
@@ -273,20 +268,20 @@ pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64, table
         valid: (Some(GAMMA - OF_AIR), Some(GAMMA + OF_AIR)),
         message,
         source,
-        field: Some("entry.planet".to_string()),
+        field: Some(input::entry::PLANET.to_string()),
     });
 }
 
 /// The table of static coefficients of the case.
 fn table(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Grid> {
-    if reader.given("vehicle.aerodynamics.file") {
-        let message = "was not read; give its rows as vehicle.aerodynamics.table";
-        reader.fault("vehicle.aerodynamics.file", message);
+    let file = &input::vehicle::AERODYNAMICS_FILE;
+    if reader.given(file) {
+        reader.not_read(file);
     }
     if !reader.given(TABLE) {
         return None;
     }
-    let rule = extrapolation(reader);
+    let rule = beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION);
     let rows: Vec<Row> = reader
         .rows(TABLE)?
         .iter()
@@ -303,18 +298,23 @@ fn table(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Grid> 
     grid(reader, TABLE, &rows, rule)
 }
 
-fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Option<Grid> {
+fn grid(
+    reader: &mut Reader,
+    input: &'static Input,
+    rows: &[Row],
+    rule: Extrapolation,
+) -> Option<Grid> {
     match Grid::try_new(rows, rule) {
         Ok(grid) => {
             let largest_deg = grid.alpha_max_rad() / RADIANS_PER_DEGREE;
             if in_radians(largest_deg) {
-                reader.findings.push(of_radians(key, largest_deg));
+                reader.findings.push(of_radians(input, largest_deg));
             }
             Some(grid)
         }
         Err(faults) => {
             for fault in faults {
-                reader.fault(key, fault.replace("line ", "row "));
+                reader.fault(input, fault.replace("line ", "row "));
             }
             None
         }
@@ -322,11 +322,11 @@ fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Op
 }
 
 /// What is said of angles that may be in radians.
-fn of_radians(key: &str, largest_deg: f64) -> Finding {
+fn of_radians(input: &Input, largest_deg: f64) -> Finding {
     Finding {
         severity: Severity::Exceeded,
-        model: key.to_string(),
-        key: "alpha_deg".to_string(),
+        model: input.to_string(),
+        key: input::column::ALPHA_DEG.name.to_string(),
         value: Some(largest_deg),
         valid: (Some(0.0), Some(180.0)),
         message: format!(
@@ -334,14 +334,14 @@ fn of_radians(key: &str, largest_deg: f64) -> Finding {
             short(largest_deg)
         ),
         source: "the rows given".to_string(),
-        field: Some(key.to_string()),
+        field: Some(input.to_string()),
     }
 }
 
 fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
-    let model = choice(reader, "vehicle.aerodynamics.damping");
+    let model = reader.choice(&input::vehicle::AERODYNAMICS_DAMPING);
     if reader.given(DAMPING_TABLE) {
-        let rule = extrapolation(reader);
+        let rule = beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION);
         let rows: Vec<Row> = reader
             .rows(DAMPING_TABLE)?
             .iter()
@@ -351,9 +351,9 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
         return grid(reader, DAMPING_TABLE, &rows, rule).map(Damping::Table);
     }
     Some(match model? {
-        "none" => Damping::Absent,
-        "report-printed" => library.aero_standard().damping(Reading::Printed),
-        _ => library.aero_standard().damping(Reading::Corrected),
+        DampingModel::None => Damping::Absent,
+        DampingModel::ReportPrinted => library.aero_standard().damping(Reading::Printed),
+        DampingModel::Report => library.aero_standard().damping(Reading::Corrected),
     })
 }
 
