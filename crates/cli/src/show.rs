@@ -12,7 +12,7 @@ use msape::finding::Severity;
 use msape::flight::Trajectory;
 use msape::flight::phase::Begun;
 use msape::flight::six_dof::turning::Turning;
-use msape::quantity::{Job, input, trajectory};
+use msape::quantity::{Column, Job, input};
 use msape::units::number::rounded;
 use msape::units::{Unit, canonical};
 
@@ -164,7 +164,7 @@ fn findings(answer: &Answer, paint: Paint) -> String {
 fn time_history(history: &Trajectory, paint: Paint) -> String {
     let shown: Vec<_> = HISTORY
         .iter()
-        .filter_map(|key| trajectory::find(key))
+        .filter_map(|key| columns::find(key))
         .collect();
     let mut table = Columns::new(&[Align::Right; HISTORY.len()]);
     table.push(
@@ -175,7 +175,7 @@ fn time_history(history: &Trajectory, paint: Paint) -> String {
     );
     table.push(shown.iter().map(|column| column.unit.to_string()).collect());
     for row in 0..history.rows() {
-        let cell = |column: &&trajectory::Column| {
+        let cell = |column: &&Column| {
             let value = history
                 .column(column.key)
                 .and_then(|values| values.get(row));

@@ -5,7 +5,7 @@
 //! - [`allen_eggers`]: the closed form for steep ballistic entry, the low-fidelity twin.
 //! - [`mission`]: what is flown, through what, from where, until when.
 //! - [`summary`]: peaks, loads and end of a flight.
-//! - [`trajectory`]: the time history.
+//! - [`trajectory`], [`columns`]: the time history.
 
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
@@ -28,6 +28,7 @@ pub use trajectory::{Request, Trajectory};
 pub mod accuracy;
 pub mod allen_eggers;
 pub mod batch;
+pub mod columns;
 pub mod equations;
 pub mod freedom;
 pub mod integration;

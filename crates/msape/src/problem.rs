@@ -2,6 +2,7 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod aero;
 mod aerodynamics;
 mod attitude;
 mod attitude_of_design;
@@ -33,7 +34,7 @@ use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aerodynamics::{BodyCoefficients, aero, remarked_aero};
+pub use aero::{AeroProblem, BodyCoefficients, aero};
 pub use attitude_of_design::{
     add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };

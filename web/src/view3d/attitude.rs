@@ -248,12 +248,12 @@ fn matrix([w, x, y, z]: &Quaternion) -> Turn {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use msape::quantity::trajectory::columns;
+    use msape::flight::columns::columns;
     use std::f64::consts::{FRAC_PI_2, PI};
 
     /// A history of these columns, the others nothing.
     fn history(rows: usize, given: &[(&str, &[f64])]) -> Trajectory {
-        let values = columns().iter().map(|column| {
+        let values = columns().map(|column| {
             let own = given.iter().find(|(key, _)| *key == column.key);
             own.map_or(vec![0.0; rows], |(_, values)| values.to_vec())
         });

@@ -6,13 +6,13 @@ use crate::case::Case;
 use crate::design::Design;
 use crate::design::inputs::DesignInput;
 use crate::finding::{Adjustment, Finding, Severity};
+use crate::flight::columns::columns;
 use crate::flight::mission::Model;
 use crate::flight::{Flight, Peak, Request, Trajectory};
 use crate::library::{Library, data_file};
 use crate::planet::horizon::Velocity;
 use crate::problem::DesignProblem;
 use crate::quantity::input;
-use crate::quantity::trajectory::columns;
 
 fn peak(value: f64, time_s: f64) -> Peak {
     Peak {
@@ -45,7 +45,6 @@ pub fn flight() -> Answer {
         azimuth_rad: 1.5,
     };
     let values = columns()
-        .iter()
         .map(|column| match column.key {
             "time_s" => vec![0.0, 2.0, 4.0],
             "altitude_m" => vec![125_000.0, 60_000.0, 0.0],

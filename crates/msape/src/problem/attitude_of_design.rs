@@ -1,6 +1,6 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
-use super::aerodynamics::{Medium, database};
+use super::aerodynamics::{Coefficients, Medium};
 use super::forms::one_row;
 use super::freedom::{Degrees, TOLERANCE_DATABASE, degrees};
 use super::phases::{Flown, phases};
@@ -53,8 +53,12 @@ pub fn attitude_of_design(
     let axial_force = input.as_ref().map(|input| input.drag.of(vehicle));
     let drag = axial_force.clone().map(Drag::Table);
     let medium = Medium::of(input.as_ref().map(|input| &input.mission), library);
-    let database =
-        medium.and_then(|medium| database(&mut reader, library, &medium, &shape, drag.as_ref()));
+    let diameter_m = shape.surface.diameter_m();
+    let database = medium
+        .and_then(|medium| {
+            Coefficients::read(&mut reader, library, &medium, diameter_m, drag.as_ref())
+        })
+        .and_then(|coefficients| coefficients.of(&shape).ok());
     let mass = &vehicle.mass;
     let inertia = Inertia::try_new([
         [mass.ixx_kg_m2, 0.0, 0.0],

@@ -1,6 +1,6 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Medium, database, fitted_in_air, table_database, table_drag};
+use super::aerodynamics::{Coefficients, Medium, OwnTable, fitted_in_air, table_drag};
 use super::entering::{above_end, altitude_at, descends, goes_on};
 use super::forms::{beyond, names, together};
 use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
@@ -269,13 +269,13 @@ fn of_outline(
     diameter_m: Option<f64>,
 ) -> Option<OfOutline> {
     let database = match outline {
-        Outline::Body(body) => database(
-            reader,
-            library,
-            medium?,
-            &AeroBody::of_rigid(body, None),
-            Some(drag?),
-        ),
+        Outline::Body(body) => {
+            let body = AeroBody::of_rigid(body, None);
+            let diameter_m = body.surface.diameter_m();
+            let drag = Some(drag?);
+            let read = Coefficients::read(reader, library, medium?, diameter_m, drag)?;
+            read.of(&body).ok()
+        }
         Outline::Faulty => None,
         Outline::Absent if reader.given(&input::vehicle::AERODYNAMICS_TABLE) => {
             let diameter = &input::vehicle::DIAMETER_M;
@@ -286,7 +286,9 @@ fn of_outline(
                 );
                 reader.fault(diameter, message);
             }
-            table_database(reader, library, medium?, diameter_m?)
+            let diameter_m = diameter_m?;
+            let table = OwnTable::read(reader, library, medium?, diameter_m)?;
+            table.database(diameter_m).ok()
         }
         Outline::Absent => {
             let (named, dof) = (&input::vehicle::AERODYNAMICS, &input::vehicle::DOF);
