@@ -74,8 +74,6 @@ pub enum FileKind {
     Table {
         /// Key of the table.
         table: String,
-        /// Key that names its file in a case.
-        file: String,
         /// The case that it is for.
         case: Box<Case>,
     },

@@ -10,6 +10,7 @@ use msape::answer::turning::{self, Cell};
 use msape::answer::{Answer, Output, outputs};
 use msape::finding::Severity;
 use msape::flight::Trajectory;
+use msape::flight::columns::find;
 use msape::flight::phase::Begun;
 use msape::flight::six_dof::turning::Turning;
 use msape::quantity::{Column, Job, input};
@@ -162,10 +163,7 @@ fn findings(answer: &Answer, paint: Paint) -> String {
 }
 
 fn time_history(history: &Trajectory, paint: Paint) -> String {
-    let shown: Vec<_> = HISTORY
-        .iter()
-        .filter_map(|key| columns::find(key))
-        .collect();
+    let shown: Vec<_> = HISTORY.iter().filter_map(|key| find(key)).collect();
     let mut table = Columns::new(&[Align::Right; HISTORY.len()]);
     table.push(
         shown

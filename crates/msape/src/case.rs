@@ -4,6 +4,7 @@
 //! reports all faults at once.
 
 mod check;
+mod fault;
 mod node;
 mod read;
 pub mod schema;
@@ -11,7 +12,8 @@ pub mod version;
 mod words;
 mod write;
 
-pub use check::{InputError, Reader, remark};
+pub use check::Reader;
+pub use fault::{InputError, remark};
 pub use version::Version;
 
 use crate::quantity::Task;

@@ -36,7 +36,7 @@ use phases::Flown;
 
 pub use aero::{AeroProblem, BodyCoefficients, aero};
 pub use attitude_of_design::{
-    add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
+    add_turning, asks_for_attitude, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };
 pub use outline::rigid_body;
 

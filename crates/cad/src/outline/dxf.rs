@@ -25,7 +25,7 @@ pub mod spline;
 
 use super::chain::{MOST_POINTS, Path};
 use super::halves::rows;
-use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, shown};
+use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, metres, shown};
 use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
@@ -56,7 +56,7 @@ pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<Impo
         (None, Some(Err(fault))) => Err(fault),
         (None, _) => Err(ImportFault::NoUnitInDrawing),
     };
-    let scale = unit.as_ref().map_or(1.0, |unit| unit.metres());
+    let scale = unit.as_ref().map_or(1.0, |unit| metres(*unit));
     let (found, left_out) = drawn(&drawing, scale).counted();
     remarks.extend(left_out);
     if !groups.last().is_some_and(|group| group.is(0, "EOF")) {
@@ -109,13 +109,13 @@ fn contradiction(
     let says = match drawn? {
         Ok(None) => return None,
         Ok(Some(same)) if same == unit => return None,
-        Ok(Some(other)) => format!("is drawn in {}", other.symbol()),
+        Ok(Some(other)) => format!("is drawn in {}", other.name()),
         Err(_) => "names another unit".to_owned(),
     };
     let code = shown(&group.map(Group::name).unwrap_or_default());
     Some(format!(
         "the file {says} ($INSUNITS {code}); it is read in {}, as you say",
-        unit.symbol()
+        unit.name()
     ))
 }
 

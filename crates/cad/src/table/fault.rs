@@ -269,6 +269,9 @@ pub enum TableFault {
         /// Key of the input that the rows are for.
         wanted: String,
     },
+    /// An input that names no file of a table.
+    #[error("{0} names no file of a table")]
+    NoFile(String),
     /// What the table itself says of its rows.
     #[error("{0}")]
     Rows(String),

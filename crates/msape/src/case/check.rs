@@ -1,5 +1,6 @@
 //! Checks keys and values against the list of inputs and reports every fault at once.
 
+use super::fault::{InputError, remark};
 use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key, with_unit};
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
@@ -7,38 +8,6 @@ use crate::quantity::choice::Choice;
 use crate::quantity::input::{self, Alternatives, Choices, Input, Key, Kind, Preset};
 use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
-
-/// A fault of the input: which key, what was given, what is allowed.
-///
-/// ```
-/// use msape::{Case, Library, Request, fly};
-///
-/// let library = Library::builtin().unwrap();
-/// let mut case = Case::default();
-/// case.set("entry.speed_m_s", "-1");
-/// let faults = fly(&case, &library, Request::Nothing).unwrap_err();
-/// let speed = faults.iter().find(|fault| fault.key == "entry.speed_m_s").unwrap();
-/// assert_eq!(speed.to_string(), "entry.speed_m_s: got -1 m/s, must be 0 to 100000 m/s");
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct InputError {
-    /// Dotted key; empty when the whole file is at fault.
-    pub key: String,
-    /// What was got and what must be, with range and unit.
-    pub message: String,
-}
-
-impl fmt::Display for InputError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.key.is_empty() {
-            f.write_str(&self.message)
-        } else {
-            write!(f, "{}: {}", self.key, self.message)
-        }
-    }
-}
-
-impl std::error::Error for InputError {}
 
 /// Unknown keys that are told; a file with more of them is no case.
 const UNKNOWN_MAX: usize = 50;
@@ -406,20 +375,6 @@ impl<'a> Reader<'a> {
             }
         }
         (self.faults.len() == before).then_some(rows)
-    }
-}
-
-/// A remark of a check at an input.
-pub fn remark(model: &str, key: impl fmt::Display, message: impl Into<String>) -> Finding {
-    Finding {
-        severity: Severity::Note,
-        model: model.to_string(),
-        key: key.to_string(),
-        value: None,
-        valid: (None, None),
-        message: message.into(),
-        source: "convention of this program".to_string(),
-        field: Some(key.to_string()),
     }
 }
 

@@ -64,7 +64,7 @@ pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) ->
                 severity: Severity::Exceeded,
                 ..note(
                     &key,
-                    &field,
+                    field,
                     *mass_kg,
                     format!(
                         "{label}: this vehicle has none, so that the mass {USERS}, {} kg, is not in it.",
@@ -82,11 +82,14 @@ fn of_thickness(side: Side, given_m: f64, sizing: &Sizing) -> Finding {
     let asked_m = sizing.asked_m;
     let [given_cm, asked_cm] = [given_m, asked_m].map(|m| short(100.0 * m));
     let key = format!("{name}_tps_thickness_m");
-    let field = format!("design.{key}");
+    let field = match side {
+        Side::Forebody => input::design::FOREBODY_TPS_THICKNESS_M.key,
+        Side::Aftbody => input::design::AFTBODY_TPS_THICKNESS_M.key,
+    };
     let told = format!(
         "The {name}'s heat shield is {USERS} as {given_cm} cm thick; its mass-estimating relation asks for {asked_cm} cm"
     );
-    let finding = note(&key, &field, given_m, format!("{told}."));
+    let finding = note(&key, field, given_m, format!("{told}."));
     match given_m < asked_m {
         true => Finding {
             severity: Severity::Exceeded,

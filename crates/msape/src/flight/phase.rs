@@ -18,6 +18,7 @@ use super::mission::Mission;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 pub use crate::quantity::choice::Direction;
+use crate::quantity::input;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -209,7 +210,7 @@ pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
                 short(phase.begin.value)
             ),
             source: "the case".to_string(),
-            field: Some(format!("phase.{}.name", index + 2)),
+            field: Some(input::phase::NAME.of_phase(index + 2).to_string()),
         });
     }
     let late = mission.phases.iter().enumerate().skip(begun.len());

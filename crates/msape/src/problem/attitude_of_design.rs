@@ -121,9 +121,14 @@ pub fn leaves_vehicle_to_design(case: &Case) -> bool {
         && !case.gives_any(&[&input::vehicle::MASS_KG])
 }
 
+/// Whether a case asks for six degrees of freedom.
+pub fn asks_for_attitude(case: &Case) -> bool {
+    degrees(&mut Reader::new(case)) == Some(Degrees::Six)
+}
+
 /// Whether `fly` flies the vehicle of a design as a rigid body.
 pub(super) fn flies_design(case: &Case) -> bool {
-    leaves_vehicle_to_design(case) && degrees(&mut Reader::new(case)) == Some(Degrees::Six)
+    leaves_vehicle_to_design(case) && asks_for_attitude(case)
 }
 
 /// The answer of a design, flown as a rigid body; without a vehicle the outcome of the design is the answer.
