@@ -29,6 +29,7 @@ use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, metres, shown};
 use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
+use msape::quantity::input;
 
 /// Largest deviation of arcs from a smooth curve, as a part of the largest distance from the axis. The volume is off by less than
 /// this times surface by volume, 10⁻⁶ of itself for a cone that is a third of its radius long.
@@ -93,8 +94,9 @@ fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
         _ => Err(ImportFault::Drawing {
             place: group.place,
             reason: format!(
-                "$INSUNITS: got {}, must be 1 (in), 2 (ft), 4 (mm), 5 (cm) or 6 (m); else name the unit with outline.file_unit",
-                shown(&group.name())
+                "$INSUNITS: got {}, must be 1 (in), 2 (ft), 4 (mm), 5 (cm) or 6 (m); else name the unit with {}",
+                shown(&group.name()),
+                input::outline::FILE_UNIT
             ),
         }),
     }

@@ -78,8 +78,9 @@ impl<'a> Reader<'a> {
         self.findings.push(remark("input", key, message));
     }
 
-    /// All faults, each once: a key may be read more than once.
+    /// All faults, each once: a key may be read more than once. A refusal has one at least.
     pub fn into_faults(mut self) -> Vec<InputError> {
+        debug_assert!(!self.faults.is_empty(), "refused without a fault");
         once(&mut self.faults);
         self.faults
     }
