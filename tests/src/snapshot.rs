@@ -2,7 +2,7 @@
 //! bits of each column, and a digest of the whole answer, including geometry.
 
 use crate::shipped::Shipped;
-use msape::quantity::trajectory::columns;
+use msape::flight::columns::columns;
 use msape::{Answer, Library, Request, answer};
 use serde_json::{Map, Value, json};
 
@@ -52,7 +52,7 @@ fn history(answer: &Answer) -> Value {
     };
     let mut object = Map::new();
     object.insert("rows".to_string(), json!(trajectory.rows()));
-    for (column, values) in columns().iter().zip(&trajectory.values) {
+    for (column, values) in columns().zip(&trajectory.values) {
         let bytes = values.iter().flat_map(|value| bits(*value).to_le_bytes());
         object.insert(column.key.to_string(), json!(hexadecimal(digest(bytes))));
     }

@@ -2,7 +2,8 @@
 
 use crate::{assert_none, files, root};
 use msape::answer::output;
-use msape::quantity::{input, trajectory};
+use msape::flight::columns;
+use msape::quantity::input;
 use msape::{Library, Request};
 use msape_tests::shipped;
 use std::fs;
@@ -121,7 +122,7 @@ fn examples(source: &str) -> Vec<&str> {
 #[test]
 fn findings_and_adjustments_speak_of_known_quantities() {
     let known = |key: &str| {
-        input::find(key).is_some() || output::find(key).is_some() || trajectory::find(key).is_some()
+        input::find(key).is_some() || output::find(key).is_some() || columns::find(key).is_some()
     };
     let library = Library::builtin().unwrap();
     let mut faults = Vec::new();

@@ -3,6 +3,7 @@
 mod data;
 mod deny;
 mod documents;
+mod keys;
 mod layers;
 mod sources;
 

@@ -7,8 +7,8 @@ use msape::aero::database::{Coefficients, Database, Regime};
 use msape::aero::polar::{Aero, Polar, Row, Theory, polar};
 use msape::aero::standard::AeroBody;
 use msape::finding::Finding;
-use msape::problem::remarked_aero;
-use msape::{Case, Library};
+use msape::problem::AeroProblem;
+use msape::{Case, InputError, Library};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 
@@ -124,6 +124,11 @@ pub struct Kept(RefCell<Option<(Case, Prepared)>>);
 
 type Prepared = ((AeroBody, Database), Vec<Finding>);
 
+fn prepared(case: &Case, library: &Library) -> Result<Prepared, Vec<InputError>> {
+    let problem = AeroProblem::check(case, library)?;
+    Ok((problem.solve()?, problem.findings))
+}
+
 /// Curves of a case, or all of its faults.
 ///
 /// # Errors
@@ -133,7 +138,7 @@ pub fn curves(question: &Question, library: &Library, kept: &Kept) -> Result<Cur
     let of_case = kept.take().filter(|(case, _)| *case == question.case);
     let ((mut body, database), remarks) = match of_case {
         Some((_, prepared)) => prepared,
-        None => remarked_aero(&question.case, library)
+        None => prepared(&question.case, library)
             .map_err(|faults| faults.into_iter().map(Fault::from).collect::<Vec<_>>())?,
     };
     let own_cg_m = body.cg_m;

@@ -1,8 +1,9 @@
 //! Figures of a flight: columns, units and events.
 
 use crate::display::{UnitSystem, symbol};
+use msape::flight::columns::find;
 use msape::flight::{Flight, Trajectory};
-use msape::quantity::trajectory::{Column, find};
+use msape::quantity::Column;
 use msape_plot::{Axis, EventLine, Figure, Scale, Series};
 
 /// One column plotted over another.

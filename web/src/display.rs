@@ -1,7 +1,7 @@
 //! Display of numbers and units. Conversions are in `msape::units`.
 
 use msape::answer::Output;
-use msape::quantity::{Input, trajectory::Column};
+use msape::quantity::{Column, Input};
 use msape::units::{Dimension, Unit, canonical};
 use serde::{Deserialize, Serialize};
 

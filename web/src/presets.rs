@@ -2,6 +2,7 @@
 
 use msape::Case;
 use msape::library::cases;
+use msape::quantity::input;
 
 /// Shipped case.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +40,7 @@ pub fn starts() -> Vec<Start> {
 
 /// Whether a case asks for a design.
 pub fn is_design(case: &Case) -> bool {
-    case.values.keys().any(|key| key.starts_with("design."))
+    case.gives_any(input::design::INPUTS)
 }
 
 /// Case shown when the app opens.

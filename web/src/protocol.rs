@@ -74,9 +74,7 @@ pub enum FileKind {
     Table {
         /// Key of the table.
         table: String,
-        /// Key that names the file in a case.
-        file: String,
-        /// Case that uses the table.
+        /// The case that it is for.
         case: Box<Case>,
     },
     /// Coefficients with angles of attack.

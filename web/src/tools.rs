@@ -13,6 +13,7 @@ use msape::flight::six_dof::turning::{Start, Turn, turn};
 use msape::library::DataError;
 use msape::problem::{FlightProblem, attitude_of_design, fly_designed};
 use msape::progress::Unwatched;
+use msape::quantity::input;
 use msape::{Answer, Case, InputError, Library, Request, fly};
 use std::cell::OnceCell;
 
@@ -104,7 +105,7 @@ fn vehicle(designed: &Designed) -> Result<(&Design, &Flight), Vec<Fault>> {
     let vehicle = answer.design.as_ref().zip(answer.flight.as_ref());
     vehicle.ok_or_else(|| {
         vec![Fault {
-            key: "vehicle.dof".to_string(),
+            key: input::vehicle::DOF.to_string(),
             message: "the design has no vehicle that could fly".to_string(),
         }]
     })

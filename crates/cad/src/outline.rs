@@ -21,61 +21,35 @@ pub mod halves;
 use crate::table::TableFault;
 use crate::text::{Decoded, decode};
 use dxf::group::Place;
+use msape::quantity::choice::Choice;
+use msape::quantity::input;
 use thiserror::Error;
+
+pub use msape::quantity::choice::LengthUnit;
 
 /// Largest number of faults reported; assumed.
 pub const MOST_FAULTS: usize = 100;
 /// Characters of file text quoted in a message.
 const MOST_SHOWN: usize = 40;
 
-/// Unit of length of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// Meter.
-    Metre,
-    /// Centimeter.
-    Centimetre,
-    /// Millimeter.
-    Millimetre,
-    /// Inch.
-    Inch,
-    /// Foot.
-    Foot,
+/// Length of one unit, m.
+fn metres(unit: LengthUnit) -> f64 {
+    match unit {
+        LengthUnit::Metre => 1.0,
+        LengthUnit::Centimetre => 0.01,
+        LengthUnit::Millimetre => 0.001,
+        LengthUnit::Inch => 0.0254,
+        LengthUnit::Foot => 0.3048,
+    }
 }
 
-impl LengthUnit {
-    /// Length of one unit, m.
-    pub fn metres(self) -> f64 {
-        match self {
-            Self::Metre => 1.0,
-            Self::Centimetre => 0.01,
-            Self::Millimetre => 0.001,
-            Self::Inch => 0.0254,
-            Self::Foot => 0.3048,
-        }
-    }
-
-    /// Symbol.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Metre => "m",
-            Self::Centimetre => "cm",
-            Self::Millimetre => "mm",
-            Self::Inch => "in",
-            Self::Foot => "ft",
-        }
-    }
-
-    /// The unit with this symbol.
-    pub fn of(symbol: &str) -> Option<Self> {
-        match symbol.to_lowercase().as_str() {
-            "m" | "meter" | "metre" | "meters" | "metres" => Some(Self::Metre),
-            "cm" => Some(Self::Centimetre),
-            "mm" => Some(Self::Millimetre),
-            "in" | "inch" | "inches" | "\"" => Some(Self::Inch),
-            "ft" | "feet" | "foot" => Some(Self::Foot),
-            _ => None,
-        }
+/// Unit with a symbol.
+pub fn unit_of(symbol: &str) -> Option<LengthUnit> {
+    match symbol.to_lowercase().as_str() {
+        "meter" | "metre" | "meters" | "metres" => Some(LengthUnit::Metre),
+        "inch" | "inches" | "\"" => Some(LengthUnit::Inch),
+        "feet" | "foot" => Some(LengthUnit::Foot),
+        name => LengthUnit::named(name),
     }
 }
 
@@ -87,11 +61,15 @@ pub enum ImportFault {
     Empty(&'static str),
     /// Unit given neither by the file nor by the case.
     #[error(
-        "the file does not say its unit; name it in the header, such as \"x (mm), r (mm)\", or with outline.file_unit"
+        "the file does not say its unit; name it in the header, such as \"x (mm), r (mm)\", or with {}",
+        input::outline::FILE_UNIT
     )]
     NoUnitInHeader,
     /// Unit given neither by the drawing nor by the case.
-    #[error("the drawing has no $INSUNITS; name its unit with outline.file_unit")]
+    #[error(
+        "the drawing has no $INSUNITS; name its unit with {}",
+        input::outline::FILE_UNIT
+    )]
     NoUnitInDrawing,
     /// Field that is not a number.
     #[error("line {line}: column {column}: got \"{text}\", must be a number")]

@@ -28,6 +28,7 @@ use crate::text::decode;
 use msape::case::Reader;
 use msape::library::named;
 use msape::planet::atmosphere::Atmosphere;
+use msape::quantity::input::{self, Input};
 use msape::{Case, Library};
 
 pub use fault::TableFault;
@@ -60,17 +61,19 @@ impl Ground {
     pub fn of(case: &Case, library: &Library) -> Ground {
         let mut reader = Reader::new(case);
         let names: Vec<&str> = library.planets.iter().map(|(name, _)| &**name).collect();
-        let name = reader.choice("entry.planet", &names).unwrap_or_default();
+        let name = reader
+            .name(&input::entry::PLANET, &names)
+            .unwrap_or_default();
         let world = named(&library.planets, name);
         let planet = world.map(|world| &world.planet);
         let mean = |equatorial_m: f64, polar_m: f64| (2.0 * equatorial_m + polar_m) / 3.0;
         let own_m = reader
-            .number("planet.equatorial_radius_m")
+            .number(&input::planet::EQUATORIAL_RADIUS_M)
             .map(|equatorial_m| {
-                let polar_m = reader.number("planet.polar_radius_m");
+                let polar_m = reader.number(&input::planet::POLAR_RADIUS_M);
                 mean(equatorial_m, polar_m.unwrap_or(equatorial_m))
             });
-        let gas = world.filter(|_| own_m.is_none() || reader.given("entry.planet"));
+        let gas = world.filter(|_| own_m.is_none() || reader.given(&input::entry::PLANET));
         match (own_m, planet) {
             (None, Some(planet)) if planet.atmosphere == STANDARD => Ground::earth(library),
             (None, None) => Ground::earth(library),
@@ -113,35 +116,56 @@ pub struct Table {
     pub remarks: Vec<String>,
 }
 
-/// Keys of the inputs that name a file.
-pub const FILES: [&str; 8] = [
-    "atmosphere.file",
-    "wind.file",
-    "heating.file",
-    "vehicle.drag_file",
-    "vehicle.lift_file",
-    "vehicle.bank_file",
-    "vehicle.aerodynamics.file",
-    "vehicle.aerodynamics.damping_file",
+/// Reader of the text of a file, for one input of its kind where that is known.
+type Rows = fn(&str, Option<&Input>, &Ground) -> Result<Table, Vec<TableFault>>;
+
+/// Inputs that name a file, each with its reader.
+static READERS: [(&Input, Rows); 8] = [
+    (&input::atmosphere::FILE, |text, _, ground| {
+        atmosphere::read(text, ground)
+    }),
+    (&input::wind::FILE, |text, _, ground| {
+        wind::read(text, ground)
+    }),
+    (&input::heating::FILE, |text, table, _| {
+        heating::read(text, table)
+    }),
+    (&input::vehicle::DRAG_FILE, |text, _, _| curve::drag(text)),
+    (&input::vehicle::LIFT_FILE, |text, _, _| curve::lift(text)),
+    (&input::vehicle::BANK_FILE, |text, table, _| {
+        curve::bank(text, table)
+    }),
+    (&input::vehicle::AERODYNAMICS_FILE, |text, _, _| {
+        aerodynamics::read(text)
+    }),
+    (&input::vehicle::AERODYNAMICS_DAMPING_FILE, |text, _, _| {
+        aerodynamics::damping(text)
+    }),
 ];
 
-/// Rows of a file that a case names under `key`, or all faults of the file.
+/// Inputs that name a file of a table.
+pub fn files() -> impl Iterator<Item = &'static Input> {
+    READERS.iter().map(|(file, _)| *file)
+}
+
+/// The rows of a file that a case names by the input `file`, or everything that is wrong with it.
 ///
 /// ```
 /// use cad::table::{Ground, read};
 /// use msape::Library;
+/// use msape::quantity::input::atmosphere::FILE;
 ///
 /// let earth = Ground::earth(&Library::builtin().unwrap());
 /// let file = "T [°C];Höhe (km);Dichte (g/m³)\n15,0;0;1225,0\n-56,5;11;364,8\n";
-/// let table = read("atmosphere.file", file.as_bytes(), &earth).unwrap();
+/// let table = read(&FILE, file.as_bytes(), &earth).unwrap();
 /// assert_eq!(table.key, "atmosphere.table");
 /// assert_eq!(table.rows[1][0], 11_000.0);
 /// ```
 ///
 /// # Errors
 /// All faults of the file, up to a hundred.
-pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
-    rows_of(key, None, bytes, ground)
+pub fn read(file: &Input, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
+    rows_of(file, None, bytes, ground)
 }
 
 /// Like [`read`], for the one input `table` that is to take the rows. The input decides the meaning of columns without
@@ -149,38 +173,29 @@ pub fn read(key: &str, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<Table
 ///
 /// # Errors
 /// Like [`read`]; also columns of another input.
-pub fn read_for(
-    table: &str,
-    key: &str,
-    bytes: &[u8],
-    ground: &Ground,
-) -> Result<Table, Vec<TableFault>> {
-    let read = rows_of(key, Some(table), bytes, ground)?;
-    if read.key == table {
+pub fn read_for(table: &Input, bytes: &[u8], ground: &Ground) -> Result<Table, Vec<TableFault>> {
+    let file = table.file().unwrap_or(table);
+    let read = rows_of(file, Some(table), bytes, ground)?;
+    if read.key == table.key {
         return Ok(read);
     }
-    let (found, wanted) = (read.key, table.to_owned());
+    let (found, wanted) = (read.key, table.to_string());
     Err(vec![TableFault::OtherTable { found, wanted }])
 }
 
 /// Rows of a file for an input, or for the input that its columns indicate.
 fn rows_of(
-    key: &str,
-    input: Option<&str>,
+    file: &Input,
+    table: Option<&Input>,
     bytes: &[u8],
     ground: &Ground,
 ) -> Result<Table, Vec<TableFault>> {
     let decoded = decode(bytes).map_err(|fault| vec![fault.into()])?;
     let text = with_plain_line_ends(decoded.text);
-    let mut table = match key {
-        "wind.file" => wind::read(&text, ground),
-        "heating.file" => heating::read(&text, input),
-        "vehicle.drag_file" => curve::drag(&text),
-        "vehicle.lift_file" => curve::lift(&text),
-        "vehicle.bank_file" => curve::bank(&text, input),
-        "vehicle.aerodynamics.file" => aerodynamics::read(&text),
-        "vehicle.aerodynamics.damping_file" => aerodynamics::damping(&text),
-        _ => atmosphere::read(&text, ground),
+    let reader = READERS.iter().find(|(known, _)| *known == file);
+    let mut table = match reader {
+        Some((_, read)) => read(&text, table, ground),
+        None => Err(vec![TableFault::NoFile(file.to_string())]),
     }?;
     let wild = table.rows.iter().zip(1..).find_map(|(cells, row)| {
         let value = cells.iter().find(|value| !value.is_finite())?;

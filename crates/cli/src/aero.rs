@@ -14,14 +14,16 @@ use msape::aero::polar::{self, Polar, Theory, remarks};
 use msape::aero::standard::AeroBody;
 use msape::aero::table::Extrapolation;
 use msape::finding::Finding;
+use msape::problem::AeroProblem;
+use msape::quantity::input::{self, Input};
 use msape::units::told;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Speed ratio of free-molecular flow when neither it nor a Mach number is given.
 const SPEED_RATIO: f64 = 25.0;
-const WALL: &str = "vehicle.aerodynamics.wall_temperature_ratio";
-const ACCOMMODATION: &str = "vehicle.aerodynamics.accommodation";
+const WALL: &Input = &input::vehicle::AERODYNAMICS_WALL_TEMPERATURE_RATIO;
+const ACCOMMODATION: &Input = &input::vehicle::AERODYNAMICS_ACCOMMODATION;
 /// Decimals in tables; files have full precision.
 const DECIMALS: usize = 5;
 /// Largest number of angles accepted.
@@ -92,20 +94,19 @@ pub fn run(arguments: &Aero, data: &Data) -> Done {
     let mut loaded = read::asked(&arguments.source, arguments.output.as_deref(), data)?;
     let (case, faults) = (&mut loaded.case, &mut loaded.faults);
     let angles = angles(&arguments.alpha, faults);
-    for (key, value) in [
+    for (input, value) in [
         (WALL, arguments.wall_temperature_ratio),
         (ACCOMMODATION, arguments.accommodation),
     ] {
         if let Some(value) = value {
-            case.set(key, &value.to_string());
+            case.set(input.key, &value.to_string());
         }
     }
-    let found = msape::problem::remarked_aero(case, &data.library);
-    let of_air = found
-        .as_ref()
-        .map(|((_, database), _)| database.heat_capacity_ratio());
+    let problem = AeroProblem::check(case, &data.library);
+    let of_air = problem.as_ref().map(AeroProblem::heat_capacity_ratio);
     let theory = theory(arguments, case, of_air.unwrap_or(GAMMA), faults);
-    let ((body, database), remarked) = loaded.unless_at_fault(found)?;
+    let problem = loaded.unless_at_fault(problem)?;
+    let (body, database) = loaded.unless_at_fault(problem.solve())?;
     if arguments.database {
         output::write(
             msape::aero::stored::csv(&database),
@@ -116,7 +117,7 @@ pub fn run(arguments: &Aero, data: &Data) -> Done {
     refuse(&database, &theory, &angles)?;
     let polar = polar::polar(&polar::Aero::new(&body, theory, Some(&database)), &angles);
     let mut findings = remarks(&polar, &theory, &database);
-    findings.extend(remarked);
+    findings.extend(problem.findings);
     findings.extend(loaded.findings());
     let case = &loaded.case;
     let text = if arguments.json {
@@ -173,8 +174,8 @@ fn theory(
                 .map(|mach| mach * (0.5 * heat_capacity_ratio).sqrt());
             let speed_ratio = arguments.speed_ratio.or(of_mach).unwrap_or(SPEED_RATIO);
             // ignore invalid numbers here: the check of the case reports them
-            let of_case = |key: &str| {
-                let text = case.text(key);
+            let of_case = |input: &Input| {
+                let text = case.text(input.key);
                 text.and_then(|text| text.parse().ok()).unwrap_or(1.0)
             };
             let accommodation = of_case(ACCOMMODATION);
@@ -239,7 +240,7 @@ fn refuse(database: &Database, theory: &Theory, angles: &[f64]) -> Result<(), Fa
     let mut faults = Vec::new();
     for angle in angles {
         for message in grid.beyond(mach, knudsen, angle.abs().to_radians()) {
-            let fault = format!("vehicle.aerodynamics.table: {message}");
+            let fault = format!("{}: {message}", input::vehicle::AERODYNAMICS_TABLE);
             if !faults.contains(&fault) {
                 faults.push(fault);
             }

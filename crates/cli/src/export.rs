@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::read::Data;
 use crate::{Done, output, read};
 use cad::export::{Format, Info, Model};
+use msape::quantity::input;
 use msape::{Case, InputError, Library, Request, problem};
 use std::path::Path;
 use std::process::ExitCode;
@@ -50,7 +51,7 @@ fn ending(path: &Path) -> Option<Format> {
 
 /// The model to export; inner error if there is no vehicle, outer error for faults of the case.
 fn model(case: &Case, library: &Library) -> Result<Result<Model, Failure>, Vec<InputError>> {
-    let designed = case.values.keys().any(|key| key.starts_with("design."));
+    let designed = case.gives_any(input::design::INPUTS);
     if !designed && let Some(body) = problem::rigid_body(case, library)? {
         return Ok(Ok(Model::of_body(&case.name, &body)));
     }

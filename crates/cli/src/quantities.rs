@@ -6,8 +6,9 @@ use crate::{Done, output};
 use msape::Library;
 use msape::answer::outputs;
 use msape::case::schema as json_schema;
+use msape::flight::columns;
 use msape::quantity::input::{Input, Kind, Preset};
-use msape::quantity::{Job, inputs, trajectory};
+use msape::quantity::{Job, inputs};
 use msape::units::canonical;
 use msape::units::number::shortest;
 use std::process::ExitCode;
@@ -99,7 +100,7 @@ fn list_of_outputs() -> Columns {
 fn list_of_columns() -> Columns {
     let mut table = Columns::new(&[Align::Left; 4]);
     table.push(row(["Key", "Name", "Unit of --csv", "Meaning"]));
-    for column in trajectory::columns() {
+    for column in columns::columns() {
         table.push(row([column.key, column.label, column.unit, column.help]));
     }
     table

@@ -14,6 +14,8 @@ use cad::table::{self, Ground, Table};
 pub use data::Data;
 use msape::case::Value;
 use msape::finding::{Finding, Severity};
+use msape::quantity::choice::Choice;
+use msape::quantity::input::{self, Input};
 use msape::{Case, InputError, Library};
 use place::Place;
 use std::collections::BTreeSet;
@@ -23,7 +25,7 @@ use std::path::{Path, PathBuf};
 
 /// Largest file size, bytes.
 const SIZE_MAX: u64 = 64 * 1024 * 1024;
-const OUTLINE: &str = "outline.file";
+const OUTLINE: &Input = &input::outline::FILE;
 
 /// Case with file names replaced by the rows of the files.
 pub struct Loaded {
@@ -40,7 +42,7 @@ pub struct Loaded {
 /// Message of a file reader on a decision or an omission.
 pub struct Remark {
     /// Key that names the file.
-    key: &'static str,
+    key: &'static Input,
     /// Name of the file, and a sentence without its full stop.
     message: String,
 }
@@ -51,12 +53,12 @@ impl Loaded {
         self.remarks.iter().map(|Remark { key, message }| Finding {
             severity: Severity::Note,
             model: "file".to_string(),
-            key: (*key).to_string(),
+            key: key.to_string(),
             value: None,
             valid: (None, None),
             message: format!("{message}."),
             source: "convention of this program".to_string(),
-            field: Some((*key).to_string()),
+            field: Some(key.to_string()),
         })
     }
 
@@ -121,8 +123,8 @@ fn case(source: &Source, library: &Library) -> Result<Loaded, Failure> {
     if !is_standard_input(path) {
         loaded.files.push(path.to_path_buf());
     }
-    let place = |key: &str| {
-        if set_here.contains(key) {
+    let place = |input: &Input| {
+        if set_here.contains(input.key) {
             Place::Anywhere
         } else {
             Place::Below {
@@ -132,8 +134,8 @@ fn case(source: &Source, library: &Library) -> Result<Loaded, Failure> {
         }
     };
     let ground = Ground::of(&loaded.case, library);
-    for key in table::FILES {
-        resolve_table(&mut loaded, key, &place(key), &ground);
+    for file in table::files() {
+        resolve_table(&mut loaded, file, &place(file), &ground);
     }
     resolve_outline(&mut loaded, &place(OUTLINE));
     Ok(loaded)
@@ -218,11 +220,11 @@ fn bytes(from: impl Read) -> Result<Vec<u8>, String> {
 
 impl Loaded {
     /// Removes a key that names a file from the case and reads the file.
-    fn file(&mut self, key: &'static str, place: &Place) -> Option<(String, Vec<u8>)> {
-        let Some(Value::Text(name)) = self.case.values.get(key).cloned() else {
+    fn file(&mut self, input: &Input, place: &Place) -> Option<(String, Vec<u8>)> {
+        let Some(Value::Text(name)) = self.case.values.get(input.key).cloned() else {
             return None;
         };
-        self.case.values.remove(key);
+        self.case.values.remove(input.key);
         let read = place.find(&name).and_then(|path| {
             if path.metadata().is_ok_and(|there| !there.is_file()) {
                 return Err("is not a regular file".to_string());
@@ -236,13 +238,13 @@ impl Loaded {
             Ok(bytes) => Some((cut(&name), bytes)),
             Err(message) => {
                 self.faults
-                    .push(format!("{key}: {}: {message}", cut(&name)));
+                    .push(format!("{input}: {}: {message}", cut(&name)));
                 None
             }
         }
     }
 
-    fn take(&mut self, key: &'static str, name: &str, table: Table) {
+    fn take(&mut self, key: &'static Input, name: &str, table: Table) {
         if self.case.values.contains_key(table.key) {
             let (key, table) = (key, table.key);
             self.faults.push(format!(
@@ -260,7 +262,7 @@ impl Loaded {
         self.remarks.extend(remarks);
     }
 
-    fn refuse<T: ToString>(&mut self, key: &str, name: &str, found: &[T]) {
+    fn refuse<T: ToString>(&mut self, key: &Input, name: &str, found: &[T]) {
         let named = found
             .iter()
             .map(|fault| format!("{key}: {name}: {}", fault.to_string()));
@@ -269,7 +271,7 @@ impl Loaded {
 }
 
 /// Replaces the file name of a table by the rows of the file.
-fn resolve_table(loaded: &mut Loaded, key: &'static str, place: &Place, ground: &Ground) {
+fn resolve_table(loaded: &mut Loaded, key: &'static Input, place: &Place, ground: &Ground) {
     let Some((name, bytes)) = loaded.file(key, place) else {
         return;
     };
@@ -281,17 +283,23 @@ fn resolve_table(loaded: &mut Loaded, key: &'static str, place: &Place, ground: 
 
 /// Replaces the file name of an outline by the points of the file.
 fn resolve_outline(loaded: &mut Loaded, place: &Place) {
-    if !matches!(loaded.case.values.get(OUTLINE), Some(Value::Text(_))) {
+    if !matches!(loaded.case.values.get(OUTLINE.key), Some(Value::Text(_))) {
         return;
     }
-    let unit = match loaded.case.values.remove("outline.file_unit") {
-        Some(Value::Text(symbol)) => match LengthUnit::of(&symbol) {
+    let file_unit = &input::outline::FILE_UNIT;
+    let unit = match loaded.case.values.remove(file_unit.key) {
+        Some(Value::Text(symbol)) => match outline::unit_of(&symbol) {
             Some(unit) => Some(unit),
             None => {
-                loaded.case.values.remove(OUTLINE);
+                loaded.case.values.remove(OUTLINE.key);
                 loaded.faults.push(format!(
-                    "outline.file_unit: got \"{}\", must be one of m, cm, mm, in, ft",
-                    cut(&symbol)
+                    "{file_unit}: got \"{}\", must be one of {}",
+                    cut(&symbol),
+                    LengthUnit::ALL
+                        .iter()
+                        .map(|(_, name, _)| *name)
+                        .collect::<Vec<_>>()
+                        .join(", ")
                 ));
                 return;
             }
@@ -304,7 +312,7 @@ fn resolve_outline(loaded: &mut Loaded, place: &Place) {
     match outline::read(&name, &bytes, unit) {
         Ok(points) => {
             let table = Table {
-                key: "outline.points",
+                key: input::outline::POINTS.key,
                 rows: points.rows,
                 remarks: points.remarks,
             };

@@ -9,6 +9,7 @@ use msape::answer::turning;
 use msape::flight::six_dof::turning::{ENTRIES, Turning, turning as fly};
 use msape::problem::{FlightProblem, add_turning, leaves_vehicle_to_design};
 use msape::progress::Progress;
+use msape::quantity::input;
 use msape::{Case, InputError, Library, Request, table};
 use serde_json::json;
 use std::ops::ControlFlow;
@@ -46,7 +47,7 @@ fn flown(case: &Case, library: &Library) -> Result<Flown, Vec<InputError>> {
     let FlightProblem { mission, body, .. } = FlightProblem::check(case, library)?;
     match fly(&mission, &body, &mut watcher()) {
         None => Err(vec![InputError {
-            key: "vehicle.dof".to_string(),
+            key: input::vehicle::DOF.to_string(),
             message: "must be 6: a point mass has no attitude".to_string(),
         }]),
         turning => Ok(Flown {

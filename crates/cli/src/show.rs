@@ -10,9 +10,10 @@ use msape::answer::turning::{self, Cell};
 use msape::answer::{Answer, Output, outputs};
 use msape::finding::Severity;
 use msape::flight::Trajectory;
+use msape::flight::columns::find;
 use msape::flight::phase::Begun;
 use msape::flight::six_dof::turning::Turning;
-use msape::quantity::{Job, input, trajectory};
+use msape::quantity::{Column, Job, input};
 use msape::units::number::rounded;
 use msape::units::{Unit, canonical};
 
@@ -162,10 +163,7 @@ fn findings(answer: &Answer, paint: Paint) -> String {
 }
 
 fn time_history(history: &Trajectory, paint: Paint) -> String {
-    let shown: Vec<_> = HISTORY
-        .iter()
-        .filter_map(|key| trajectory::find(key))
-        .collect();
+    let shown: Vec<_> = HISTORY.iter().filter_map(|key| find(key)).collect();
     let mut table = Columns::new(&[Align::Right; HISTORY.len()]);
     table.push(
         shown
@@ -175,7 +173,7 @@ fn time_history(history: &Trajectory, paint: Paint) -> String {
     );
     table.push(shown.iter().map(|column| column.unit.to_string()).collect());
     for row in 0..history.rows() {
-        let cell = |column: &&trajectory::Column| {
+        let cell = |column: &&Column| {
             let value = history
                 .column(column.key)
                 .and_then(|values| values.get(row));

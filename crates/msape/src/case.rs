@@ -4,6 +4,7 @@
 //! reports all faults at once.
 
 mod check;
+mod fault;
 mod node;
 mod read;
 pub mod schema;
@@ -11,9 +12,11 @@ pub mod version;
 mod words;
 mod write;
 
-pub use check::{InputError, Reader};
+pub use check::Reader;
+pub use fault::{InputError, remark};
 pub use version::Version;
 
+use crate::quantity::Task;
 use crate::quantity::input::{self, Input, Kind, Preset};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -62,15 +65,14 @@ impl Case {
             name: "Run page".to_string(),
             ..Case::default()
         };
-        // a design has no vehicle of its own, and the run page no table to leave
-        let of_run_page = |input: &&Input| {
-            !input.key.starts_with("vehicle.") && !input.key.ends_with(".extrapolation")
-        };
+        // the run page has no table to leave
+        let of_run_page =
+            |input: &&Input| input.is_of(Task::Design) && !input::BEYOND_TABLES.contains(input);
         for input in input::inputs().filter(of_run_page) {
             case.reset(input);
         }
         case.values.insert(
-            "design.payload_diameter_ratio".to_string(),
+            input::design::PAYLOAD_DIAMETER_RATIO.to_string(),
             Value::Number(0.6),
         );
         case
@@ -88,6 +90,13 @@ impl Case {
             Preset::Flag(flag) => Value::Flag(flag),
         };
         self.values.insert(input.key.to_string(), value);
+    }
+
+    /// Whether one of these inputs is given.
+    pub fn gives_any(&self, inputs: &[&Input]) -> bool {
+        inputs
+            .iter()
+            .any(|input| self.values.contains_key(input.key))
     }
 
     /// Sets a key from text as typed: `true`, `12 km/s`, `pica-al-5056`. Empty text takes the key away.

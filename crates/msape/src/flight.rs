@@ -5,7 +5,7 @@
 //! - [`allen_eggers`]: the closed form for steep ballistic entry, the low-fidelity twin.
 //! - [`mission`]: what is flown, through what, from where, until when.
 //! - [`summary`]: peaks, loads and end of a flight.
-//! - [`trajectory`]: the time history.
+//! - [`trajectory`], [`columns`]: the time history.
 
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
@@ -13,6 +13,7 @@ use crate::heating::PeakConditions;
 use crate::outcome::Outcome;
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::horizon::Velocity;
+use crate::quantity::input;
 use freedom::Freedom;
 use mission::{Body, Mission, Model};
 use numerics::scalar::Scalar;
@@ -27,6 +28,7 @@ pub use trajectory::{Request, Trajectory};
 pub mod accuracy;
 pub mod allen_eggers;
 pub mod batch;
+pub mod columns;
 pub mod equations;
 pub mod freedom;
 pub mod integration;
@@ -245,7 +247,7 @@ fn assumed_air(mission: &Mission, flight: &Flight) -> Option<Finding> {
     (highest_m > above_m).then(|| Finding {
         severity: Severity::Extrapolated,
         model: "atmosphere".to_string(),
-        key: "entry.altitude_m".to_string(),
+        key: input::entry::ALTITUDE_M.to_string(),
         value: Some(highest_m),
         valid: (None, Some(above_m)),
         message: format!(
@@ -255,7 +257,7 @@ fn assumed_air(mission: &Mission, flight: &Flight) -> Option<Finding> {
             short(peak_m / 1e3)
         ),
         source: "the data file of the atmosphere".to_string(),
-        field: Some("entry.atmosphere".to_string()),
+        field: Some(input::entry::ATMOSPHERE.to_string()),
     })
 }
 
@@ -266,14 +268,14 @@ fn came_back(flight: &Flight) -> Option<Finding> {
     (exits > 0).then(|| Finding {
         severity: Severity::Note,
         model: "passes".to_string(),
-        key: "stop.passes".to_string(),
+        key: input::stop::PASSES.to_string(),
         value: Some(f64::from(exits)),
         valid: (None, None),
         message: format!(
             "The vehicle left the atmosphere {times}; peaks and loads are over all its passes."
         ),
         source: "convention of this program".to_string(),
-        field: Some("stop.passes".to_string()),
+        field: Some(input::stop::PASSES.to_string()),
     })
 }
 

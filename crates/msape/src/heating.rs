@@ -28,6 +28,7 @@ pub mod wall;
 
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use serde::{Deserialize, Serialize};
 
 pub use stagnation::{HeatFlux, Radiation, StagnationHeating};
@@ -93,7 +94,7 @@ impl FlowRange {
             si_per_unit: 1.0,
             meaning: "the correlation is used beyond its data",
             source,
-            field: Some("entry.speed_m_s"),
+            field: Some(input::entry::SPEED_M_S.key),
         };
         let density = Check {
             key: "peak_total_heat_flux_density_kg_m3",
@@ -101,7 +102,7 @@ impl FlowRange {
             value: peak.density_kg_m3,
             range: self.density_kg_m3,
             unit: "kg/m³",
-            field: Some("entry.flight_path_angle_deg"),
+            field: Some(input::entry::FLIGHT_PATH_ANGLE_DEG.key),
             ..check
         };
         let nose = Check {
@@ -110,7 +111,7 @@ impl FlowRange {
             value: peak.nose_radius_m,
             range: self.nose_radius_m,
             unit: "m",
-            field: Some("design.nose_radius_ratio"),
+            field: Some(input::design::NOSE_RADIUS_RATIO.key),
             ..check
         };
         [check, density, nose]

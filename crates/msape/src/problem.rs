@@ -2,6 +2,7 @@
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
+mod aero;
 mod aerodynamics;
 mod attitude;
 mod attitude_of_design;
@@ -29,12 +30,13 @@ use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission, Model};
 use crate::library::Library;
 use crate::quantity::Job;
+use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aerodynamics::{BodyCoefficients, aero, remarked_aero};
+pub use aero::{AeroProblem, BodyCoefficients, aero};
 pub use attitude_of_design::{
-    add_turning, attitude_of_design, fly_designed, leaves_vehicle_to_design,
+    add_turning, asks_for_attitude, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };
 pub use outline::rigid_body;
 
@@ -198,11 +200,12 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
     {
         let mass = faults
             .iter_mut()
-            .find(|fault| fault.key == "vehicle.mass_kg");
+            .find(|fault| fault.key == input::vehicle::MASS_KG.key);
         if let Some(fault) = mass {
-            fault
-                .message
-                .push_str("; the vehicle of [design] is flown with vehicle.dof = 6");
+            let dof = &input::vehicle::DOF;
+            fault.message.push_str(&format!(
+                "; the vehicle of [design] is flown with {dof} = 6"
+            ));
         }
     }
     Ok(problem?.solve(&case.name, request))
@@ -244,5 +247,87 @@ fn check_request(request: Request) -> Result<(), Vec<InputError>> {
             }])
         }
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Value;
+    use crate::quantity::input::{self, Input, inputs};
+
+    fn shipped(name: &str) -> Case {
+        let text = crate::library::data_file(&format!("cases/{name}.toml")).unwrap();
+        Case::from_text(text).unwrap()
+    }
+
+    /// Faults of the checks of a case; none where they pass.
+    fn refused(case: &Case, library: &Library) -> Vec<Vec<InputError>> {
+        let checks = [
+            FlightProblem::check(case, library).err(),
+            DesignProblem::check(case, library).err(),
+            AeroProblem::check(case, library).err(),
+        ];
+        checks.into_iter().flatten().collect()
+    }
+
+    #[test]
+    fn a_refusal_says_why_whatever_input_is_at_fault() {
+        let library = Library::builtin().unwrap();
+        for case in ["stardust", "galahad", "msr-eev-cp"].map(shipped) {
+            for input in inputs() {
+                for value in [
+                    Value::Other("{}".to_string()),
+                    Value::Number(f64::NAN),
+                    Value::Text("no such thing".to_string()),
+                    Value::Rows(vec![vec![0.0]]),
+                ] {
+                    let mut case = case.clone();
+                    case.values.insert(input.key.to_string(), value);
+                    for faults in refused(&case, &library) {
+                        assert!(!faults.is_empty(), "{input}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_name_that_is_made_up_is_refused_with_those_that_are_there() {
+        let library = Library::builtin().unwrap();
+        let said = |case: &str, input: &Input, name: &str| -> String {
+            let mut case = shipped(case);
+            case.set(input.key, name);
+            let faults: Vec<String> = match case.gives_any(input::design::INPUTS) {
+                true => DesignProblem::check(&case, &library).unwrap_err(),
+                false => FlightProblem::check(&case, &library).unwrap_err(),
+            }
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+            faults.join("\n")
+        };
+        let heating = said("stardust", &input::heating::CONVECTIVE, "fay-riddell");
+        assert_eq!(
+            heating,
+            "heating.convective: got \"fay-riddell\", must be one of sutton-graves, brandis-johnston"
+        );
+        let concept = said("galahad", &input::design::FOREBODY_TPS, "unobtainium");
+        let known = "design.forebody_tps: got \"unobtainium\", must be one of ";
+        assert!(
+            concept.starts_with(known) && concept.contains("pica-al-5056"),
+            "{concept}"
+        );
+    }
+
+    #[test]
+    fn the_check_of_a_question_for_coefficients_designs_nothing() {
+        let library = Library::builtin().unwrap();
+        // no vehicle closes about this payload: the design finds it, the check does not
+        let mut case = Case::run_page();
+        case.set(input::design::PAYLOAD_DIAMETER_RATIO.key, "0.95");
+        let problem = AeroProblem::check(&case, &library).unwrap();
+        let faults = problem.solve().map(|_| ()).unwrap_err();
+        assert!(faults[0].message.contains("does not close"), "{faults:?}");
     }
 }

@@ -25,6 +25,7 @@ use crate::data::Data;
 use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
+use crate::quantity::input;
 use crate::vehicle::Concept;
 use numerics::math;
 use serde::{Deserialize, Serialize};
@@ -165,7 +166,7 @@ impl SoakCorrelation {
             si_per_unit: PER_CM2,
             meaning: "the soak correlation was not fitted there",
             source: SOURCE,
-            field: Some("entry.flight_path_angle_deg"),
+            field: Some(input::entry::FLIGHT_PATH_ANGLE_DEG.key),
         };
         let flux = Check {
             key: "peak_total_margined_heat_flux_w_m2",
@@ -182,7 +183,7 @@ impl SoakCorrelation {
             range: self.valid.diameter_m,
             unit: "m",
             si_per_unit: 1.0,
-            field: Some("design.diameter_m"),
+            field: Some(input::design::DIAMETER_M.key),
             ..load
         };
         let tolerance = self.fitted.thickness_tolerance_percent / 100.0;
@@ -231,7 +232,7 @@ impl SoakCorrelation {
                 input.concept.label()
             ),
             source: "NASA/TM-2014-218507, section 3.6.1 and Table 9".into(),
-            field: Some("design.msr_mode".into()),
+            field: Some(input::design::MSR_MODE.key.into()),
         })
     }
 }

@@ -113,7 +113,7 @@ pub fn write_history(
 }
 
 fn history_headers(trajectory: &Trajectory, manner: Manner) -> Vec<String> {
-    let header = |(column, _): (&quantity::trajectory::Column, &[f64])| match manner {
+    let header = |(column, _): (&quantity::Column, &[f64])| match manner {
         Manner::Report if column.unit.is_empty() => column.label.to_string(),
         Manner::Report => format!("{} ({})", column.label, column.unit),
         Manner::Si => column.key.to_string(),
@@ -122,7 +122,7 @@ fn history_headers(trajectory: &Trajectory, manner: Manner) -> Vec<String> {
 }
 
 fn history_row(trajectory: &Trajectory, manner: Manner, row: usize) -> Vec<String> {
-    let cell = |(column, values): (&quantity::trajectory::Column, &[f64])| {
+    let cell = |(column, values): (&quantity::Column, &[f64])| {
         let unit = match manner {
             Manner::Report => Unit::find(column.unit),
             Manner::Si => None,

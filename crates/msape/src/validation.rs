@@ -14,9 +14,9 @@ use crate::answer::Answer;
 use crate::answer::output;
 use crate::case::Case;
 use crate::flight::Request;
+use crate::flight::columns;
 use crate::library::{DataError, Library, data_file, data_folder};
 use crate::problem::{design, fly};
-use crate::quantity::trajectory;
 use crate::units::Unit;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -285,7 +285,7 @@ fn value(answer: &Answer, key: &str, time_s: Option<f64>) -> Option<f64> {
 fn label_of(key: &str) -> String {
     output::find(key)
         .map(|output| output.label)
-        .or_else(|| trajectory::find(key).map(|column| column.label))
+        .or_else(|| columns::find(key).map(|column| column.label))
         .unwrap_or(key)
         .to_string()
 }

@@ -17,15 +17,14 @@ use crate::worker::Asker;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
-use msape::quantity::input::OWN_OUTLINE;
-use msape::quantity::input::{self, Preset};
+use msape::quantity::input::{self, Input, OWN_OUTLINE, Preset};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
 /// Identifier of the vehicle of the current design.
 pub const DESIGN: &str = "design";
 /// Key of a user's table in a case.
-pub const TABLE: &str = "vehicle.aerodynamics.table";
+pub const TABLE: &Input = &input::vehicle::AERODYNAMICS_TABLE;
 
 /// Entry in the list of bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,7 +73,7 @@ pub fn bodies(state: State) -> Vec<Body> {
 
 /// Axial force that a design names or takes by default; `None` where it is computed from the design's outline.
 fn axial_force_of_design(case: &Case) -> Option<String> {
-    let input = input::find("design.aerodynamics")?;
+    let input = &input::design::AERODYNAMICS;
     let named = case.text(input.key).or(match input.preset {
         Preset::Name(name) => Some(name.to_string()),
         _ => None,
@@ -205,7 +204,10 @@ impl AeroView {
             });
             if before.as_ref() != Some(&id) {
                 fields.update(|fields| {
-                    fields.set("vehicle.aerodynamics", force.as_deref().unwrap_or_default());
+                    fields.set(
+                        input::vehicle::AERODYNAMICS.key,
+                        force.as_deref().unwrap_or_default(),
+                    );
                 });
             }
             id
@@ -234,7 +236,7 @@ impl AeroView {
                 }
             })?;
             if let Some(rows) = rows {
-                case.values.remove("vehicle.aerodynamics");
+                case.values.remove(input::vehicle::AERODYNAMICS.key);
                 case.values.insert(TABLE.to_string(), Value::Rows(rows));
             }
             Some(case)

@@ -4,47 +4,34 @@ use crate::components::number::NumberField;
 use crate::state::State;
 use leptos::prelude::*;
 use msape::answer::output;
-use msape::quantity::input::{Input, Kind, Preset, find};
+use msape::quantity::input::{Alternatives, Input, Kind, Preset};
 
-/// Mutually exclusive inputs: heading and keys. The list of inputs does not contain this yet.
-pub const ALTERNATIVES: &[(&str, &[&str])] = &[
-    (
-        "Payload size given by",
-        &[
-            "design.payload_density_kg_m3",
-            "design.payload_diameter_m",
-            "design.payload_diameter_ratio",
-        ],
-    ),
-    ("Start given by", &["entry.altitude_m", "entry.radius_m"]),
-];
-
-/// The group of alternatives of which an input is the first.
-pub fn group_of(key: &str) -> Option<(&'static str, &'static [&'static str])> {
-    ALTERNATIVES
-        .iter()
-        .find(|(_, keys)| keys.contains(&key))
-        .copied()
+/// The inputs of which a case must give one, where this is one of them.
+pub fn group_of(input: &Input) -> Option<&'static Alternatives> {
+    input.alternatives.filter(|group| group.required)
 }
 
 /// A choice of the given input, and its field.
 #[component]
-pub fn Alternatives(title: &'static str, keys: &'static [&'static str]) -> impl IntoView {
+pub fn OneOf(group: &'static Alternatives) -> impl IntoView {
     let state = State::expect();
-    let inputs: Vec<&'static Input> = keys.iter().filter_map(|key| find(key)).collect();
-    let first = keys.first().copied().unwrap_or_default();
+    let title = format!("{} given by", group.label);
+    let inputs: Vec<&'static Input> = group.inputs().collect();
+    let first = inputs.first().map_or("", |input| input.key);
     let given = Memo::new(move |_| {
         state.case.with(|case| {
-            let given = keys.iter().find(|key| case.values.contains_key(**key));
-            given.copied().unwrap_or(first)
+            let mut inputs = group.inputs();
+            let given = inputs.find(|input| case.values.contains_key(input.key));
+            given.map_or(first, |input| input.key)
         })
     });
+    let step = StoredValue::new(title.clone());
     let choose = move |input: &'static Input| {
         let value = solved_value(state, input);
-        state.edit(title, None, |document| {
+        state.edit(&step.get_value(), None, |document| {
             document.with_case(|case| {
-                for key in keys {
-                    case.values.remove(*key);
+                for other in group.inputs() {
+                    case.values.remove(other.key);
                 }
                 case.set(input.key, &crate::display::input_number(value));
             })

@@ -15,8 +15,10 @@ use crate::view3d::attitude::Course;
 use crate::worker::Asker;
 use inputs::Inputs;
 use leptos::prelude::*;
+use msape::Answer;
 use msape::answer::output;
-use msape::{Answer, Case};
+use msape::problem::asks_for_attitude;
+use msape::quantity::input;
 use player::Player;
 use reorientation::Reorientation;
 use scene::Scene;
@@ -107,8 +109,8 @@ impl AttitudeView {
         let asker = Asker::default();
         Effect::new(move |_| {
             let solved = state.latest.get();
-            let wanted =
-                solved.filter(|solved| is_rigid(&solved.case) && solved.answer.design.is_some());
+            let wanted = solved
+                .filter(|solved| asks_for_attitude(&solved.case) && solved.answer.design.is_some());
             let Some(solved) = wanted else {
                 return asker.wants_nothing();
             };
@@ -185,20 +187,15 @@ impl AttitudeView {
     }
 }
 
-/// Whether a design is also flown with attitude.
-fn is_rigid(case: &Case) -> bool {
-    case.text("vehicle.dof")
-        .is_some_and(|dof| dof.trim() == "6")
-}
-
 /// The card.
 #[component]
 pub fn AttitudeCard() -> impl IntoView {
     let state = State::expect();
-    let rigid = Memo::new(move |_| state.case.with(|case| is_rigid(case)));
+    let rigid = Memo::new(move |_| state.case.with(|case| asks_for_attitude(case)));
     let choose = move |rigid: bool| {
         state.edit("Degrees of freedom", None, |document| {
-            document.with_case(|case| case.set("vehicle.dof", if rigid { "6" } else { "" }))
+            document
+                .with_case(|case| case.set(input::vehicle::DOF.key, if rigid { "6" } else { "" }))
         });
     };
     view! {

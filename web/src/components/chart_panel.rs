@@ -9,7 +9,7 @@ use crate::state::State;
 
 use leptos::prelude::*;
 use msape::Answer;
-use msape::quantity::trajectory::{columns, find};
+use msape::flight::columns::{columns, find};
 use std::sync::Arc;
 
 /// Chart of one column over another.
@@ -102,7 +102,7 @@ fn ColumnChoice(spec: RwSignal<ChartSpec>) -> impl IntoView {
                     let key = event.target().value();
                     spec.update(|spec| *get(spec) = key);
                 }>
-                    {columns().iter().map(|column| view! {
+                    {columns().map(|column| view! {
                         <option value=column.key selected=move || *get(&mut spec.get()) == column.key>{column.label}</option>
                     }).collect_view()}
                 </select>

@@ -7,14 +7,14 @@ use crate::state::State;
 use leptos::prelude::*;
 use msape::design::crossings::{CROSSINGS, Crossing, MODULES};
 use msape::quantity::Module;
-use msape::quantity::input::{self, Preset};
+use msape::quantity::input::{self, Input, Preset};
 use msape::units::{Unit, canonical};
 
 /// Inputs that control when the passes end.
-const SOLVER: [&str; 3] = [
-    "design.mass_criterion_kg",
-    "design.max_iterations",
-    "design.relaxation",
+const SOLVER: [&Input; 3] = [
+    &input::design::MASS_CRITERION_KG,
+    &input::design::MAX_ITERATIONS,
+    &input::design::RELAXATION,
 ];
 
 /// The coupling view.
@@ -39,7 +39,7 @@ pub fn Coupling() -> impl IntoView {
             <Values chosen />
             <h3 class="spaced">"Convergence"</h3>
             <ul class="solver">
-                {SOLVER.iter().filter_map(|key| input::find(key)).map(|input| {
+                {SOLVER.into_iter().map(|input| {
                     let value = move || state.case.with(|case| case.text(input.key)).unwrap_or_else(|| match input.preset {
                         Preset::Number(value) => value.to_string(),
                         _ => "–".to_string(),

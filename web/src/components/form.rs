@@ -1,22 +1,18 @@
 //! Form with all inputs of the list, by group.
 
-use crate::components::alternatives::{Alternatives, group_of};
+use crate::components::alternatives::{OneOf, group_of};
 use crate::components::choice::{ChoiceField, FlagField};
 use crate::components::number::NumberField;
 use crate::components::rows::RowsField;
 use crate::state::State;
 use leptos::prelude::*;
-use msape::quantity::input::phase::is_repeated;
+use msape::quantity::Task;
 use msape::quantity::input::{Group, Input, Kind, Level, inputs};
 
 /// Whether an input belongs in this form: not those of a vehicle flown as it is, not those of the attitude, which have
 /// a card of their own, and not files that only the command line can read.
 fn is_of_design(input: &Input) -> bool {
-    !input.key.starts_with("vehicle.")
-        && !input.key.starts_with("outline.")
-        && !input.key.starts_with("attitude.")
-        && !is_repeated(input.key)
-        && input.kind != Kind::Text
+    input.is_of(Task::Design) && input.kind != Kind::Text
 }
 
 /// Groups in the order of the form.
@@ -58,17 +54,17 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
     let has_basic = of_group.iter().any(|input| input.level == Level::Basic);
     let mut fields = Vec::new();
     for input in of_group {
-        let alternative = group_of(input.key);
-        let is_first = alternative.is_none_or(|(_, keys)| keys.first() == Some(&input.key));
+        let alternatives = group_of(input);
+        let is_first = alternatives.is_none_or(|group| group.inputs().next() == Some(input));
         if is_first {
-            fields.push((input, alternative));
+            fields.push((input, alternatives));
         }
     }
     view! {
         <details class="group" id=group_id(group) open=has_basic && opens_at_first hidden=move || !has_basic && !expert.get()>
             <summary><h3>{group.label()}</h3></summary>
             <div class="fields">
-                {fields.into_iter().map(|(input, alternative)| {
+                {fields.into_iter().map(|(input, alternatives)| {
                     // a changed or faulty field is never hidden
                     let check = state.check(input.key);
                     let is_basic = input.level == Level::Basic;
@@ -77,8 +73,8 @@ fn GroupOfInputs(group: Group) -> impl IntoView {
                     });
                     view! {
                         <Show when=move || shown.get() fallback=|| ()>
-                            {match alternative {
-                                Some((title, keys)) => view! { <Alternatives title keys /> }.into_any(),
+                            {match alternatives {
+                                Some(group) => view! { <OneOf group /> }.into_any(),
                                 None => any_field(input),
                             }}
                         </Show>

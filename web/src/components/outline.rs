@@ -10,6 +10,7 @@ use crate::state::document::Rows;
 use leptos::prelude::*;
 use msape::Case;
 use msape::case::Value;
+use msape::quantity::input;
 use msape::vehicle::body::{OutlineData, RigidBody, from_rows};
 
 /// Outline of the library.
@@ -48,11 +49,11 @@ impl Entry {
 
     /// Puts the outline into a case.
     pub fn put(&self, case: &mut Case) {
-        let (key, value) = match self {
-            Entry::Preset(name, _) => ("outline.preset", Value::Text(name.clone())),
-            Entry::Own(_, rows) => ("outline.points", Value::Rows(rows.clone())),
+        let (input, value) = match self {
+            Entry::Preset(name, _) => (&input::outline::PRESET, Value::Text(name.clone())),
+            Entry::Own(_, rows) => (&input::outline::POINTS, Value::Rows(rows.clone())),
         };
-        case.values.insert(key.to_string(), value);
+        case.values.insert(input.to_string(), value);
     }
 }
 

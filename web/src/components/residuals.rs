@@ -5,6 +5,7 @@ use crate::components::chart::Chart;
 use crate::display::number;
 use crate::state::State;
 use leptos::prelude::*;
+use msape::quantity::input;
 use msape_plot::{Axis, Figure, LimitLine, Marker, Scale, Series};
 
 /// Residual of each pass as a chart and a table.
@@ -15,7 +16,7 @@ pub fn Residuals() -> impl IntoView {
     let criterion_kg = Memo::new(move |_| {
         state.latest.with(|latest| {
             let case = &latest.as_ref()?.case;
-            msape::case::Reader::new(case).number("design.mass_criterion_kg")
+            msape::case::Reader::new(case).number(&input::design::MASS_CRITERION_KG)
         })
     });
     let figure = Memo::new(move |_| {

@@ -12,24 +12,7 @@ use msape::case::Value;
 use msape::quantity::input::{Column, Input};
 use wasm_bindgen_futures::spawn_local;
 
-/// Table keys, and the key of a file read by the same reader on the command line.
-const FILES: [(&str, &str); 11] = [
-    ("atmosphere.table", "atmosphere.file"),
-    ("wind.table", "wind.file"),
-    ("heating.table", "heating.file"),
-    ("heating.radius_table", "heating.file"),
-    ("heating.arc_table", "heating.file"),
-    ("vehicle.drag_table", "vehicle.drag_file"),
-    ("vehicle.lift_table", "vehicle.lift_file"),
-    ("vehicle.bank_table_deg", "vehicle.bank_file"),
-    ("vehicle.bank_speed_table_deg", "vehicle.bank_file"),
-    ("vehicle.aerodynamics.table", "vehicle.aerodynamics.file"),
-    (
-        "vehicle.aerodynamics.damping_table",
-        "vehicle.aerodynamics.damping_file",
-    ),
-];
-/// Largest number of faults shown.
+/// Faults of a file that are shown.
 const MOST_FAULTS: usize = 10;
 
 /// Field for rows of numbers.
@@ -81,7 +64,7 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                     let value = parsed(&text);
                     draft.set(Some((state.turns.get_untracked(), text)));
                     put(value.clone());
-                    match (value, file_key(input.key)) {
+                    match (value, input.file()) {
                         (Some(Value::Text(text)), Some(_)) => read_as_file(state, input, asker, text, faults, put),
                         _ => {
                             asker.wants_nothing();
@@ -95,7 +78,7 @@ pub fn RowsField(input: &'static Input, columns: &'static [Column]) -> impl Into
                 }
             ></textarea>
             <p class="field-hint">"One row a line: " {names}</p>
-            {file_key(input.key).map(|_| view! { <FromFile input faults /> })}
+            {input.file().map(|_| view! { <FromFile input faults /> })}
         </Field>
     }
 }
@@ -160,19 +143,11 @@ fn FromFile(input: &'static Input, faults: RwSignal<Vec<String>>) -> impl IntoVi
     }
 }
 
-fn file_key(table: &str) -> Option<&'static str> {
-    FILES
-        .iter()
-        .find(|(key, _)| *key == table)
-        .map(|(_, file)| *file)
-}
-
 /// File kind of a table for the current case.
 fn kind(state: State, input: &Input) -> FileKind {
     let case = state.case.get_untracked();
     FileKind::Table {
         table: input.key.to_string(),
-        file: file_key(input.key).unwrap_or_default().to_string(),
         case: Box::new((*case).clone()),
     }
 }

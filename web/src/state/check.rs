@@ -27,17 +27,17 @@ pub fn check_inputs(case: &Case, catalog: Option<&Catalog>) -> Checks {
         .map(|input| {
             let (faults, findings) = (reader.faults.len(), reader.findings.len());
             match input.kind {
-                Kind::Number { .. } => drop(reader.number(input.key)),
-                Kind::Flag => drop(reader.flag(input.key)),
+                Kind::Number { .. } => drop(reader.number(input)),
+                Kind::Flag => drop(reader.flag(input)),
                 Kind::Choice(_) => {
                     let choices = names(catalog, input);
                     let names: Vec<&str> = choices.iter().map(|(name, _)| name.as_str()).collect();
                     if !names.is_empty() {
-                        reader.choice(input.key, &names);
+                        reader.name(input, &names);
                     }
                 }
-                Kind::Rows(_) => drop(reader.rows(input.key)),
-                Kind::Text => drop(reader.words(input.key)),
+                Kind::Rows(_) => drop(reader.rows(input)),
+                Kind::Text => drop(reader.words(input)),
             }
             let value = case.values.get(input.key);
             let changed = match (value, input.preset) {

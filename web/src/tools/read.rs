@@ -1,28 +1,29 @@
 //! Rows from files, by the same readers as the command line.
 
 use crate::protocol::{FileKind, ReadRows};
-use cad::outline::{self, Imported, LengthUnit};
+use cad::outline::{self, Imported};
 use cad::table::{self, Ground, Table};
 use msape::Library;
+use msape::quantity::input::{self, find};
 use msape::vehicle::body::from_rows;
 
-/// Keys of a file of coefficients and of its rows.
-const COEFFICIENTS: (&str, &str) = ("vehicle.aerodynamics.file", "vehicle.aerodynamics.table");
-/// Key of the rows of an outline.
-const POINTS: &str = "outline.points";
-
-/// Rows of a file, or all of its faults with their lines.
+/// The rows of a file, or every fault of it with its line.
 pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows, Vec<String>> {
     match kind {
-        FileKind::Table { table, file, case } => {
+        FileKind::Table { table, case } => {
+            let table = find(table).ok_or_else(|| vec![format!("{table}: is no input")])?;
             let ground = Ground::of(case, library);
-            let read = table::read_for(table, file, bytes, &ground);
+            let read = table::read_for(table, bytes, &ground);
             Ok(rows(read.map_err(words)?))
         }
         FileKind::Coefficients => {
-            let read = table::read(COEFFICIENTS.0, bytes, &Ground::earth(library));
+            let read = table::read(
+                &input::vehicle::AERODYNAMICS_FILE,
+                bytes,
+                &Ground::earth(library),
+            );
             let read = rows(read.map_err(words)?);
-            if read.key == COEFFICIENTS.1 {
+            if read.key == input::vehicle::AERODYNAMICS_TABLE.key {
                 return Ok(read);
             }
             Err(vec![
@@ -30,10 +31,10 @@ pub fn read(kind: &FileKind, bytes: &[u8], library: &Library) -> Result<ReadRows
             ])
         }
         FileKind::Outline(name, unit) => {
-            let unit = unit.as_deref().and_then(LengthUnit::of);
+            let unit = unit.as_deref().and_then(outline::unit_of);
             let Imported { rows, remarks } = outline::read(name, bytes, unit).map_err(words)?;
             from_rows(name, &rows).map_err(words)?;
-            let key = POINTS.to_string();
+            let key = input::outline::POINTS.to_string();
             Ok(ReadRows { key, rows, remarks })
         }
     }
@@ -56,7 +57,6 @@ mod tests {
     fn air(case: &Case) -> FileKind {
         FileKind::Table {
             table: "atmosphere.table".to_string(),
-            file: "atmosphere.file".to_string(),
             case: Box::new(case.clone()),
         }
     }
@@ -119,7 +119,6 @@ mod tests {
         let read = |table: &str, text: &str| {
             let kind = FileKind::Table {
                 table: table.to_string(),
-                file: "vehicle.bank_file".to_string(),
                 case: Box::default(),
             };
             read(kind, text)

@@ -156,11 +156,11 @@ fn turn(rows: [[f64; 3]; 3]) -> Rotation3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use msape::quantity::trajectory::columns;
+    use msape::flight::columns::columns;
 
     /// A history with these columns and all others zero.
     fn history(rows: usize, given: &[(&str, &[f64])]) -> Trajectory {
-        let values = columns().iter().map(|column| {
+        let values = columns().map(|column| {
             let own = given.iter().find(|(key, _)| *key == column.key);
             own.map_or(vec![0.0; rows], |(_, values)| values.to_vec())
         });

@@ -12,11 +12,12 @@
 //! # References
 //! - Own convention; the bulge is that of \[autodesk-dxf\].
 
-use super::{ImportFault, Imported, LengthUnit};
+use super::{ImportFault, Imported, LengthUnit, metres};
 use crate::table::layout::Layout;
 use crate::table::quantity::Quantity;
 use crate::table::sheet::sheet;
 use crate::table::{TableFault, with_plain_line_ends};
+use msape::quantity::input;
 
 const POINTS: Layout = Layout {
     quantities: &[Quantity::X, Quantity::R, Quantity::Bulge],
@@ -53,10 +54,11 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
         let message = "x and r have different units".to_owned();
         return Err(vec![ImportFault::Header(message)]);
     }
-    let metres = match (unit.map(LengthUnit::metres), first) {
+    let metres = match (unit.map(metres), first) {
         (None, None) => return Err(vec![ImportFault::NoUnitInHeader]),
         (Some(metres), Some(other)) if metres != other => {
-            let remark = "the heading names another unit than outline.file_unit, which is taken";
+            let unit = &input::outline::FILE_UNIT;
+            let remark = format!("the heading names another unit than {unit}, which is taken");
             sheet.remarks.push(remark.to_owned());
             metres
         }

@@ -26,10 +26,11 @@ pub mod spline;
 
 use super::chain::{MOST_POINTS, Path};
 use super::halves::rows;
-use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, shown};
+use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, metres, shown};
 use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
+use msape::quantity::input;
 
 /// Largest deviation of arcs from a smooth curve, as a fraction of the largest distance from the axis. The error of the
 /// volume is less than this times surface over volume: relative 10⁻⁶ for a cone that is a third of its radius long.
@@ -57,7 +58,7 @@ pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<Impo
         (None, Some(Err(fault))) => Err(fault),
         (None, _) => Err(ImportFault::NoUnitInDrawing),
     };
-    let scale = unit.as_ref().map_or(1.0, |unit| unit.metres());
+    let scale = unit.as_ref().map_or(1.0, |unit| metres(*unit));
     let (found, left_out) = drawn(&drawing, scale).counted();
     remarks.extend(left_out);
     if !groups.last().is_some_and(|group| group.is(0, "EOF")) {
@@ -94,8 +95,9 @@ fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
         _ => Err(ImportFault::Drawing {
             place: group.place,
             reason: format!(
-                "$INSUNITS: got {}, must be 1 (in), 2 (ft), 4 (mm), 5 (cm) or 6 (m); else name the unit with outline.file_unit",
-                shown(&group.name())
+                "$INSUNITS: got {}, must be 1 (in), 2 (ft), 4 (mm), 5 (cm) or 6 (m); else name the unit with {}",
+                shown(&group.name()),
+                input::outline::FILE_UNIT
             ),
         }),
     }
@@ -110,13 +112,13 @@ fn contradiction(
     let says = match drawn? {
         Ok(None) => return None,
         Ok(Some(same)) if same == unit => return None,
-        Ok(Some(other)) => format!("is drawn in {}", other.symbol()),
+        Ok(Some(other)) => format!("is drawn in {}", other.name()),
         Err(_) => "names another unit".to_owned(),
     };
     let code = shown(&group.map(Group::name).unwrap_or_default());
     Some(format!(
         "the file {says} ($INSUNITS {code}); it is read in {}, as you say",
-        unit.symbol()
+        unit.name()
     ))
 }
 

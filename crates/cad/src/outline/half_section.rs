@@ -93,7 +93,7 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
     let remarks = other.map(|unit| {
         format!(
             "the columns are in mm, as their names say; the unit {} is not used",
-            unit.symbol()
+            unit.name()
         )
     });
     if faults.is_empty() {

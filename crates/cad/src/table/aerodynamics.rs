@@ -17,6 +17,7 @@ use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Table, TableFault};
 use msape::aero::table::{Extrapolation, Grid, Row, in_radians};
+use msape::quantity::input;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 const COEFFICIENTS: Layout = Layout {
@@ -74,7 +75,7 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
             .push("without an angle of attack it is the drag of a point mass".to_owned());
         return curve(
             sheet,
-            "vehicle.drag_table",
+            input::vehicle::DRAG_TABLE.key,
             [Quantity::Mach, Quantity::Drag],
         );
     }
@@ -127,7 +128,12 @@ pub fn read(text: &str) -> Result<Table, Vec<TableFault>> {
     }
     sorted(&mut rows, &mut sheet.remarks);
     without_mirrored(&mut rows, &mut sheet.remarks);
-    table(sheet, "vehicle.aerodynamics.table", &rows, Row::cells)
+    table(
+        sheet,
+        input::vehicle::AERODYNAMICS_TABLE.key,
+        &rows,
+        Row::cells,
+    )
 }
 
 /// The rows repeated at the smallest and the largest Mach number allowed, for a table without Mach number.
@@ -190,11 +196,16 @@ pub fn damping(text: &str) -> Result<Table, Vec<TableFault>> {
         .map(|(line, cells)| row(&sheet, *line, cells, false))
         .collect();
     sorted(&mut rows, &mut sheet.remarks);
-    table(sheet, "vehicle.aerodynamics.damping_table", &rows, |row| {
-        let mut cells = vec![row.mach, row.alpha_deg, row.cmq.unwrap_or_default()];
-        cells.extend(row.knudsen);
-        cells
-    })
+    table(
+        sheet,
+        input::vehicle::AERODYNAMICS_DAMPING_TABLE.key,
+        &rows,
+        |row| {
+            let mut cells = vec![row.mach, row.alpha_deg, row.cmq.unwrap_or_default()];
+            cells.extend(row.knudsen);
+            cells
+        },
+    )
 }
 
 fn row(sheet: &Sheet, line: u64, cells: &[f64], lift: bool) -> Row {

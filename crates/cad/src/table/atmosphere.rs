@@ -23,6 +23,7 @@ use super::layout::{Layout, Sheet};
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
+use msape::quantity::input;
 use numerics::math::ln;
 
 /// Largest plausible density, kg/m³; 65 at the surface of Venus in the shipped atmosphere; assumed.
@@ -125,7 +126,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
         stacked(&mut rows, r, ground);
     }
     Ok(Table {
-        key: "atmosphere.table",
+        key: input::atmosphere::TABLE.key,
         rows,
         remarks: sheet.remarks,
     })

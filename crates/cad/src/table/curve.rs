@@ -14,6 +14,7 @@ use super::layout::{Layout, Sheet, listed};
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{MOST_FAULTS, Table, TableFault};
+use msape::quantity::input::{self, Input};
 
 /// Largest relative difference of rows with equal Mach number on one curve, for rounded Mach numbers of an export;
 /// assumed.
@@ -40,14 +41,14 @@ const BANK_OVER_SPEED: Layout = Layout {
     bare: (&[Quantity::Speed, Quantity::Bank], 2),
     ..BANK
 };
-const BANK_SPEED_TABLE: &str = "vehicle.bank_speed_table_deg";
+const BANK_SPEED_TABLE: &Input = &input::vehicle::BANK_SPEED_TABLE_DEG;
 
 /// Mach number and drag coefficient of a point mass; from a table over the angle of attack, the rows at 0 deg.
 pub fn drag(text: &str) -> Result<Table, Vec<TableFault>> {
     let sheet = sheet(text, &DRAG)?;
     curve(
         sheet,
-        "vehicle.drag_table",
+        input::vehicle::DRAG_TABLE.key,
         [Quantity::Mach, Quantity::Drag],
     )
 }
@@ -57,24 +58,28 @@ pub fn lift(text: &str) -> Result<Table, Vec<TableFault>> {
     let sheet = sheet(text, &LIFT)?;
     curve(
         sheet,
-        "vehicle.lift_table",
+        input::vehicle::LIFT_TABLE.key,
         [Quantity::Mach, Quantity::Lift],
     )
 }
 
 /// Bank against time, or against speed where the file has a speed column or the input asks for it.
-pub fn bank(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
+pub fn bank(text: &str, input: Option<&Input>) -> Result<Table, Vec<TableFault>> {
     let over_speed = input == Some(BANK_SPEED_TABLE);
     let sheet = sheet(text, if over_speed { &BANK_OVER_SPEED } else { &BANK })?;
     let has_time = sheet.has(Quantity::Time) && !over_speed;
     if has_time || !sheet.has(Quantity::Speed) {
         curve(
             sheet,
-            "vehicle.bank_table_deg",
+            input::vehicle::BANK_TABLE_DEG.key,
             [Quantity::Time, Quantity::Bank],
         )
     } else {
-        curve(sheet, BANK_SPEED_TABLE, [Quantity::Speed, Quantity::Bank])
+        curve(
+            sheet,
+            BANK_SPEED_TABLE.key,
+            [Quantity::Speed, Quantity::Bank],
+        )
     }
 }
 

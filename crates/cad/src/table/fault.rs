@@ -269,6 +269,9 @@ pub enum TableFault {
         /// Key of the input to be filled.
         wanted: String,
     },
+    /// Input that does not name a file of a table.
+    #[error("{0} names no file of a table")]
+    NoFile(String),
     /// Fault found by the check of the table's rows.
     #[error("{0}")]
     Rows(String),

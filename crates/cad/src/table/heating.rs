@@ -18,6 +18,7 @@ use super::{Table, TableFault};
 use msape::aero::table::Extrapolation;
 use msape::heating::given::GivenHeating;
 use msape::heating::given::body::{Along, BodyHeating};
+use msape::quantity::input::{self, Input};
 
 const HEATING: Layout = Layout {
     quantities: &[
@@ -43,8 +44,8 @@ const HEATING: Layout = Layout {
 
 const BARE_OVER_RADIUS: [Quantity; 5] = bare_along(Quantity::RadiusFraction);
 const BARE_OVER_ARC: [Quantity; 5] = bare_along(Quantity::ArcFraction);
-const RADIUS_TABLE: &str = "heating.radius_table";
-const ARC_TABLE: &str = "heating.arc_table";
+const RADIUS_TABLE: &str = input::heating::RADIUS_TABLE.key;
+const ARC_TABLE: &str = input::heating::ARC_TABLE.key;
 
 const fn bare_along(fraction: Quantity) -> [Quantity; 5] {
     [
@@ -57,10 +58,10 @@ const fn bare_along(fraction: Quantity) -> [Quantity; 5] {
 }
 
 /// Rows of speed, density and heat fluxes, preceded by the fraction where the file has one or the input asks for it.
-pub fn read(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
-    let bare: (&'static [Quantity], usize) = match input {
-        Some(RADIUS_TABLE) => (&BARE_OVER_RADIUS, 5),
-        Some(ARC_TABLE) => (&BARE_OVER_ARC, 5),
+pub fn read(text: &str, input: Option<&Input>) -> Result<Table, Vec<TableFault>> {
+    let bare: (&'static [Quantity], usize) = match input.map(|input| input.key) {
+        Some(key) if key == RADIUS_TABLE => (&BARE_OVER_RADIUS, 5),
+        Some(key) if key == ARC_TABLE => (&BARE_OVER_ARC, 5),
         _ => HEATING.bare,
     };
     let mut sheet = sheet(text, &Layout { bare, ..HEATING })?;
@@ -132,7 +133,7 @@ pub fn read(text: &str, input: Option<&str>) -> Result<Table, Vec<TableFault>> {
     let hold = Extrapolation::Hold;
     let (key, checked) = match along {
         None => {
-            let key = "heating.table";
+            let key = input::heating::TABLE.key;
             (key, GivenHeating::try_new(key, &rows, hold).map(drop))
         }
         Some((_, along, key)) => (key, BodyHeating::try_new(key, along, &rows, hold).map(drop)),

@@ -17,11 +17,11 @@ fn mars() -> Ground {
 }
 
 fn air(text: &str) -> Table {
-    read("atmosphere.file", text.as_bytes(), &earth())
+    read(&input::atmosphere::FILE, text.as_bytes(), &earth())
         .unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
 }
 
-fn faults(key: &str, text: &str) -> Vec<String> {
+fn faults(key: &Input, text: &str) -> Vec<String> {
     let found = read(key, text.as_bytes(), &earth());
     found.unwrap_err().iter().map(ToString::to_string).collect()
 }
@@ -100,7 +100,8 @@ fn each_kind_of_table_in_each_encoding() {
         ),
     ];
     for (key, text) in tables {
-        let plain = read(key, text.as_bytes(), &earth())
+        let input = input::find(key).unwrap();
+        let plain = read(input, text.as_bytes(), &earth())
             .unwrap_or_else(|faults| panic!("{key}: {faults:?}"));
         let units: Vec<u16> = text.encode_utf16().collect();
         let le: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
@@ -119,7 +120,7 @@ fn each_kind_of_table_in_each_encoding() {
         }
         for file in files {
             assert_eq!(
-                read(key, &file, &earth()).unwrap().rows,
+                read(input, &file, &earth()).unwrap().rows,
                 plain.rows,
                 "{key}"
             );
@@ -159,7 +160,7 @@ fn what_was_decided_is_told() {
 
 #[test]
 fn what_can_be_read_in_two_ways_is_refused_with_its_line() {
-    let said = |text: &str| faults("atmosphere.file", text).join("\n");
+    let said = |text: &str| faults(&input::atmosphere::FILE, text).join("\n");
     // thousands or decimals, with nothing to distinguish them
     assert!(
         said("z (m)\trho (kg/m3)\n0\t1,225\n1000\t1,112\n").starts_with("line 2: got \"1,225\"")
@@ -181,7 +182,9 @@ fn what_can_be_read_in_two_ways_is_refused_with_its_line() {
     );
     let aero =
         "mach;alpha_deg;ca;cn\n1;0;1.400;0\n1;30;1,212;0.250\n20;0;1.400;0\n20;30;1,212;0.250\n";
-    assert!(faults("vehicle.aerodynamics.file", aero)[0].starts_with("line 3: got \"1,212\""));
+    assert!(
+        faults(&input::vehicle::AERODYNAMICS_FILE, aero)[0].starts_with("line 3: got \"1,212\"")
+    );
     // columns without names, or not those of an atmosphere
     assert!(
         said("# Z, foo, bar\n0,200,358\n1,200,300\n")
@@ -214,7 +217,7 @@ fn what_can_be_read_in_two_ways_is_refused_with_its_line() {
 fn faults_name_line_column_and_text() {
     assert_eq!(
         faults(
-            "atmosphere.file",
+            &input::atmosphere::FILE,
             "altitude_m,density_kg_m3\n0,1.2\n1000,dense\n2000,thin\n"
         ),
         [
@@ -223,11 +226,11 @@ fn faults_name_line_column_and_text() {
         ]
     );
     assert_eq!(
-        faults("atmosphere.file", "# nothing\n\n"),
+        faults(&input::atmosphere::FILE, "# nothing\n\n"),
         ["the file holds no row of numbers"]
     );
     assert_eq!(
-        faults("atmosphere.file", "a\0b"),
+        faults(&input::atmosphere::FILE, "a\0b"),
         ["is not text: byte 2 is a control character"]
     );
 }
@@ -236,7 +239,7 @@ fn faults_name_line_column_and_text() {
 fn what_is_no_table_is_not_shown() {
     let passwd =
         "root:x:0:0:root:/root:/bin/bash\ndaemon:x:1:1:daemon:/usr/sbin:/usr/sbin/nologin\n";
-    for key in FILES {
+    for key in files() {
         assert_eq!(
             faults(key, passwd),
             ["the file holds no row of numbers"],
@@ -248,7 +251,10 @@ fn what_is_no_table_is_not_shown() {
 #[test]
 fn ten_megabytes_of_garbage_make_a_hundred_faults_at_most() {
     let garbage = "1;2;3\n1;x;y\n".repeat(200_000);
-    let found = faults("atmosphere.file", &format!("altitude;density;t\n{garbage}"));
+    let found = faults(
+        &input::atmosphere::FILE,
+        &format!("altitude;density;t\n{garbage}"),
+    );
     assert!(
         (2..=MOST_FAULTS + 2).contains(&found.len()),
         "{}",
@@ -256,8 +262,12 @@ fn ten_megabytes_of_garbage_make_a_hundred_faults_at_most() {
     );
     for garbage in ["\u{2}ÿ,\"", "\",", "1,\"", "1 ", "-", "1e9999,", ";;;1"] {
         let text = garbage.repeat(200_000);
-        let _ = read("atmosphere.file", text.as_bytes(), &earth());
-        let _ = read("vehicle.aerodynamics.file", text.as_bytes(), &earth());
+        let _ = read(&input::atmosphere::FILE, text.as_bytes(), &earth());
+        let _ = read(
+            &input::vehicle::AERODYNAMICS_FILE,
+            text.as_bytes(),
+            &earth(),
+        );
     }
 }
 
@@ -298,35 +308,35 @@ fn a_heading_that_does_not_fit_its_columns_is_not_passed_over() {
         "altitude_m,density_kg_m3",
         "Altitude (m),Density (kg/m3),a,b",
     ] {
-        let found = faults("atmosphere.file", &format!("{heading}\n{rows}"));
+        let found = faults(&input::atmosphere::FILE, &format!("{heading}\n{rows}"));
         assert!(found[0].starts_with("line 1: got "), "{found:?}");
     }
 }
 
 #[test]
 fn rows_for_one_input_are_read_as_its_columns_or_refused() {
-    let read = |table: &str, key: &str, text: &str| {
-        read_for(table, key, text.as_bytes(), &earth()).map(|read| read.rows)
+    let read = |table: &Input, text: &str| {
+        read_for(table, text.as_bytes(), &earth()).map(|read| read.rows)
     };
-    let (by_time, by_speed) = ("vehicle.bank_table_deg", "vehicle.bank_speed_table_deg");
-    let bank = |table: &str, text: &str| read(table, "vehicle.bank_file", text);
+    let by_time = &input::vehicle::BANK_TABLE_DEG;
+    let by_speed = &input::vehicle::BANK_SPEED_TABLE_DEG;
     // without heading, as copied from a German spreadsheet
     for table in [by_time, by_speed] {
-        let rows = bank(table, "10\t0,5\n20\t1,5\n").unwrap();
+        let rows = read(table, "10\t0,5\n20\t1,5\n").unwrap();
         same(&rows, &[&[10.0, 0.5], &[20.0, 1.5]]);
     }
     let both = "time_s,speed_m_s,bank_deg\n0,7000,10\n5,8000,20\n";
-    same(&bank(by_time, both).unwrap(), &[&[0.0, 10.0], &[5.0, 20.0]]);
-    let rows = bank(by_speed, both).unwrap();
+    same(&read(by_time, both).unwrap(), &[&[0.0, 10.0], &[5.0, 20.0]]);
+    let rows = read(by_speed, both).unwrap();
     same(&rows, &[&[7000.0, 10.0], &[8000.0, 20.0]]);
     let refused = |faults: Vec<TableFault>| faults[0].to_string();
-    let over_time = bank(by_speed, "time_s,bank_deg\n0,10\n5,20\n").unwrap_err();
+    let over_time = read(by_speed, "time_s,bank_deg\n0,10\n5,20\n").unwrap_err();
     assert_eq!(
         refused(over_time),
         format!("the columns are those of {by_time}, must be those of {by_speed}")
     );
-    let over_speed = bank(by_time, "speed_m_s,bank_deg\n7000,10\n8000,20\n").unwrap_err();
-    assert!(refused(over_speed).contains(by_speed));
+    let over_speed = read(by_time, "speed_m_s,bank_deg\n7000,10\n8000,20\n").unwrap_err();
+    assert!(refused(over_speed).contains(by_speed.key));
 
     let mut body = String::new();
     for point in ["0", "0,5", "1"] {
@@ -334,12 +344,11 @@ fn rows_for_one_input_are_read_as_its_columns_or_refused() {
             body.push_str(&format!("{point};{place};200000;0\n"));
         }
     }
-    for table in ["heating.radius_table", "heating.arc_table"] {
-        let rows = read(table, "heating.file", &body).unwrap();
+    for table in [&input::heating::RADIUS_TABLE, &input::heating::ARC_TABLE] {
+        let rows = read(table, &body).unwrap();
         assert_eq!(rows[4], [0.5, 8e3, 1e-4, 2e5, 0.0]);
     }
     let drag = "mach,cd\n1,1.2\n5,1.4\n";
-    let table = "vehicle.aerodynamics.table";
-    let faults = read(table, "vehicle.aerodynamics.file", drag).unwrap_err();
+    let faults = read(&input::vehicle::AERODYNAMICS_TABLE, drag).unwrap_err();
     assert!(refused(faults).contains("those of vehicle.drag_table"));
 }

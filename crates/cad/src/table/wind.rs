@@ -20,6 +20,7 @@ use super::layout::Layout;
 use super::quantity::Quantity;
 use super::sheet::sheet;
 use super::{Ground, Table, TableFault};
+use msape::quantity::input;
 use numerics::math::{RADIANS_PER_DEGREE, cos, sin};
 
 const WIND: Layout = Layout {
@@ -80,7 +81,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
     atmosphere::without_repeats(&mut rows, &mut sheet.remarks);
     in_order(&rows, "altitude")?;
     Ok(Table {
-        key: "wind.table",
+        key: input::wind::TABLE.key,
         rows: rows.into_iter().map(|(_, row)| row).collect(),
         remarks: sheet.remarks,
     })

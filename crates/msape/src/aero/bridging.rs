@@ -16,24 +16,13 @@
 //! - \[wilmoth-1999\] (sine squared, 10⁻³ to 10 for Stardust); \[samareh-2014\] section 3.3 (the same ends for damping).
 //!   The width of the error function is \[assumed\], so that its middle is that of the sine squared.
 
+pub use crate::quantity::choice::Bridging;
 use numerics::math::{PI, erf, log10, sin};
-use serde::{Deserialize, Serialize};
 
 /// Knudsen number below which flow is a continuum.
 pub const CONTINUUM: f64 = 1e-3;
 /// Knudsen number above which flow is free-molecular.
 pub const FREE_MOLECULAR: f64 = 10.0;
-
-/// How the two limits are bridged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Bridging {
-    /// Sine squared.
-    #[default]
-    SineSquared,
-    /// Error function.
-    ErrorFunction,
-}
 
 impl Bridging {
     /// Weight of the free-molecular limit at a Knudsen number, 0 to 1.

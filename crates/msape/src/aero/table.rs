@@ -21,21 +21,9 @@ mod check;
 mod push;
 mod row;
 
+pub use crate::quantity::choice::Extrapolation;
 pub use push::in_radians;
 pub use row::Row;
-
-/// What holds beyond a table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Extrapolation {
-    /// The value at the end.
-    #[default]
-    Hold,
-    /// The straight line with the last slope.
-    Extend,
-    /// Nothing: a place beyond the table is a fault, and a flight ends there.
-    Refuse,
-}
 
 /// Which coefficients a table gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

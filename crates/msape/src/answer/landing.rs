@@ -1,6 +1,6 @@
 //! Columns of the time history of a landing, on a rigid surface and on the chosen ground.
 
-use crate::quantity::trajectory::{Column, column};
+use crate::quantity::Column;
 use crate::units::Dimension;
 use crate::vehicle::impact::history::History;
 use crate::vehicle::impact::landing::Landing;
@@ -60,67 +60,68 @@ pub fn keyed(landing: &Landing) -> impl Iterator<Item = (String, &[f64])> {
     })
 }
 
+const fn column(
+    key: &'static str,
+    label: &'static str,
+    (dimension, unit): (Dimension, &'static str),
+    help: &'static str,
+    values: fn(&History) -> &[f64],
+) -> LandingColumn {
+    LandingColumn {
+        column: Column {
+            key,
+            label,
+            dimension,
+            unit,
+            help,
+        },
+        values,
+    }
+}
+
 static COLUMNS: &[LandingColumn] = &[
-    LandingColumn {
-        column: column(
-            "time_s",
-            "Time",
-            Dimension::Time,
-            "ms",
-            "Time after first contact.",
-        ),
-        values: |h| &h.time_s,
-    },
-    LandingColumn {
-        column: column(
-            "payload_deceleration_earth_g",
-            "Payload Deceleration",
-            Dimension::Load,
-            "Earth g",
-            "Deceleration of the payload.",
-        ),
-        values: |h| &h.payload_deceleration_earth_g,
-    },
-    LandingColumn {
-        column: column(
-            "crush_m",
-            "Crush",
-            Dimension::Length,
-            "cm",
-            "Crush of the impact foam.",
-        ),
-        values: |h| &h.crush_m,
-    },
-    LandingColumn {
-        column: column(
-            "force_n",
-            "Force (N)",
-            Dimension::One,
-            "",
-            "Force of the impact foam, in N.",
-        ),
-        values: |h| &h.force_n,
-    },
-    LandingColumn {
-        column: column(
-            "penetration_m",
-            "Penetration",
-            Dimension::Length,
-            "cm",
-            "Depth of the vehicle in the ground.",
-        ),
-        values: |h| &h.penetration_m,
-    },
-    LandingColumn {
-        column: column(
-            "payload_speed_m_s",
-            "Payload Velocity",
-            Dimension::Speed,
-            "m/s",
-            "Speed of the payload relative to the ground.",
-        ),
-        values: |h| &h.payload_speed_m_s,
-    },
+    column(
+        "time_s",
+        "Time",
+        (Dimension::Time, "ms"),
+        "Time after first contact.",
+        |h| &h.time_s,
+    ),
+    column(
+        "payload_deceleration_earth_g",
+        "Payload Deceleration",
+        (Dimension::Load, "Earth g"),
+        "Deceleration of the payload.",
+        |h| &h.payload_deceleration_earth_g,
+    ),
+    column(
+        "crush_m",
+        "Crush",
+        (Dimension::Length, "cm"),
+        "Crush of the impact foam.",
+        |h| &h.crush_m,
+    ),
+    column(
+        "force_n",
+        "Force (N)",
+        (Dimension::One, ""),
+        "Force of the impact foam, in N.",
+        |h| &h.force_n,
+    ),
+    column(
+        "penetration_m",
+        "Penetration",
+        (Dimension::Length, "cm"),
+        "Depth of the vehicle in the ground.",
+        |h| &h.penetration_m,
+    ),
+    column(
+        "payload_speed_m_s",
+        "Payload Velocity",
+        (Dimension::Speed, "m/s"),
+        "Speed of the payload relative to the ground.",
+        |h| &h.payload_speed_m_s,
+    ),
 ];
 
 #[cfg(test)]

@@ -6,12 +6,13 @@ use crate::case::Case;
 use crate::design::Design;
 use crate::design::inputs::DesignInput;
 use crate::finding::{Adjustment, Finding, Severity};
+use crate::flight::columns::columns;
 use crate::flight::mission::Model;
 use crate::flight::{Flight, Peak, Request, Trajectory};
 use crate::library::{Library, data_file};
 use crate::planet::horizon::Velocity;
 use crate::problem::DesignProblem;
-use crate::quantity::trajectory::columns;
+use crate::quantity::input;
 
 fn peak(value: f64, time_s: f64) -> Peak {
     Peak {
@@ -44,7 +45,6 @@ pub fn flight() -> Answer {
         azimuth_rad: 1.5,
     };
     let values = columns()
-        .iter()
         .map(|column| match column.key {
             "time_s" => vec![0.0, 2.0, 4.0],
             "altitude_m" => vec![125_000.0, 60_000.0, 0.0],
@@ -107,7 +107,7 @@ pub fn flight() -> Answer {
         findings: vec![Finding {
             severity: Severity::Extrapolated,
             model: "tauber-sutton".to_string(),
-            key: "design.nose_radius_ratio".to_string(),
+            key: input::design::NOSE_RADIUS_RATIO.to_string(),
             value: Some(0.1),
             valid: (Some(0.3), None),
             message: "The nose is smaller than the relation was fitted to.".to_string(),
@@ -131,7 +131,7 @@ pub fn not_closed() -> Answer {
         flight: None,
         design: None,
         adjustments: vec![Adjustment {
-            key: "design.diameter_m".to_string(),
+            key: input::design::DIAMETER_M.to_string(),
             from: 0.5,
             to: 2.0,
             reason: "Grown to make room for the payload.".to_string(),

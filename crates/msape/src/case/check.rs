@@ -1,60 +1,27 @@
 //! Checks keys and values against the list of inputs and reports every fault at once.
 
+use super::fault::{InputError, remark};
 use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key, with_unit};
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
-use crate::quantity::input::{self, Input, Kind, Preset};
+use crate::quantity::choice::Choice;
+use crate::quantity::input::{self, Alternatives, Choices, Input, Key, Kind, Preset};
 use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
-
-/// A fault of the input: which key, what was given, what is allowed.
-///
-/// ```
-/// use msape::{Case, Library, Request, fly};
-///
-/// let library = Library::builtin().unwrap();
-/// let mut case = Case::default();
-/// case.set("entry.speed_m_s", "-1");
-/// let faults = fly(&case, &library, Request::Nothing).unwrap_err();
-/// let speed = faults.iter().find(|fault| fault.key == "entry.speed_m_s").unwrap();
-/// assert_eq!(speed.to_string(), "entry.speed_m_s: got -1 m/s, must be 0 to 100000 m/s");
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct InputError {
-    /// Dotted key; empty when the whole file is at fault.
-    pub key: String,
-    /// What was got and what must be, with range and unit.
-    pub message: String,
-}
-
-impl fmt::Display for InputError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.key.is_empty() {
-            f.write_str(&self.message)
-        } else {
-            write!(f, "{}: {}", self.key, self.message)
-        }
-    }
-}
-
-impl std::error::Error for InputError {}
 
 /// Unknown keys that are told; a file with more of them is no case.
 const UNKNOWN_MAX: usize = 50;
 /// Faults of one table that are told.
 const ROW_FAULTS_MAX: usize = 100;
 
-/// Keys of files and of the rows in them; who reads files puts the rows in their place.
-const FILES: [(&str, &str); 6] = [
-    ("wind.file", "wind.table"),
-    ("heating.file", "heating.table"),
-    ("vehicle.drag_file", "vehicle.drag_table"),
-    ("vehicle.lift_file", "vehicle.lift_table"),
-    ("vehicle.bank_file", "vehicle.bank_table_deg"),
-    (
-        "vehicle.aerodynamics.damping_file",
-        "vehicle.aerodynamics.damping_table",
-    ),
+/// Files whose rows have to stand in the case; who reads files puts them in their place.
+const FILES: [&Input; 6] = [
+    &input::wind::FILE,
+    &input::heating::FILE,
+    &input::vehicle::DRAG_FILE,
+    &input::vehicle::LIFT_FILE,
+    &input::vehicle::BANK_FILE,
+    &input::vehicle::AERODYNAMICS_DAMPING_FILE,
 ];
 
 /// Reads checked values out of a case and collects the faults on the way.
@@ -83,25 +50,37 @@ impl<'a> Reader<'a> {
         if more > 0 {
             reader.fault("", format!("and {more} more unknown keys"));
         }
-        for (file, table) in FILES
-            .into_iter()
-            .filter(|(file, _)| case.values.contains_key(*file))
-        {
-            reader.fault(file, format!("was not read; give its rows as {table}"));
+        for file in FILES {
+            if reader.given(file) {
+                reader.not_read(file);
+            }
         }
         reader
     }
 
-    /// Notes a fault.
-    pub fn fault(&mut self, key: &str, message: impl Into<String>) {
+    /// Notes a fault, at an input or at a section.
+    pub fn fault(&mut self, key: impl fmt::Display, message: impl Into<String>) {
         self.faults.push(InputError {
-            key: cut(key),
+            key: cut(&key.to_string()),
             message: message.into(),
         });
     }
 
-    /// All faults, each once: a key may be read more than once.
+    /// Notes that a file was not read.
+    pub fn not_read(&mut self, file: &'static Input) {
+        if let [table, ..] = file.tables {
+            self.fault(file, format!("was not read; give its rows as {table}"));
+        }
+    }
+
+    /// Notes a remark at an input.
+    pub fn remark(&mut self, key: impl fmt::Display, message: impl Into<String>) {
+        self.findings.push(remark("input", key, message));
+    }
+
+    /// All faults, each once: a key may be read more than once. A refusal has one at least.
     pub fn into_faults(mut self) -> Vec<InputError> {
+        debug_assert!(!self.faults.is_empty(), "refused without a fault");
         once(&mut self.faults);
         self.faults
     }
@@ -112,14 +91,29 @@ impl<'a> Reader<'a> {
         self.findings
     }
 
-    /// Whether the case gives this key.
-    pub fn given(&self, key: &str) -> bool {
-        self.case.values.contains_key(key)
+    fn value(&self, key: Key) -> Option<&'a Value> {
+        self.case.values.get(&*key.text())
+    }
+
+    /// Whether the case gives this input.
+    pub fn given(&self, key: impl Into<Key>) -> bool {
+        self.value(key.into()).is_some()
+    }
+
+    /// Whether the case gives one of these inputs.
+    pub fn any_given(&self, inputs: &[&'static Input]) -> bool {
+        self.case.gives_any(inputs)
+    }
+
+    /// The ways to give one thing that the case takes, each by the first of its inputs that is given.
+    pub fn ways(&self, alternatives: &Alternatives) -> Vec<&'static Input> {
+        let first = |way: &&[&'static Input]| way.iter().find(|input| self.given(**input)).copied();
+        alternatives.ways.iter().filter_map(first).collect()
     }
 
     /// A value as the case writes it.
-    pub fn text(&self, key: &str) -> Option<String> {
-        self.case.text(key)
+    pub fn text(&self, input: &'static Input) -> Option<String> {
+        self.case.text(input.key)
     }
 
     /// The largest number of a phase in the case.
@@ -137,8 +131,9 @@ impl<'a> Reader<'a> {
     }
 
     /// A number in the canonical unit, or its default; `None` when absent without default, or at fault.
-    pub fn number(&mut self, key: &str) -> Option<f64> {
-        let input = self.known(key)?;
+    pub fn number(&mut self, key: impl Into<Key>) -> Option<f64> {
+        let key = key.into();
+        let input = key.input;
         let Kind::Number {
             dimension,
             allowed,
@@ -146,11 +141,11 @@ impl<'a> Reader<'a> {
             whole,
         } = input.kind
         else {
-            self.fault(key, "is not a number in the list of inputs");
+            debug_assert!(false, "{key} is no number");
             return None;
         };
         let unit = canonical(dimension);
-        let value = match self.case.values.get(key) {
+        let value = match self.value(key) {
             None => match input.preset {
                 Preset::Number(value) => return Some(value),
                 _ => return None,
@@ -214,45 +209,40 @@ impl<'a> Reader<'a> {
     }
 
     /// A number that cannot be absent; its absence is a fault.
-    pub fn required_number(&mut self, key: &str) -> Option<f64> {
-        if self.given(key) {
-            return self.number(key);
+    pub fn required_number(&mut self, input: &'static Input) -> Option<f64> {
+        if self.given(input) {
+            return self.number(input);
         }
-        self.missing(key);
+        self.missing(input);
         None
     }
 
-    /// Notes that a key is missing, with what it must be.
-    pub fn missing(&mut self, key: &str) {
-        let message = match input::find(key).map(|input| (input.kind, input)) {
-            Some((
-                Kind::Number {
-                    dimension, allowed, ..
-                },
-                input,
-            )) => {
+    /// Notes that an input is missing, with what it must be.
+    pub fn missing(&mut self, input: &'static Input) {
+        let message = match input.kind {
+            Kind::Number {
+                dimension, allowed, ..
+            } => {
                 format!(
                     "missing; {} {}",
                     input.label,
                     must_be(&allowed, canonical(dimension).symbol)
                 )
             }
-            Some((_, input)) => format!("missing; {}", input.help),
-            None => "missing".to_string(),
+            _ => format!("missing; {}", input.help),
         };
-        self.fault(key, message);
+        self.fault(input, message);
     }
 
     /// A yes or no, or its default.
-    pub fn flag(&mut self, key: &str) -> Option<bool> {
-        let input = self.known(key)?;
-        match (self.case.values.get(key), input.preset) {
+    pub fn flag(&mut self, input: &'static Input) -> Option<bool> {
+        match (self.value(input.into()), input.preset) {
             (Some(Value::Flag(flag)), _) => Some(*flag),
             (None, Preset::Flag(flag)) => Some(flag),
             (None, _) => None,
             (Some(other), _) => {
                 self.fault(
-                    key,
+                    input,
                     format!("got {}, must be true or false", shown(other, false)),
                 );
                 None
@@ -261,8 +251,9 @@ impl<'a> Reader<'a> {
     }
 
     /// Free text.
-    pub fn words(&mut self, key: &str) -> Option<String> {
-        match self.case.values.get(key)? {
+    pub fn words(&mut self, key: impl Into<Key>) -> Option<String> {
+        let key = key.into();
+        match self.value(key)? {
             Value::Text(text) => Some(text.clone()),
             other => {
                 self.fault(key, format!("got {}, must be text", shown(other, false)));
@@ -271,10 +262,25 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// One of the fixed choices of an input, or its default.
+    pub fn choice<C: Choice>(&mut self, key: impl Into<Key>) -> Option<C> {
+        let key = key.into();
+        let fixed = match key.input.kind {
+            Kind::Choice(Choices::Fixed(fixed)) => fixed,
+            _ => &[],
+        };
+        let names: Vec<&'static str> = fixed.iter().map(|(name, _)| *name).collect();
+        let name = self.name(key, &names)?;
+        let choice = C::named(name);
+        debug_assert!(choice.is_some(), "{key}: {name} is of another choice");
+        choice
+    }
+
     /// One of `names`, or the default; `SuttonGraves` is taken for `sutton-graves`.
-    pub fn choice<'n>(&mut self, key: &str, names: &[&'n str]) -> Option<&'n str> {
-        let input = self.known(key)?;
-        let wanted = match (self.case.values.get(key), input.preset) {
+    pub fn name<'n>(&mut self, key: impl Into<Key>, names: &[&'n str]) -> Option<&'n str> {
+        let key = key.into();
+        let input = key.input;
+        let wanted = match (self.value(key), input.preset) {
             (Some(Value::Text(text)), _) => text.clone(),
             (None, Preset::Name(name)) => name.to_string(),
             (None, _) => return None,
@@ -311,12 +317,13 @@ impl<'a> Reader<'a> {
     }
 
     /// Rows of numbers with the columns of the input; ragged or empty tables are faults.
-    pub fn rows(&mut self, key: &str) -> Option<Vec<Vec<f64>>> {
-        let input = self.known(key)?;
+    pub fn rows(&mut self, key: impl Into<Key>) -> Option<Vec<Vec<f64>>> {
+        let key = key.into();
+        let input = key.input;
         let Kind::Rows(columns) = input.kind else {
             return None;
         };
-        let rows = match self.case.values.get(key)? {
+        let rows = match self.value(key)? {
             Value::Rows(rows) => rows.clone(),
             other => {
                 self.fault(
@@ -352,7 +359,7 @@ impl<'a> Reader<'a> {
                 self.fault(key, message);
             }
             for (cell, column) in row.iter().zip(columns) {
-                let allowed = input::range_of_column(column.name);
+                let allowed = column.allowed;
                 let wrong = if !cell.is_finite() {
                     "must be a finite number".to_string()
                 } else if !allowed.contains(*cell) {
@@ -370,14 +377,6 @@ impl<'a> Reader<'a> {
         }
         (self.faults.len() == before).then_some(rows)
     }
-
-    fn known(&mut self, key: &str) -> Option<&'static Input> {
-        let found = input::find(key);
-        if found.is_none() {
-            self.fault(key, "is not in the list of inputs");
-        }
-        found
-    }
 }
 
 /// Leaves away what stands in a list before.
@@ -394,6 +393,7 @@ fn once<T: PartialEq>(list: &mut Vec<T>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::choice::{ConvectiveModel, RadiativeModel};
 
     fn read(text: &str) -> Case {
         Case::from_toml(&format!("schema='msape/1'\n{text}")).unwrap()
@@ -405,15 +405,15 @@ mod tests {
             "[vehicle]\nmass_kg=-46.0\nnose_radius_m=nan\ndiameter_m='90 kg'\n[entry]\nspeed_km_s=12.0\nlatitude_deg=91",
         );
         let mut reader = Reader::new(&case);
-        for key in [
-            "vehicle.mass_kg",
-            "vehicle.nose_radius_m",
-            "vehicle.diameter_m",
-            "entry.latitude_deg",
+        for input in [
+            &input::vehicle::MASS_KG,
+            &input::vehicle::NOSE_RADIUS_M,
+            &input::vehicle::DIAMETER_M,
+            &input::entry::LATITUDE_DEG,
         ] {
-            assert_eq!(reader.number(key), None, "{key}");
+            assert_eq!(reader.number(input), None, "{input}");
         }
-        assert_eq!(reader.required_number("entry.azimuth_deg"), None);
+        assert_eq!(reader.required_number(&input::entry::AZIMUTH_DEG), None);
         let said: Vec<String> = reader.faults.iter().map(ToString::to_string).collect();
         assert_eq!(
             said,
@@ -432,15 +432,10 @@ mod tests {
     fn names_are_read_as_the_report_spells_them() {
         let case = read("[heating]\nconvective='SuttonGraves'\nradiative='TauberSuton'");
         let mut reader = Reader::new(&case);
-        let names = ["sutton-graves", "brandis-johnston"];
-        assert_eq!(
-            reader.choice("heating.convective", &names),
-            Some("sutton-graves")
-        );
-        assert_eq!(
-            reader.choice("heating.radiative", &["tauber-sutton", "none"]),
-            None
-        );
+        let convective: Option<ConvectiveModel> = reader.choice(&input::heating::CONVECTIVE);
+        assert_eq!(convective, Some(ConvectiveModel::SuttonGraves));
+        let radiative: Option<RadiativeModel> = reader.choice(&input::heating::RADIATIVE);
+        assert_eq!(radiative, None);
         assert!(
             reader.faults[0]
                 .message
@@ -452,7 +447,7 @@ mod tests {
     fn outside_the_usual_range_is_a_finding() {
         let case = read("[entry]\nspeed_m_s=9000.0");
         let mut reader = Reader::new(&case);
-        assert_eq!(reader.number("entry.speed_m_s"), Some(9000.0));
+        assert_eq!(reader.number(&input::entry::SPEED_M_S), Some(9000.0));
         let about = |finding: &&Finding| finding.key == "entry.speed_m_s";
         let finding = reader.findings.iter().find(about).unwrap();
         assert_eq!(finding.valid, (Some(10_000.0), Some(16_000.0)));
@@ -462,7 +457,7 @@ mod tests {
     fn ragged_rows_are_faults() {
         let case = read("[atmosphere]\ntable=[[0.0,1.2],[1.0],[2.0,nan]]");
         let mut reader = Reader::new(&case);
-        assert_eq!(reader.rows("atmosphere.table"), None);
+        assert_eq!(reader.rows(&input::atmosphere::TABLE), None);
         assert_eq!(reader.faults.len(), 2);
     }
 }

@@ -164,9 +164,9 @@ impl Case {
         let known = input::find(&key);
         // A table given where a database is named is a drag table.
         let (known, place) = match (&node, known) {
-            (Node::List(_), Some(input)) if input.key == "vehicle.aerodynamics" => {
-                let place = "vehicle.drag_table";
-                (input::find(place), place.to_string())
+            (Node::List(_), Some(named)) if *named == input::vehicle::AERODYNAMICS => {
+                let table = &input::vehicle::DRAG_TABLE;
+                (Some(table), table.to_string())
             }
             _ => (known, input::canonical_key(&key)),
         };

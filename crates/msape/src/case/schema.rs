@@ -5,7 +5,7 @@
 use crate::case::{SCHEMA, Version};
 use crate::library::Library;
 use crate::quantity::input::phase::{MOST, SECTION};
-use crate::quantity::input::{Input, Kind, Need, Preset, inputs};
+use crate::quantity::input::{self, Input, Kind, Need, Preset, inputs};
 use crate::units::{canonical, units_of};
 use serde_json::{Map, Value, json};
 
@@ -58,9 +58,9 @@ pub fn schema(library: &Library) -> Value {
     property(&mut root, SECTION, phases);
     // A table of numbers in the place of the name of a database is a drag table; a section holds constants.
     if let Some(Value::Object(mut by_name)) =
-        find(&mut root, "vehicle.aerodynamics").map(Value::take)
-        && let Some(table) = find(&mut root, "vehicle.drag_table").cloned()
-        && let Some(place) = find(&mut root, "vehicle.aerodynamics")
+        find(&mut root, input::vehicle::AERODYNAMICS.key).map(Value::take)
+        && let Some(table) = find(&mut root, input::vehicle::DRAG_TABLE.key).cloned()
+        && let Some(place) = find(&mut root, input::vehicle::AERODYNAMICS.key)
     {
         let constants = by_name.remove("properties").unwrap_or(json!({}));
         *place = json!({
@@ -159,7 +159,7 @@ fn input_schema(input: &Input, library: &Library) -> Map<String, Value> {
                 "maxItems": columns.len(),
                 "description": names.join(", "),
             });
-            if input.is_one_row() {
+            if input.one_row {
                 let rows = json!({ "type": "array", "minItems": 1, "maxItems": 1, "items": row });
                 put("anyOf", json!([row, rows]));
             } else {

@@ -17,11 +17,7 @@ impl Case {
         let phases = (1..=MOST).flat_map(|number| {
             inputs()
                 .filter(|input| is_repeated(input.key))
-                .filter_map(move |input| {
-                    let name = input.key.strip_prefix(SECTION)?;
-                    self.values
-                        .get_key_value(&format!("{SECTION}.{number}{name}"))
-                })
+                .filter_map(move |input| self.values.get_key_value(&*input.of_phase(number).text()))
         });
         known
             .chain(unknown)

@@ -3,11 +3,31 @@
 //! # References
 //! - \[samareh-2014\] Figure 4.
 
+use super::flown::Flown;
+use super::sized::Sized;
 use crate::quantity::Module;
 use crate::units::Dimension;
+use crate::vehicle::Vehicle;
+
+/// A pass, as far as its modules give values to others.
+pub(super) struct Crossed<'a> {
+    pub(super) vehicle: &'a Vehicle,
+    pub(super) flown: &'a Flown,
+    pub(super) sized: &'a Sized,
+}
+
+impl Crossed<'_> {
+    /// The value of each crossing.
+    pub(super) fn values(&self) -> Vec<f64> {
+        CROSSINGS
+            .iter()
+            .map(|crossing| (crossing.get)(self))
+            .collect()
+    }
+}
 
 /// A value that one module gives to others.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Crossing {
     /// Key with its SI unit.
     pub key: &'static str,
@@ -21,6 +41,8 @@ pub struct Crossing {
     pub from: Module,
     /// Modules that take it.
     pub to: &'static [Module],
+    /// Takes it out of a pass.
+    get: fn(&Crossed) -> f64,
 }
 
 /// The modules in the order of the matrix.
@@ -41,6 +63,7 @@ const fn crossing(
     (dimension, unit): (Dimension, &'static str),
     from: Module,
     to: &'static [Module],
+    get: fn(&Crossed) -> f64,
 ) -> Crossing {
     Crossing {
         key,
@@ -49,6 +72,7 @@ const fn crossing(
         unit,
         from,
         to,
+        get,
     }
 }
 
@@ -58,7 +82,7 @@ const MASS: (Dimension, &str) = (Dimension::Mass, "kg");
 const SPEED: (Dimension, &str) = (Dimension::Speed, "m/s");
 const FLUX: (Dimension, &str) = (Dimension::HeatFlux, "W/cm^2");
 
-/// The crossings; a pass records a value for each, in this order.
+/// The crossings; a pass records a value for each.
 pub static CROSSINGS: [Crossing; 15] = [
     crossing(
         "diameter_m",
@@ -72,6 +96,7 @@ pub static CROSSINGS: [Crossing; 15] = [
             Module::Flight,
             Module::ThermalSoak,
         ],
+        |s| s.vehicle.dimensions.diameter_m,
     ),
     crossing(
         "nose_radius_m",
@@ -79,6 +104,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         LENGTH,
         Module::Geometry,
         &[Module::Heating, Module::Impact],
+        |s| s.vehicle.dimensions.nose_radius_m,
     ),
     crossing(
         "cg_m",
@@ -86,6 +112,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         LENGTH,
         Module::Mass,
         &[Module::Geometry],
+        |s| s.vehicle.mass.cg_x_m,
     ),
     crossing(
         "total_entry_mass_kg",
@@ -93,6 +120,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         MASS,
         Module::Mass,
         &[Module::Impact, Module::Structure, Module::Flight],
+        |s| s.vehicle.mass.mass_kg,
     ),
     crossing(
         "required_stroke_m",
@@ -100,6 +128,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         THICKNESS,
         Module::Impact,
         &[Module::Geometry],
+        |s| s.vehicle.impact.required_stroke_m,
     ),
     crossing(
         "impact_foam_density_kg_m3",
@@ -107,6 +136,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         (Dimension::Density, "kg/m^3"),
         Module::Impact,
         &[Module::Mass],
+        |s| s.vehicle.impact.foam_density_kg_m3,
     ),
     crossing(
         "forebody_carrier_thickness_m",
@@ -114,6 +144,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         THICKNESS,
         Module::Structure,
         &[Module::Geometry, Module::Mass],
+        |s| s.vehicle.structure.forebody.thickness_m,
     ),
     crossing(
         "primary_structure_thickness_m",
@@ -121,6 +152,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         THICKNESS,
         Module::Structure,
         &[Module::Geometry, Module::Mass],
+        |s| s.vehicle.structure.primary.thickness_m,
     ),
     crossing(
         "terminal_speed_m_s",
@@ -128,6 +160,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         SPEED,
         Module::Flight,
         &[Module::Impact],
+        |s| s.flown.impact_speed_m_s,
     ),
     crossing(
         "entry_load_earth_g",
@@ -135,6 +168,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         (Dimension::Load, "Earth g"),
         Module::Flight,
         &[Module::Structure],
+        |s| s.flown.flight.peak_deceleration_earth_g.value,
     ),
     crossing(
         "peak_stagnation_pressure_pa",
@@ -142,6 +176,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         (Dimension::Pressure, "kPa"),
         Module::Flight,
         &[Module::Structure, Module::HeatShield],
+        |s| s.flown.flight.peak_stagnation_pressure_pa.value,
     ),
     crossing(
         "peak_total_margined_heat_flux_w_m2",
@@ -149,6 +184,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         FLUX,
         Module::Heating,
         &[Module::HeatShield, Module::ThermalSoak],
+        |s| s.sized.stagnation.peak_heat_flux_w_m2,
     ),
     crossing(
         "total_margined_heat_load_j_m2",
@@ -156,6 +192,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         (Dimension::HeatLoad, "J/cm^2"),
         Module::Heating,
         &[Module::HeatShield, Module::ThermalSoak],
+        |s| s.sized.stagnation.heat_load_j_m2,
     ),
     crossing(
         "forebody_tps_thickness_m",
@@ -163,6 +200,7 @@ pub static CROSSINGS: [Crossing; 15] = [
         THICKNESS,
         Module::HeatShield,
         &[Module::Geometry, Module::Mass],
+        |s| s.sized.forebody.thickness_m,
     ),
     crossing(
         "aftbody_tps_thickness_m",
@@ -170,5 +208,6 @@ pub static CROSSINGS: [Crossing; 15] = [
         THICKNESS,
         Module::HeatShield,
         &[Module::Geometry, Module::Mass],
+        |s| s.sized.aftbody.thickness_m,
     ),
 ];

@@ -7,6 +7,7 @@ use crate::finding::{Finding, Severity};
 use crate::flight::mission::{Body, Mission, Model};
 use crate::flight::{self, Flight, LANDED_WITHIN_M, Request, allen_eggers, summary, three_dof};
 use crate::outcome::Outcome;
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 
 /// A flight of one pass.
@@ -84,7 +85,7 @@ impl Flown {
                 short(self.flight.final_speed_m_s)
             ),
             source: "convention of this program".to_owned(),
-            field: Some("stop.time_s".to_owned()),
+            field: Some(input::stop::TIME_S.key.to_owned()),
         })
     }
 
@@ -102,17 +103,17 @@ impl Flown {
         let end_m = short(flight.final_altitude_m);
         let (key, value, did) = match self.outcome {
             Outcome::Stopped => (
-                "stop.altitude_m",
+                input::stop::ALTITUDE_M.key,
                 flight.final_altitude_m,
                 format!("stops at {end_m} m, where it leaves a table,"),
             ),
             Outcome::GaveUp => (
-                "entry.flight_path_angle_deg",
+                input::entry::FLIGHT_PATH_ANGLE_DEG.key,
                 angle_deg,
                 "was given up".to_owned(),
             ),
             _ => (
-                "entry.flight_path_angle_deg",
+                input::entry::FLIGHT_PATH_ANGLE_DEG.key,
                 angle_deg,
                 "leaves the atmosphere again".to_owned(),
             ),

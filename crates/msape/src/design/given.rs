@@ -18,6 +18,7 @@ use super::sized::Sized;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::heating::given::USERS;
+use crate::quantity::input;
 use crate::tps::Side;
 use crate::tps::mer::Sizing;
 use crate::vehicle::Vehicle;
@@ -36,7 +37,7 @@ pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) ->
         let correlation = short(input.soak.peak_temperature_k(&sized.soak));
         note(
             "payload_temperature_k",
-            "design.payload_temperature_k",
+            input::design::PAYLOAD_TEMPERATURE_K.key,
             kelvin,
             format!(
                 "The payload's peak temperature is {USERS}, {} K; the soak correlation would say {correlation} K.",
@@ -46,12 +47,12 @@ pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) ->
     }));
     findings.extend(input.vehicle.given_masses.iter().map(|(kind, mass_kg)| {
         let label = kind.label();
-        let field = format!("design.component_mass_kg.{}", kind.key());
+        let field = kind.mass_input().map_or("", |input| input.key);
         let key = format!("{}_mass_kg", kind.key());
         match vehicle.component(*kind).filter(|part| part.volume_m3 > 0.0) {
             Some(part) => note(
                 &key,
-                &field,
+                field,
                 *mass_kg,
                 format!(
                     "{label}: the mass is {USERS}, {} kg before the margin, over the volume that the rules give it: {} kg/m³.",
@@ -63,7 +64,7 @@ pub(super) fn findings(input: &DesignInput, vehicle: &Vehicle, sized: &Sized) ->
                 severity: Severity::Exceeded,
                 ..note(
                     &key,
-                    &field,
+                    field,
                     *mass_kg,
                     format!(
                         "{label}: this vehicle has none, so that the mass {USERS}, {} kg, is not in it.",
@@ -81,11 +82,14 @@ fn of_thickness(side: Side, given_m: f64, sizing: &Sizing) -> Finding {
     let asked_m = sizing.asked_m;
     let [given_cm, asked_cm] = [given_m, asked_m].map(|m| short(100.0 * m));
     let key = format!("{name}_tps_thickness_m");
-    let field = format!("design.{key}");
+    let field = match side {
+        Side::Forebody => input::design::FOREBODY_TPS_THICKNESS_M.key,
+        Side::Aftbody => input::design::AFTBODY_TPS_THICKNESS_M.key,
+    };
     let told = format!(
         "The {name}'s heat shield is {USERS} as {given_cm} cm thick; its mass-estimating relation asks for {asked_cm} cm"
     );
-    let finding = note(&key, &field, given_m, format!("{told}."));
+    let finding = note(&key, field, given_m, format!("{told}."));
     match given_m < asked_m {
         true => Finding {
             severity: Severity::Exceeded,

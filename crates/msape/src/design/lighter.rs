@@ -18,6 +18,7 @@ use super::inputs::DesignInput;
 use super::passes::{End, Made, Numbers, Run, Way, Work, run};
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::outcome::Outcome;
+use crate::quantity::input;
 use crate::vehicle::PayloadSize;
 
 /// Masses closer than this part of each other are of one vehicle: assumed, between one vehicle found twice, which differs by its mass
@@ -124,7 +125,7 @@ fn cut_short(light: Option<&Run>, work: &Work) -> Finding {
             work.limit()
         ),
         source: "convention of this program".to_owned(),
-        field: Some("solver.tolerance".to_owned()),
+        field: Some(input::solver::TOLERANCE.key.to_owned()),
     }
 }
 
@@ -134,7 +135,7 @@ fn explain(made: &mut Made, asked_m: f64, heavy: Option<(f64, f64)>) {
     let diameter_m = vehicle.dimensions.diameter_m;
     if diameter_m > asked_m {
         let grown = Adjustment {
-            key: "design.diameter_m".to_owned(),
+            key: input::design::DIAMETER_M.key.to_owned(),
             from: asked_m,
             to: diameter_m,
             reason: "The vehicle was grown to the smallest diameter at which it carries its own heat shield and foam: below it, each vehicle asks for a heavier one.".to_owned(),
@@ -158,7 +159,7 @@ fn explain(made: &mut Made, asked_m: f64, heavy: Option<(f64, f64)>) {
             "Two vehicles answer these inputs: grown from {asked_m:.4} m, one {other}; this one, lighter, is found from larger diameters down. Its passes begin with the numbers of the next larger one."
         ),
         source: "convention of this program".to_owned(),
-        field: Some("design.diameter_m".to_owned()),
+        field: Some(input::design::DIAMETER_M.key.to_owned()),
     });
 }
 

@@ -1,6 +1,7 @@
 //! Why a vehicle does not close, told at the inputs that mend it.
 
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use crate::vehicle::NotClosed;
 use crate::vehicle::input::{PayloadSize, VehicleInput};
 use crate::vehicle::layout::Misfit;
@@ -8,9 +9,9 @@ use crate::vehicle::layout::Misfit;
 /// Key of the input that gives the payload's size.
 fn payload_key(size: PayloadSize) -> &'static str {
     match size {
-        PayloadSize::DensityKgM3(_) => "design.payload_density_kg_m3",
-        PayloadSize::DiameterM(_) => "design.payload_diameter_m",
-        PayloadSize::DiameterRatio(_) => "design.payload_diameter_ratio",
+        PayloadSize::DensityKgM3(_) => input::design::PAYLOAD_DENSITY_KG_M3.key,
+        PayloadSize::DiameterM(_) => input::design::PAYLOAD_DIAMETER_M.key,
+        PayloadSize::DiameterRatio(_) => input::design::PAYLOAD_DIAMETER_RATIO.key,
     }
 }
 
@@ -19,16 +20,22 @@ fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     let payload = payload_key(input.payload_size);
     match misfit {
         Misfit::NoseWiderThanShoulder { .. } => {
-            vec!["design.nose_radius_ratio", "design.shoulder_radius_ratio"]
+            vec![
+                input::design::NOSE_RADIUS_RATIO.key,
+                input::design::SHOULDER_RADIUS_RATIO.key,
+            ]
         }
         Misfit::PayloadWiderThanVehicle { .. }
         | Misfit::LidWiderThanShoulder { .. }
-        | Misfit::WingTooShallow { .. } => vec!["design.diameter_m", payload],
-        Misfit::WingTooSteep => vec!["design.cone_half_angle_deg", payload],
+        | Misfit::WingTooShallow { .. } => vec![input::design::DIAMETER_M.key, payload],
+        Misfit::WingTooSteep => vec![input::design::CONE_HALF_ANGLE_DEG.key, payload],
         Misfit::NoRoomForLayers { .. } => {
-            vec!["design.diameter_m", "design.shoulder_radius_ratio"]
+            vec![
+                input::design::DIAMETER_M.key,
+                input::design::SHOULDER_RADIUS_RATIO.key,
+            ]
         }
-        Misfit::NotConverged { .. } => vec!["design.diameter_m"],
+        Misfit::NotConverged { .. } => vec![input::design::DIAMETER_M.key],
     }
 }
 

@@ -21,6 +21,7 @@
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
 
 use super::Pass;
+use super::crossings::Crossed;
 use super::flown::Flown;
 use super::inputs::DesignInput;
 use super::sized::Sized;
@@ -289,23 +290,11 @@ fn found(flown: &Flown, sized: &Sized) -> Numbers {
     ]
 }
 
-/// Values of [`super::crossings::CROSSINGS`] in one pass.
 fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
-    vec![
-        vehicle.dimensions.diameter_m,
-        vehicle.dimensions.nose_radius_m,
-        vehicle.mass.cg_x_m,
-        vehicle.mass.mass_kg,
-        vehicle.impact.required_stroke_m,
-        vehicle.impact.foam_density_kg_m3,
-        vehicle.structure.forebody.thickness_m,
-        vehicle.structure.primary.thickness_m,
-        flown.impact_speed_m_s,
-        flown.flight.peak_deceleration_earth_g.value,
-        flown.flight.peak_stagnation_pressure_pa.value,
-        sized.stagnation.peak_heat_flux_w_m2,
-        sized.stagnation.heat_load_j_m2,
-        sized.forebody.thickness_m,
-        sized.aftbody.thickness_m,
-    ]
+    let pass = Crossed {
+        vehicle,
+        flown,
+        sized,
+    };
+    pass.values()
 }

@@ -19,6 +19,7 @@ use super::{Flight, Request, six_dof, summary, three_dof};
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::outcome::Outcome;
+use crate::quantity::input;
 use numerics::ode::Method;
 
 /// Tolerance above which an adaptive method is looked at: assumed. It is thirty times the default, which gives peaks to 1e-5.
@@ -58,12 +59,12 @@ fn of_step(mission: &Mission, body: &Body, flight: &Flight, step: f64) -> Findin
     Finding {
         severity: severity(coarse),
         model: "rk4".to_string(),
-        key: "solver.step_s".to_string(),
+        key: input::solver::STEP_S.to_string(),
         value: Some(step),
         valid: (None, None),
         message: format!("At {} s, twice the step, {said}. {then}", short(2.0 * step)),
         source: "Hairer, Norsett and Wanner, section II.4".to_string(),
-        field: Some("solver.step_s".to_string()),
+        field: Some(input::solver::STEP_S.to_string()),
     }
 }
 
@@ -75,7 +76,7 @@ fn of_tolerance(mission: &Mission, body: &Body, flight: &Flight) -> Finding {
     Finding {
         severity: severity(difference.is_nan() || difference > COARSE),
         model: "tolerance".to_string(),
-        key: "solver.tolerance".to_string(),
+        key: input::solver::TOLERANCE.to_string(),
         value: Some(tolerance),
         valid: (None, Some(COARSE_TOLERANCE)),
         message: format!(
@@ -84,7 +85,7 @@ fn of_tolerance(mission: &Mission, body: &Body, flight: &Flight) -> Finding {
             short(100.0 * difference)
         ),
         source: "Hairer, Norsett and Wanner, section II.4".to_string(),
-        field: Some("solver.tolerance".to_string()),
+        field: Some(input::solver::TOLERANCE.to_string()),
     }
 }
 

@@ -20,7 +20,7 @@ use super::equations::{CONVECTIVE, RADIATIVE, STATES};
 use super::mission::{Body, Mission, Model};
 use super::motion::Motion;
 use super::reach::{Argument, Axis, Span, axes_of_closed_form, passed};
-use super::sample::{self, EARTH_G_M_S2};
+use super::sample::{self, EARTH_G_M_S2, Sample};
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak, PointHeat, points, three_dof};
 use crate::aero::Drag;
@@ -360,7 +360,7 @@ impl<'a> Sum<'a> {
                 .altitude_m;
             let layer = self.mission.atmosphere.layer(altitude_m);
             let motion = three_dof::motion(self.mission, self.body).in_layer(layer);
-            sample::record(&mut history, &motion, *t, state, &self.place);
+            history.push(&Sample::new(&motion, *t, state, &self.place));
         }
         Some(history)
     }

@@ -9,8 +9,8 @@ use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::horizon::Velocity;
 use crate::planet::wind::Wind;
+pub use crate::quantity::choice::FlightModel as Model;
 use numerics::ode::Method;
-use serde::{Deserialize, Serialize};
 
 /// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
@@ -63,29 +63,6 @@ impl Stop {
             (Some(passes), _) => passes.saturating_sub(1),
             (None, Some(_)) => u32::MAX,
             (None, None) => 0,
-        }
-    }
-}
-
-/// Which model flies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Model {
-    /// Three degrees of freedom, integrated.
-    ThreeDof,
-    /// The same with the attitude of a rigid body.
-    SixDof,
-    /// The closed form of Allen and Eggers.
-    AllenEggers,
-}
-
-impl Model {
-    /// Name as in files and tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Model::ThreeDof => "three-dof",
-            Model::SixDof => "six-dof",
-            Model::AllenEggers => "allen-eggers",
         }
     }
 }

@@ -17,6 +17,8 @@
 use super::mission::Mission;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
+pub use crate::quantity::choice::Direction;
+use crate::quantity::input;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -68,15 +70,6 @@ impl Mark {
             Mark::Deceleration => ("deceleration", " Earth g"),
         }
     }
-}
-
-/// Which way a quantity goes through a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Upwards.
-    Rising,
-    /// Downwards.
-    Falling,
 }
 
 /// What a phase changes; what is absent stays.
@@ -217,7 +210,7 @@ pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
                 short(phase.begin.value)
             ),
             source: "the case".to_string(),
-            field: Some(format!("phase.{}.name", index + 2)),
+            field: Some(input::phase::NAME.of_phase(index + 2).to_string()),
         });
     }
     let late = mission.phases.iter().enumerate().skip(begun.len());

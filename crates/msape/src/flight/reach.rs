@@ -19,6 +19,7 @@ mod push;
 use crate::aero::table::Extrapolation;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 
@@ -279,8 +280,8 @@ impl Passed {
     fn of_atmosphere(&self) -> Finding {
         let ([bottom_m, top_m], value) = (self.ends, self.farthest[0]);
         let key = match value > top_m {
-            true => "entry.altitude_m",
-            false => "stop.altitude_m",
+            true => input::entry::ALTITUDE_M.key,
+            false => input::stop::ALTITUDE_M.key,
         };
         let rule = match self.rule {
             Extrapolation::Hold => {

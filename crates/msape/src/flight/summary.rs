@@ -8,7 +8,7 @@ use super::peaks::Peaks;
 use super::phase::{Begun, Stage};
 use super::points;
 use super::reach::{Passed, axes, of_atmosphere, passed};
-use super::sample;
+use super::sample::{self, Sample};
 use super::trajectory::{Request, Trajectory};
 use super::{Flight, Peak};
 use numerics::ode::event::root_between;
@@ -246,7 +246,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         let mut history = Trajectory::new();
         let mut coarsened_s = None;
         let mut add = |t: S, y: &[S; N], stage: &Stage<S>| {
-            sample::record(&mut history, &self.motion.in_stage(stage), t, y, &start);
+            history.push(&Sample::new(&self.motion.in_stage(stage), t, y, &start));
         };
         match request {
             Request::Nothing => return None,

@@ -1,8 +1,10 @@
-//! The time history of a flight: one column a quantity, columns as in [`crate::quantity::trajectory`].
+//! The time history of a flight: one column a quantity, columns as in [`super::columns`].
 
+use super::columns::{PHASE, SAMPLED, columns};
+use super::sample::Sample;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::quantity::trajectory::{Column, PHASE, columns};
+use crate::quantity::Column;
 use serde::{Deserialize, Serialize};
 
 /// Which time history is wanted.
@@ -45,9 +47,16 @@ impl Trajectory {
     /// A history without rows.
     pub fn new() -> Trajectory {
         Trajectory {
-            values: vec![Vec::new(); columns().len()],
+            values: vec![Vec::new(); SAMPLED.len()],
             coarsened_s: None,
             phases: Vec::new(),
+        }
+    }
+
+    /// Appends the row of one instant.
+    pub(super) fn push(&mut self, sample: &Sample) {
+        for (sampled, values) in SAMPLED.iter().zip(&mut self.values) {
+            values.extend((sampled.get)(sample));
         }
     }
 
@@ -91,7 +100,7 @@ impl Trajectory {
     /// The columns that the flight has, with their values.
     pub fn columns(&self) -> impl Iterator<Item = (&'static Column, &[f64])> {
         let rows = self.rows();
-        let all = columns().iter().zip(&self.values);
+        let all = columns().zip(&self.values);
         all.filter(move |(_, values)| values.len() == rows)
             .map(|(column, values)| (column, values.as_slice()))
     }

@@ -21,6 +21,7 @@
 use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::math;
 use serde::Deserialize;
 
@@ -71,7 +72,7 @@ impl Lees {
             si_per_unit: 1.0,
             meaning: "the flow over the cone is not supersonic, flank heating is a lower bound",
             source: "Lees 1956, Newtonian pressure; limit assumed",
-            field: Some("design.cone_half_angle_deg"),
+            field: Some(input::design::CONE_HALF_ANGLE_DEG.key),
         };
         check.finding().into_iter().collect()
     }

@@ -25,39 +25,13 @@
 
 use crate::data::Data;
 use crate::finding::{Finding, Severity};
+pub use crate::quantity::choice::PressureModel;
+use crate::quantity::input;
 use numerics::math;
 use numerics::scalar::Scalar;
 use serde::Deserialize;
 
-/// How the stagnation pressure is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PressureModel {
-    /// Cp,max = 2, which bounds every gas.
-    NewtonianLimit,
-    /// The report's fit to Navier-Stokes results.
-    Equation9,
-    /// Equations 10 to 12 with the ratio of specific heats of the undisturbed air.
-    PerfectGas,
-}
-
 impl PressureModel {
-    /// All, the default first.
-    pub const ALL: [PressureModel; 3] = [Self::NewtonianLimit, Self::Equation9, Self::PerfectGas];
-
-    /// Name as in case files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NewtonianLimit => "newtonian-limit",
-            Self::Equation9 => "equation-9",
-            Self::PerfectGas => "perfect-gas",
-        }
-    }
-
-    /// The model of a name.
-    pub fn named(name: &str) -> Option<PressureModel> {
-        Self::ALL.into_iter().find(|model| model.name() == name)
-    }
-
     /// Name in plain words.
     pub fn label(self) -> &'static str {
         match self {
@@ -116,7 +90,7 @@ impl StagnationPressure {
             valid: (None, None),
             message,
             source: "NASA/TM-2014-218507, equations 9 to 12".into(),
-            field: Some("heating.stagnation_pressure".into()),
+            field: Some(input::heating::STAGNATION_PRESSURE.key.into()),
         }]
     }
 }
@@ -208,7 +182,7 @@ pub fn newtonian_pressure_coefficient(maximum: f64, angle_rad: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::input::{self, Choices, Kind, Preset};
+    use crate::quantity::choice::Choice;
 
     fn fit() -> PressureFit {
         PressureFit::parse(include_str!("../../data/heating/stagnation-pressure.toml").into())
@@ -235,28 +209,18 @@ mod tests {
             heat_capacity_ratio: 1.4,
         };
         let expected = [2.0, 1.9514, 1.8388];
-        for (model, times) in PressureModel::ALL.into_iter().zip(expected) {
-            let pressure = StagnationPressure { model, fit: fit() };
+        for ((model, ..), times) in PressureModel::ALL.iter().zip(expected) {
+            let pressure = StagnationPressure {
+                model: *model,
+                fit: fit(),
+            };
             let rise: f64 = (pressure.pressure_pa(&stream) - 20.0) / 21600.0;
             assert!((rise - times).abs() < 2e-4, "{model:?}: {rise}");
             let [said] = &pressure.findings(4e4)[..] else {
                 panic!("one finding")
             };
             assert!(said.message.contains(model.label()), "{}", said.message);
-            assert_eq!(PressureModel::named(model.name()), Some(model));
         }
-        assert_eq!(PressureModel::named("newton"), None);
-    }
-
-    #[test]
-    fn every_choice_of_the_input_is_a_model_and_the_default_the_conservative_one() {
-        let input = input::find("heating.stagnation_pressure").unwrap();
-        let Kind::Choice(Choices::Fixed(choices)) = input.kind else {
-            panic!("fixed choices")
-        };
-        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, PressureModel::ALL.map(PressureModel::name));
-        assert_eq!(input.preset, Preset::Name("newtonian-limit"));
     }
 
     #[test]

@@ -18,6 +18,7 @@
 use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::math;
 use serde::Deserialize;
 
@@ -79,7 +80,7 @@ impl Shoulder {
         let outside = Check {
             severity: Severity::Extrapolated,
             model: "shoulder factor",
-            key: "design.shoulder_radius_ratio",
+            key: input::design::SHOULDER_RADIUS_RATIO.key,
             quantity: "Shoulder radius over vehicle radius",
             value: shoulder_radius_ratio,
             range: Range { min, max },
@@ -87,7 +88,7 @@ impl Shoulder {
             si_per_unit: 1.0,
             meaning: "the power law is used beyond its points",
             source,
-            field: Some("design.shoulder_radius_ratio"),
+            field: Some(input::design::SHOULDER_RADIUS_RATIO.key),
         };
         core::iter::once(origin).chain(outside.finding()).collect()
     }

@@ -25,6 +25,7 @@ use super::{Flow, PeakConditions};
 use crate::data::Data;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::scalar::{Mask, Scalar};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -242,7 +243,7 @@ impl StagnationHeating {
             valid: (None, None),
             message,
             source: source.into(),
-            field: Some("heating.convective_margin".into()),
+            field: Some(input::heating::CONVECTIVE_MARGIN.key.into()),
         };
         if model_factor > 1.0 && margin > 1.0 {
             let (f, m, product) = (

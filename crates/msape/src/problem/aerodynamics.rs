@@ -1,29 +1,29 @@
 //! Checks what a case says about coefficients over the angle of attack.
 
-use super::DesignProblem;
-use super::forms::{choice, extrapolation, one_row};
-use super::outline::rigid_body;
+use super::forms::{beyond, names};
 use super::planet::{atmosphere, planet};
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
 use crate::aero::database::{Database, GAMMA};
-use crate::aero::standard::AeroBody;
+use crate::aero::standard::{AeroBody, Standard};
 use crate::aero::table::{Content, Extrapolation, Given, Grid, Row, in_radians};
 use crate::aero::{Drag, DragTable, Own};
-use crate::case::{Case, InputError, Reader};
+use crate::case::Reader;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
-use crate::flight::Request;
 use crate::flight::mission::Mission;
 use crate::library::{Library, named};
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
+use crate::quantity::choice::DampingModel;
+use crate::quantity::input::{self, Input};
 use numerics::math::RADIANS_PER_DEGREE;
 
-const TABLE: &str = "vehicle.aerodynamics.table";
-const DAMPING_TABLE: &str = "vehicle.aerodynamics.damping_table";
+const TABLE: &Input = &input::vehicle::AERODYNAMICS_TABLE;
+const DAMPING_TABLE: &Input = &input::vehicle::AERODYNAMICS_DAMPING_TABLE;
 
 /// The air for which coefficients are.
+#[derive(Clone, Debug)]
 pub(super) struct Medium {
     atmosphere: Atmosphere,
     /// Ratio of its heat capacities where the vehicle is slowed.
@@ -44,7 +44,7 @@ impl Medium {
     }
 
     /// The air of the planet of a case.
-    fn of_case(reader: &mut Reader, library: &Library) -> Option<Medium> {
+    pub(super) fn of_case(reader: &mut Reader, library: &Library) -> Option<Medium> {
         let planet = planet(reader, library);
         let atmosphere = atmosphere(reader, library, &planet)?;
         Some(Medium::through(&planet?.0, atmosphere))
@@ -58,174 +58,223 @@ impl Medium {
     }
 }
 
-/// A body and the database of its coefficients.
-pub type BodyCoefficients = (AeroBody, Database);
-
-/// A body and its database, from a case with an outline or from a design.
-///
-/// # Errors
-/// Every fault of the case at once.
-pub fn aero(case: &Case, library: &Library) -> Result<BodyCoefficients, Vec<InputError>> {
-    remarked_aero(case, library).map(|(found, _)| found)
-}
-
-/// The same with what the check remarked.
-///
-/// # Errors
-/// Every fault of the case at once.
-pub fn remarked_aero(
-    case: &Case,
-    library: &Library,
-) -> Result<(BodyCoefficients, Vec<Finding>), Vec<InputError>> {
-    let mut reader = Reader::new(case);
-    let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
-    let body = match rigid_body(case, library) {
-        Ok(Some(body)) => Some(AeroBody::of_rigid(&body, cg_m)),
-        Ok(None) => designed(case, library, &mut reader),
-        Err(faults) => {
-            reader.faults.retain(|fault| !faults.contains(fault));
-            reader.faults.extend(faults);
-            None
-        }
-    };
-    // What is wrong with the planet, the check of a design has said before.
-    let medium = match reader.faults.is_empty() {
-        true => Medium::of_case(&mut reader, library),
-        false => None,
-    };
-    let gamma = medium.as_ref().map(|medium| medium.heat_capacity_ratio);
-    let drag = named_drag(&mut reader, library, gamma);
-    let database = (body.as_ref().zip(medium))
-        .and_then(|(body, medium)| database(&mut reader, library, &medium, body, drag.as_ref()));
-    match body.zip(database) {
-        Some(found) if reader.faults.is_empty() => Ok((found, reader.into_findings())),
-        _ => Err(reader.into_faults()),
-    }
-}
-
-/// The vehicle of a design.
-fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<AeroBody> {
-    if !case.values.keys().any(|key| key.starts_with("design.")) {
-        reader.fault(
-            "outline",
-            "missing; give [outline], as a preset, by dimensions or by points, or the case of a design",
-        );
-        return None;
-    }
-    if !reader.faults.is_empty() {
-        return None;
-    }
-    match DesignProblem::check(case, library) {
-        Ok(problem) => {
-            let answer = problem.solve(&case.name, Request::Nothing);
-            match &answer.design {
-                Some(design) => Some(AeroBody::of_vehicle(&answer.name, &design.vehicle)),
-                None => {
-                    let reason = answer.reason.unwrap_or_default();
-                    reader.fault("design", format!("the vehicle does not close: {reason}"));
-                    None
-                }
-            }
-        }
-        Err(faults) => {
-            reader.faults.extend(faults);
-            None
-        }
-    }
-}
-
 /// The drag that a case names, constant or against Mach number; the outline's own where it names none.
-fn named_drag(reader: &mut Reader, library: &Library, gamma: Option<f64>) -> Option<Drag> {
-    let own = [TABLE, "vehicle.drag_coefficient"];
-    let by_name = reader.given("vehicle.aerodynamics");
-    if let (true, Some(gamma)) = (by_name || !own.iter().any(|key| reader.given(key)), gamma) {
-        let name = reader.text("vehicle.aerodynamics").filter(|_| by_name);
+pub(super) fn named_drag(
+    reader: &mut Reader,
+    library: &Library,
+    gamma: Option<f64>,
+) -> Option<Drag> {
+    let own = [TABLE, &input::vehicle::DRAG_COEFFICIENT];
+    let by_name = reader.given(&input::vehicle::AERODYNAMICS);
+    if let (true, Some(gamma)) = (by_name || !reader.any_given(&own), gamma) {
+        let name = reader
+            .text(&input::vehicle::AERODYNAMICS)
+            .filter(|_| by_name);
         fitted_in_air(reader, gamma, name.as_deref());
     }
-    if reader.given("vehicle.aerodynamics") {
-        let names: Vec<&str> = library
-            .aerodynamics
-            .iter()
-            .map(|(name, _)| name.as_str())
-            .collect();
-        let name = reader.choice("vehicle.aerodynamics", &names)?;
+    if reader.given(&input::vehicle::AERODYNAMICS) {
+        let name = reader.name(&input::vehicle::AERODYNAMICS, &names(&library.aerodynamics))?;
         return named(&library.aerodynamics, name).map(|force| Drag::Table(force.table.clone()));
     }
     reader
-        .given("vehicle.drag_coefficient")
-        .then(|| reader.number("vehicle.drag_coefficient"))
+        .given(&input::vehicle::DRAG_COEFFICIENT)
+        .then(|| reader.number(&input::vehicle::DRAG_COEFFICIENT))
         .flatten()
         .map(Drag::Constant)
 }
 
-/// The database of a body: a table of the case, else computed with the drag at zero angle of attack that is given.
-pub(super) fn database(
-    reader: &mut Reader,
-    library: &Library,
-    medium: &Medium,
-    body: &AeroBody,
-    drag: Option<&Drag>,
-) -> Option<Database> {
-    let before = reader.faults.len();
-    let diameter_m = body.surface.diameter_m();
-    let damping = damping(reader, library);
-    let bridging = choice(reader, "vehicle.aerodynamics.bridging");
-    let wall = reader.number("vehicle.aerodynamics.wall_temperature_ratio");
-    let accommodation = reader.number("vehicle.aerodynamics.accommodation");
-    if reader.given(TABLE) {
-        return table_database(reader, library, medium, diameter_m);
-    }
-    if reader.faults.len() > before {
-        return None;
-    }
-    let standard = library.aero_standard().in_gas(medium.heat_capacity_ratio);
-    let mut options = body.options(&standard, drag);
-    options.damping = damping?;
-    options.bridging = match bridging? {
-        "error-function" => Bridging::ErrorFunction,
-        _ => Bridging::SineSquared,
-    };
-    options.wall_temperature_ratio = wall?;
-    options.accommodation = [accommodation?; 2];
-    Some(Database::of_surface(&body.surface, options))
+/// Coefficients that a case gives to a body, which may not be known yet.
+#[derive(Clone, Debug)]
+pub(super) enum Coefficients {
+    /// A table of the case.
+    Table(OwnTable),
+    /// Computed from the outline.
+    Computed(Box<Computed>),
 }
 
-/// The database of a table of the case; `None` where it has none, or a faulty one.
-pub(super) fn table_database(
-    reader: &mut Reader,
-    library: &Library,
-    medium: &Medium,
-    diameter_m: f64,
-) -> Option<Database> {
-    let before = reader.faults.len();
-    let damping = damping(reader, library);
-    let table = table(reader, medium, diameter_m);
-    if reader.faults.len() > before {
-        return None;
-    }
-    let grid = table?;
-    let own = matches!(
-        grid.content,
-        Content::Static {
-            damping: Given::Yes,
-            ..
+impl Coefficients {
+    /// Reads them for a body of about this diameter, with the drag at zero angle of attack that is given; `None` at a fault.
+    pub(super) fn read(
+        reader: &mut Reader,
+        library: &Library,
+        medium: &Medium,
+        diameter_m: f64,
+        drag: Option<&Drag>,
+    ) -> Option<Coefficients> {
+        let before = reader.faults.len();
+        let damping = damping(reader, library);
+        let bridging = reader.choice(&input::vehicle::AERODYNAMICS_BRIDGING);
+        let wall = reader.number(&input::vehicle::AERODYNAMICS_WALL_TEMPERATURE_RATIO);
+        let accommodation = reader.number(&input::vehicle::AERODYNAMICS_ACCOMMODATION);
+        if reader.given(TABLE) {
+            return OwnTable::read(reader, library, medium, diameter_m).map(Coefficients::Table);
         }
-    );
-    let given = reader.given(DAMPING_TABLE) || reader.given("vehicle.aerodynamics.damping");
-    let damping = if own && !given {
-        Damping::Table(grid.clone())
-    } else {
-        damping?
-    };
-    Some(Database::of_table(grid, diameter_m, damping))
+        if reader.faults.len() > before {
+            return None;
+        }
+        Some(Coefficients::Computed(Box::new(Computed {
+            standard: library.aero_standard().in_gas(medium.heat_capacity_ratio),
+            heat_capacity_ratio: medium.heat_capacity_ratio,
+            drag: drag.cloned(),
+            damping: damping?,
+            bridging: bridging?,
+            wall_temperature_ratio: wall?,
+            accommodation: accommodation?,
+        })))
+    }
+
+    /// The database of a body.
+    ///
+    /// # Errors
+    /// Faults of a table over altitudes, at the diameter of the body.
+    pub(super) fn of(&self, body: &AeroBody) -> Result<Database, Vec<String>> {
+        match self {
+            Coefficients::Table(table) => table.database(body.surface.diameter_m()),
+            Coefficients::Computed(computed) => Ok(computed.database(body)),
+        }
+    }
+
+    /// Ratio of the heat capacities of the gas for which they are computed; that of air where they are a table.
+    pub(super) fn heat_capacity_ratio(&self) -> f64 {
+        match self {
+            Coefficients::Table(_) => GAMMA,
+            Coefficients::Computed(computed) => computed.heat_capacity_ratio,
+        }
+    }
+}
+
+/// How coefficients are computed from an outline.
+#[derive(Clone, Debug)]
+pub(super) struct Computed {
+    standard: Standard,
+    heat_capacity_ratio: f64,
+    drag: Option<Drag>,
+    damping: Damping,
+    bridging: Bridging,
+    wall_temperature_ratio: f64,
+    accommodation: f64,
+}
+
+impl Computed {
+    fn database(&self, body: &AeroBody) -> Database {
+        let mut options = body.options(&self.standard, self.drag.as_ref());
+        options.damping = self.damping.clone();
+        options.bridging = self.bridging;
+        options.wall_temperature_ratio = self.wall_temperature_ratio;
+        options.accommodation = [self.accommodation; 2];
+        Database::of_surface(&body.surface, options)
+    }
+}
+
+/// Rows of a table of coefficients and the air in which their altitudes are Knudsen numbers.
+#[derive(Clone, Debug)]
+struct Rows {
+    rows: Vec<Row>,
+    rule: Extrapolation,
+    medium: Medium,
+}
+
+impl Rows {
+    /// The table of static coefficients of the case; `None` where it has none, or a faulty one.
+    fn read(reader: &mut Reader, medium: &Medium) -> Option<Rows> {
+        let file = &input::vehicle::AERODYNAMICS_FILE;
+        if reader.given(file) {
+            reader.not_read(file);
+        }
+        if !reader.given(TABLE) {
+            return None;
+        }
+        let rule = beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION);
+        let cells = reader.rows(TABLE)?;
+        let rows = cells.iter().zip(1..);
+        Some(Rows {
+            rows: rows
+                .map(|(cells, line)| Row::of_cells(cells, line))
+                .collect(),
+            rule,
+            medium: medium.clone(),
+        })
+    }
+
+    /// The grid for a body of this diameter.
+    fn grid(&self, diameter_m: f64) -> Result<Grid, Vec<String>> {
+        let knudsen = |altitude_m: f64| {
+            let air = self.medium.atmosphere.air(altitude_m);
+            air.mean_free_path_m / diameter_m
+        };
+        let rows = self.rows.iter().map(|row| Row {
+            knudsen: row.altitude_m.map(knudsen).or(row.knudsen),
+            ..*row
+        });
+        Grid::try_new(&rows.collect::<Vec<_>>(), self.rule)
+    }
+
+    fn checked(&self, reader: &mut Reader, diameter_m: f64) -> Option<Grid> {
+        noted(reader, TABLE, self.grid(diameter_m))
+    }
+}
+
+/// A table of coefficients of the case and its damping.
+#[derive(Clone, Debug)]
+pub(super) struct OwnTable {
+    rows: Rows,
+    damping: Damping,
+    /// Whether the case asks for that damping; else that of the table stands before it.
+    damping_given: bool,
+}
+
+impl OwnTable {
+    /// Reads it for a body of about this diameter; `None` where the case has none, or a faulty one.
+    pub(super) fn read(
+        reader: &mut Reader,
+        library: &Library,
+        medium: &Medium,
+        diameter_m: f64,
+    ) -> Option<OwnTable> {
+        let before = reader.faults.len();
+        let damping = damping(reader, library);
+        let rows = Rows::read(reader, medium);
+        if let Some(rows) = &rows {
+            rows.checked(reader, diameter_m);
+        }
+        if reader.faults.len() > before {
+            return None;
+        }
+        let given = [DAMPING_TABLE, &input::vehicle::AERODYNAMICS_DAMPING];
+        Some(OwnTable {
+            rows: rows?,
+            damping: damping?,
+            damping_given: reader.any_given(&given),
+        })
+    }
+
+    /// The database of a body of this diameter.
+    ///
+    /// # Errors
+    /// Faults of a table over altitudes, at this diameter.
+    pub(super) fn database(&self, diameter_m: f64) -> Result<Database, Vec<String>> {
+        let grid = self.rows.grid(diameter_m)?;
+        let has_damping = matches!(
+            grid.content,
+            Content::Static {
+                damping: Given::Yes,
+                ..
+            }
+        );
+        let damping = match has_damping && !self.damping_given {
+            true => Damping::Table(grid.clone()),
+            false => self.damping.clone(),
+        };
+        Ok(Database::of_table(grid, diameter_m, damping))
+    }
 }
 
 /// Drag at zero angle of attack of a table of the case; `None` where it has none, or a faulty one.
 pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Drag> {
-    let grid = table(reader, medium, diameter_m)?;
+    let grid = Rows::read(reader, medium)?.checked(reader, diameter_m)?;
     let rows = grid.axial_force_rows();
     let own = Own {
-        key: TABLE,
+        key: TABLE.key,
         extrapolation: grid.extrapolation,
     };
     match DragTable::try_new(&rows) {
@@ -273,48 +322,36 @@ pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64, table
         valid: (Some(GAMMA - OF_AIR), Some(GAMMA + OF_AIR)),
         message,
         source,
-        field: Some("entry.planet".to_string()),
+        field: Some(input::entry::PLANET.to_string()),
     });
 }
 
-/// The table of static coefficients of the case.
-fn table(reader: &mut Reader, medium: &Medium, diameter_m: f64) -> Option<Grid> {
-    if reader.given("vehicle.aerodynamics.file") {
-        let message = "was not read; give its rows as vehicle.aerodynamics.table";
-        reader.fault("vehicle.aerodynamics.file", message);
-    }
-    if !reader.given(TABLE) {
-        return None;
-    }
-    let rule = extrapolation(reader);
-    let rows: Vec<Row> = reader
-        .rows(TABLE)?
-        .iter()
-        .zip(1..)
-        .map(|(cells, line)| Row::of_cells(cells, line))
-        .map(|row| Row {
-            knudsen: row.altitude_m.map_or(row.knudsen, |altitude_m| {
-                let air = medium.atmosphere.air(altitude_m);
-                Some(air.mean_free_path_m / diameter_m)
-            }),
-            ..row
-        })
-        .collect();
-    grid(reader, TABLE, &rows, rule)
+fn grid(
+    reader: &mut Reader,
+    input: &'static Input,
+    rows: &[Row],
+    rule: Extrapolation,
+) -> Option<Grid> {
+    noted(reader, input, Grid::try_new(rows, rule))
 }
 
-fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Option<Grid> {
-    match Grid::try_new(rows, rule) {
+/// A grid with its remark, or `None` with its faults noted.
+fn noted(
+    reader: &mut Reader,
+    input: &'static Input,
+    grid: Result<Grid, Vec<String>>,
+) -> Option<Grid> {
+    match grid {
         Ok(grid) => {
             let largest_deg = grid.alpha_max_rad() / RADIANS_PER_DEGREE;
             if in_radians(largest_deg) {
-                reader.findings.push(of_radians(key, largest_deg));
+                reader.findings.push(of_radians(input, largest_deg));
             }
             Some(grid)
         }
         Err(faults) => {
             for fault in faults {
-                reader.fault(key, fault.replace("line ", "row "));
+                reader.fault(input, fault.replace("line ", "row "));
             }
             None
         }
@@ -322,11 +359,11 @@ fn grid(reader: &mut Reader, key: &str, rows: &[Row], rule: Extrapolation) -> Op
 }
 
 /// What is said of angles that may be in radians.
-fn of_radians(key: &str, largest_deg: f64) -> Finding {
+fn of_radians(input: &Input, largest_deg: f64) -> Finding {
     Finding {
         severity: Severity::Exceeded,
-        model: key.to_string(),
-        key: "alpha_deg".to_string(),
+        model: input.to_string(),
+        key: input::column::ALPHA_DEG.name.to_string(),
         value: Some(largest_deg),
         valid: (Some(0.0), Some(180.0)),
         message: format!(
@@ -334,14 +371,14 @@ fn of_radians(key: &str, largest_deg: f64) -> Finding {
             short(largest_deg)
         ),
         source: "the rows given".to_string(),
-        field: Some(key.to_string()),
+        field: Some(input.to_string()),
     }
 }
 
 fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
-    let model = choice(reader, "vehicle.aerodynamics.damping");
+    let model = reader.choice(&input::vehicle::AERODYNAMICS_DAMPING);
     if reader.given(DAMPING_TABLE) {
-        let rule = extrapolation(reader);
+        let rule = beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION);
         let rows: Vec<Row> = reader
             .rows(DAMPING_TABLE)?
             .iter()
@@ -351,84 +388,8 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
         return grid(reader, DAMPING_TABLE, &rows, rule).map(Damping::Table);
     }
     Some(match model? {
-        "none" => Damping::Absent,
-        "report-printed" => library.aero_standard().damping(Reading::Printed),
-        _ => library.aero_standard().damping(Reading::Corrected),
+        DampingModel::None => Damping::Absent,
+        DampingModel::ReportPrinted => library.aero_standard().damping(Reading::Printed),
+        DampingModel::Report => library.aero_standard().damping(Reading::Corrected),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::remarked_aero;
-    use crate::finding::Finding;
-    use crate::problem::{DesignProblem, FlightProblem};
-    use crate::{Case, Library};
-
-    fn case(name: &str, changes: &[(&str, &str)]) -> Case {
-        let text = crate::library::data_file(name).unwrap();
-        let mut case = Case::from_text(text).unwrap();
-        for (key, value) in changes {
-            case.set(key, value);
-        }
-        case
-    }
-
-    fn of_air(findings: &[Finding]) -> Option<&str> {
-        let mut findings = findings.iter();
-        let found = findings.find(|finding| finding.key == "heat_capacity_ratio")?;
-        Some(&found.model)
-    }
-
-    #[test]
-    fn what_was_fitted_in_air_is_told_in_another_gas() {
-        let library = Library::builtin().unwrap();
-        let stardust = "cases/stardust.toml";
-        for planet in ["mars", "earth"] {
-            let there = [
-                ("entry.planet", planet),
-                ("entry.atmosphere", "planet"),
-                ("entry.radius_m", ""),
-                ("entry.altitude_m", "120000"),
-                ("heating.radiative", "none"),
-                ("vehicle.drag_coefficient", ""),
-            ];
-            let told = |model: &'static str| (planet == "mars").then_some(model);
-            for (key, value, model) in [
-                (
-                    "vehicle.aerodynamics",
-                    "sphere-cone-70",
-                    "axial force by name",
-                ),
-                ("outline.preset", "stardust", "axial force of the outline"),
-            ] {
-                let case = case(stardust, &[&there[..], &[(key, value)]].concat());
-                let problem = FlightProblem::check(&case, &library).unwrap();
-                assert_eq!(of_air(&problem.findings), told(model), "{planet} {key}");
-            }
-            for (name, model) in [
-                ("mmeev-60", "axial force by name"),
-                ("outline", "axial force of the outline"),
-            ] {
-                let of_design = [("design.aerodynamics", name)];
-                let case = case(
-                    "cases/galahad.toml",
-                    &[&there[..5], &of_design[..]].concat(),
-                );
-                let problem = DesignProblem::check(&case, &library).unwrap();
-                assert_eq!(of_air(&problem.findings), told(model), "{planet} {name}");
-            }
-            for (name, model) in [
-                ("sphere-cone-70", "axial force by name"),
-                ("", "axial force of the outline"),
-            ] {
-                let more = [
-                    ("outline.preset", "stardust"),
-                    ("vehicle.aerodynamics", name),
-                ];
-                let case = case(stardust, &[&there[..], &more[..]].concat());
-                let (_, findings) = remarked_aero(&case, &library).unwrap();
-                assert_eq!(of_air(&findings), told(model), "{planet} aero {name}");
-            }
-        }
-    }
 }

@@ -1,8 +1,8 @@
 //! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
 
-use super::aerodynamics::{Medium, database};
+use super::aerodynamics::{Coefficients, Medium};
 use super::forms::one_row;
-use super::freedom::TOLERANCE_DATABASE;
+use super::freedom::{Degrees, TOLERANCE_DATABASE, degrees};
 use super::phases::{Flown, phases};
 use super::{FlightProblem, attitude, design, freedom};
 use crate::aero::Drag;
@@ -14,7 +14,7 @@ use crate::finding::{Finding, Severity};
 use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::Model;
-use crate::flight::six_dof::aerodynamics::{Aerodynamics, Damping, OfOutline, Reference};
+use crate::flight::six_dof::aerodynamics::{Aerodynamics, OfOutline, Reference};
 use crate::flight::six_dof::attitude::at_start;
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
@@ -22,6 +22,8 @@ use crate::flight::six_dof::turning::turning;
 use crate::library::Library;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use crate::quantity::Task;
+use crate::quantity::input::{self, Input};
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::ode::Method;
 
@@ -40,14 +42,9 @@ pub fn attitude_of_design(
     remark_unused(&mut reader);
     let phases = phases(&mut reader, Flown::Rigid);
     let given = attitude::given(&mut reader);
-    let rates = one_row::<3>(&mut reader, "attitude.body_rates_deg_s").flatten();
-    let cg_m = one_row::<3>(&mut reader, "vehicle.cg_m").flatten();
-    let [clp, cmq, cnr] = [
-        "vehicle.aerodynamics.clp",
-        "vehicle.aerodynamics.cmq",
-        "vehicle.aerodynamics.cnr",
-    ]
-    .map(|key| reader.number(key).unwrap_or(0.0));
+    let rates = one_row::<3>(&mut reader, &input::attitude::BODY_RATES_DEG_S).flatten();
+    let cg_m = one_row::<3>(&mut reader, &input::vehicle::CG_M).flatten();
+    let damping = freedom::damping(&mut reader);
     let vehicle = &designed.vehicle;
     let mut shape = AeroBody::of_vehicle(&case.name, vehicle);
     if let Some(cg_m) = cg_m {
@@ -56,8 +53,12 @@ pub fn attitude_of_design(
     let axial_force = input.as_ref().map(|input| input.drag.of(vehicle));
     let drag = axial_force.clone().map(Drag::Table);
     let medium = Medium::of(input.as_ref().map(|input| &input.mission), library);
-    let database =
-        medium.and_then(|medium| database(&mut reader, library, &medium, &shape, drag.as_ref()));
+    let diameter_m = shape.surface.diameter_m();
+    let database = medium
+        .and_then(|medium| {
+            Coefficients::read(&mut reader, library, &medium, diameter_m, drag.as_ref())
+        })
+        .and_then(|coefficients| coefficients.of(&shape).ok());
     let mass = &vehicle.mass;
     let inertia = Inertia::try_new([
         [mass.ixx_kg_m2, 0.0, 0.0],
@@ -67,7 +68,7 @@ pub fn attitude_of_design(
     if let Err(faults) = &inertia {
         faults
             .iter()
-            .for_each(|fault| reader.fault("vehicle.inertia_kg_m2", fault.as_str()));
+            .for_each(|fault| reader.fault(&input::vehicle::INERTIA_KG_M2, fault.as_str()));
     }
     let (Some(input), Some(phases), Some(given), Some(database), Ok(inertia), true) = (
         input,
@@ -99,7 +100,7 @@ pub fn attitude_of_design(
             span_m: vehicle.dimensions.diameter_m,
         },
         aerodynamics: Aerodynamics::Database(Box::new(of_outline)),
-        damping: Damping { clp, cmq, cnr },
+        damping,
         attitude: at_start(&given, &mission.start, &mission),
         rates_rad_s: rates
             .unwrap_or_default()
@@ -116,14 +117,19 @@ pub fn attitude_of_design(
 
 /// Whether a case leaves its vehicle to be designed: it has a section `[design]` and neither a mass nor an outline of its own.
 pub fn leaves_vehicle_to_design(case: &Case) -> bool {
-    let given = |start: &str| case.values.keys().any(|key| key.starts_with(start));
-    given("design.") && !given("outline.") && !case.values.contains_key("vehicle.mass_kg")
+    case.gives_any(input::design::INPUTS)
+        && !case.gives_any(input::outline::INPUTS)
+        && !case.gives_any(&[&input::vehicle::MASS_KG])
+}
+
+/// Whether a case asks for six degrees of freedom.
+pub fn asks_for_attitude(case: &Case) -> bool {
+    degrees(&mut Reader::new(case)) == Some(Degrees::Six)
 }
 
 /// Whether `fly` flies the vehicle of a design as a rigid body.
 pub(super) fn flies_design(case: &Case) -> bool {
-    let dof = case.text("vehicle.dof");
-    leaves_vehicle_to_design(case) && dof.is_some_and(|dof| dof.trim() == "6")
+    leaves_vehicle_to_design(case) && asks_for_attitude(case)
 }
 
 /// The answer of a design, flown as a rigid body; without a vehicle the outcome of the design is the answer.
@@ -195,16 +201,9 @@ fn flown(outcome: Outcome, design: &Design) -> Finding {
     }
 }
 
-/// Keys of a vehicle that play a part beside a design.
-const BESIDE_DESIGN: [&str; 2] = ["vehicle.dof", "vehicle.cg_m"];
-
-/// Keys of a vehicle that are given and play no part are remarked.
+/// Inputs of another vehicle that are given and play no part are remarked.
 fn remark_unused(reader: &mut Reader) {
-    let unused = |key: &str| {
-        key.starts_with("vehicle.")
-            && !key.starts_with("vehicle.aerodynamics")
-            && !BESIDE_DESIGN.contains(&key)
-    };
+    let unused = |input: &Input| !input.is_of(Task::DesignedBody);
     freedom::unused(reader, "the attitude of a design", unused);
 }
 

@@ -3,6 +3,7 @@
 use super::forms::one_row;
 use super::outline::Outline;
 use crate::case::Reader;
+use crate::quantity::input;
 use crate::vehicle::profile::Profile;
 
 /// Pieces into which a segment is cut.
@@ -10,7 +11,7 @@ const PIECES: u32 = 256;
 
 /// Centre of gravity, m; it must be inside the outline, and given where moments depend on it.
 pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Option<[f64; 3]> {
-    let key = "vehicle.cg_m";
+    let key = &input::vehicle::CG_M;
     let Some(cg) = one_row::<3>(reader, key)? else {
         if moments {
             reader.fault(

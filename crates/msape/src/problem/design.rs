@@ -2,18 +2,15 @@
 
 use super::aerodynamics::fitted_in_air;
 use super::flight::{Angle, mission};
-use super::forms::choice as fixed;
+use super::forms::{names, together};
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
 use crate::design::inputs::{DesignInput, Given};
-use crate::library::{Library, Named, named};
-use crate::quantity::input::OWN_OUTLINE;
-use crate::tps::JudgedAt;
+use crate::library::{Library, named};
+use crate::quantity::input::{self, Input, OWN_OUTLINE};
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::ComponentKind;
-use crate::vehicle::CrushingMass;
-use crate::vehicle::FoamStrength;
 use crate::vehicle::ImpactInput;
 use crate::vehicle::WallPlace;
 use crate::vehicle::structure::{Carrier, Construction};
@@ -30,21 +27,21 @@ const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
 
 /// What would cross what where a dimension is outside its range.
-const CROSSINGS: [(&str, &str); 4] = [
+const CROSSINGS: [(&Input, &str); 4] = [
     (
-        "design.shoulder_radius_ratio",
+        &input::design::SHOULDER_RADIUS_RATIO,
         "without a shoulder the layers of forebody and aftbody would cross at a sharp edge; beyond half the radius the shoulder would cross the nose",
     ),
     (
-        "design.nose_radius_ratio",
+        &input::design::NOSE_RADIUS_RATIO,
         "at a sharp tip the layers of the heat shield would cross on the axis; a wider nose sphere would cross the shoulder",
     ),
     (
-        "design.payload_diameter_ratio",
+        &input::design::PAYLOAD_DIAMETER_RATIO,
         "a wider payload would cross the outline of the vehicle",
     ),
     (
-        "design.cone_half_angle_deg",
+        &input::design::CONE_HALF_ANGLE_DEG,
         "a sharper or blunter cone would cross the wing, whose aft side slopes 5 to 30 deg",
     ),
 ];
@@ -52,7 +49,7 @@ const CROSSINGS: [(&str, &str); 4] = [
 /// Adds to faults of the geometry what would cross what.
 fn explain_crossings(reader: &mut Reader) {
     for fault in &mut reader.faults {
-        if let Some((_, why)) = CROSSINGS.iter().find(|(key, _)| *key == fault.key)
+        if let Some((_, why)) = CROSSINGS.iter().find(|(input, _)| input.key == fault.key)
             && fault.message.contains("must be")
         {
             fault.message = format!("{}: {why}", fault.message);
@@ -63,33 +60,33 @@ fn explain_crossings(reader: &mut Reader) {
 /// Everything that determines a design.
 pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInput> {
     let mission = mission(reader, library, Angle::Descending);
-    let msr = reader.flag("design.msr_mode");
+    let msr = reader.flag(&input::design::MSR_MODE);
     let sizes = [
-        "diameter_m",
-        "nose_radius_ratio",
-        "shoulder_radius_ratio",
-        "payload_mass_kg",
+        &input::design::DIAMETER_M,
+        &input::design::NOSE_RADIUS_RATIO,
+        &input::design::SHOULDER_RADIUS_RATIO,
+        &input::design::PAYLOAD_MASS_KG,
     ]
-    .map(|name| reader.required_number(&format!("design.{name}")));
+    .map(|input| reader.required_number(input));
     let payload_size = payload_size(reader);
-    let concept_name = choice(reader, "design.forebody_tps", &library.concepts);
+    let concept_name = reader.name(&input::design::FOREBODY_TPS, &names(&library.concepts));
     let aft_name = aftbody_material(reader, library);
-    let ground_name = choice(reader, "design.ground", &library.grounds);
-    let foam_strength = reader.choice("design.foam_strength", &["crush-law", "equation-6"]);
-    let efficiency = reader.number("design.stroke_efficiency");
-    let crushing_mass = reader.choice("design.crushing_mass", &["payload", "impact-sphere"]);
+    let ground_name = reader.name(&input::design::GROUND, &names(&library.grounds));
+    let foam_strength = reader.choice(&input::design::FOAM_STRENGTH);
+    let efficiency = reader.number(&input::design::STROKE_EFFICIENCY);
+    let crushing_mass = reader.choice(&input::design::CRUSHING_MASS);
     let aero_name = aerodynamics(reader, library);
-    let judged_at = fixed(reader, "heating.judged_at").and_then(JudgedAt::named);
+    let judged_at = reader.choice(&input::heating::JUDGED_AT);
     let numbers = [
-        "cone_half_angle_deg",
-        "mass_margin",
-        "crush_load_limit_earth_g",
-        "terminal_drag_coefficient",
-        "mass_criterion_kg",
-        "max_iterations",
-        "relaxation",
+        &input::design::CONE_HALF_ANGLE_DEG,
+        &input::design::MASS_MARGIN,
+        &input::design::CRUSH_LOAD_LIMIT_EARTH_G,
+        &input::design::TERMINAL_DRAG_COEFFICIENT,
+        &input::design::MASS_CRITERION_KG,
+        &input::design::MAX_ITERATIONS,
+        &input::design::RELAXATION,
     ]
-    .map(|name| reader.number(&format!("design.{name}")));
+    .map(|input| reader.number(input));
     let [
         cone_deg,
         margin,
@@ -102,9 +99,9 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
     explain_crossings(reader);
     let mut densities = Densities::read(reader);
     let given = Given {
-        forebody_tps_m: reader.number("design.forebody_tps_thickness_m"),
-        aftbody_tps_m: reader.number("design.aftbody_tps_thickness_m"),
-        payload_temperature_k: reader.number("design.payload_temperature_k"),
+        forebody_tps_m: reader.number(&input::design::FOREBODY_TPS_THICKNESS_M),
+        aftbody_tps_m: reader.number(&input::design::AFTBODY_TPS_THICKNESS_M),
+        payload_temperature_k: reader.number(&input::design::PAYLOAD_TEMPERATURE_K),
     };
     let given_masses = given_masses(reader);
     let [
@@ -153,16 +150,10 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
         impact: ImpactInput {
             crush_load_limit_earth_g: crush_limit?,
             stroke_efficiency: efficiency,
-            foam_strength: match foam_strength? {
-                "equation-6" => FoamStrength::Equation6,
-                _ => FoamStrength::CrushLaw,
-            },
+            foam_strength: foam_strength?,
             ground: named(&library.grounds, ground_name?)?.clone(),
             foam: library.impact_foam.clone(),
-            crushing_mass: match crushing_mass? {
-                "impact-sphere" => CrushingMass::ImpactSphere,
-                _ => CrushingMass::Payload,
-            },
+            crushing_mass: crushing_mass?,
         },
         foam_grades: library.vehicle.foam.clone(),
         rules: library.vehicle.rules().ok()?,
@@ -192,7 +183,7 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
             name => {
                 let force = named(&library.aerodynamics, name)?;
                 let cone = cone_deg.map(|deg| deg * RADIANS_PER_DEGREE);
-                let finding = force.other_cone(name, cone, "design.aerodynamics");
+                let finding = force.other_cone(name, cone, input::design::AERODYNAMICS.key);
                 reader.findings.extend(finding);
                 fitted_in_air(reader, heat_capacity_ratio?, Some(name));
                 DesignDrag::Table(force.table.with_subsonic(terminal_drag?))
@@ -205,14 +196,9 @@ pub(super) fn design(reader: &mut Reader, library: &Library) -> Option<DesignInp
 }
 
 fn aerodynamics<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l str> {
-    let tables = library.aerodynamics.iter().map(|(name, _)| name.as_str());
+    let tables = names(&library.aerodynamics);
     let names: Vec<&str> = std::iter::once(OWN_OUTLINE).chain(tables).collect();
-    reader.choice("design.aerodynamics", &names)
-}
-
-fn choice<'l, T>(reader: &mut Reader, key: &str, list: &'l Named<T>) -> Option<&'l str> {
-    let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
-    reader.choice(key, &names)
+    reader.name(&input::design::AERODYNAMICS, &names)
 }
 
 fn aftbody_material<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l str> {
@@ -220,29 +206,30 @@ fn aftbody_material<'l>(reader: &mut Reader, library: &'l Library) -> Option<&'l
         .aftbody_materials()
         .map(|(name, _): &(String, TpsMaterial)| name.as_str())
         .collect();
-    reader.choice("design.aftbody_tps", &names)
+    reader.name(&input::design::AFTBODY_TPS, &names)
 }
 
 /// Size of the payload: one of three inputs.
 fn payload_size(reader: &mut Reader) -> Option<PayloadSize> {
-    let keys = [
-        "design.payload_density_kg_m3",
-        "design.payload_diameter_m",
-        "design.payload_diameter_ratio",
+    let [density, diameter, ratio] = [
+        &input::design::PAYLOAD_DENSITY_KG_M3,
+        &input::design::PAYLOAD_DIAMETER_M,
+        &input::design::PAYLOAD_DIAMETER_RATIO,
     ];
-    let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
-    match given.as_slice() {
+    match reader.ways(&input::design::PAYLOAD_SIZE).as_slice() {
         [] => {
-            let message = "missing; give it, in kg/m^3, or design.payload_diameter_m, in m, or design.payload_diameter_ratio";
-            reader.fault(keys[0], message);
+            let message = format!("missing; give it, in kg/m^3, or {diameter}, in m, or {ratio}");
+            reader.fault(density, message);
             None
         }
-        [key] => {
-            let value = reader.number(key)?;
-            Some(match *key {
-                "design.payload_density_kg_m3" => PayloadSize::DensityKgM3(value),
-                "design.payload_diameter_m" => PayloadSize::DiameterM(value),
-                _ => PayloadSize::DiameterRatio(value),
+        [way] => {
+            let value = reader.number(*way)?;
+            Some(if *way == density {
+                PayloadSize::DensityKgM3(value)
+            } else if *way == diameter {
+                PayloadSize::DiameterM(value)
+            } else {
+                PayloadSize::DiameterRatio(value)
             })
         }
         [_, second, ..] => {
@@ -269,19 +256,19 @@ pub(super) struct Densities {
 
 impl Densities {
     fn read(reader: &mut Reader) -> Densities {
-        let mut of = |name: &str| reader.number(&format!("design.density_kg_m3.{name}"));
+        let mut of = |input| reader.number(input);
         Densities {
-            forebody_tps: of("forebody_tps"),
-            forebody_carrier: of("forebody_carrier_structure"),
-            aftbody_tps: of("aftbody_tps"),
-            aftbody_carrier: of("aftbody_carrier_structure"),
-            primary: of("primary_structure"),
-            impact_foam: of("impact_foam"),
-            impact_panels: of("impact_panels"),
-            impact_shell: of("impact_shell"),
-            body_foam: of("body_foam"),
-            lid_insulation: of("lid_insulation"),
-            wing_insulation: of("wing_insulation"),
+            forebody_tps: of(&input::design::DENSITY_KG_M3_FOREBODY_TPS),
+            forebody_carrier: of(&input::design::DENSITY_KG_M3_FOREBODY_CARRIER_STRUCTURE),
+            aftbody_tps: of(&input::design::DENSITY_KG_M3_AFTBODY_TPS),
+            aftbody_carrier: of(&input::design::DENSITY_KG_M3_AFTBODY_CARRIER_STRUCTURE),
+            primary: of(&input::design::DENSITY_KG_M3_PRIMARY_STRUCTURE),
+            impact_foam: of(&input::design::DENSITY_KG_M3_IMPACT_FOAM),
+            impact_panels: of(&input::design::DENSITY_KG_M3_IMPACT_PANELS),
+            impact_shell: of(&input::design::DENSITY_KG_M3_IMPACT_SHELL),
+            body_foam: of(&input::design::DENSITY_KG_M3_BODY_FOAM),
+            lid_insulation: of(&input::design::DENSITY_KG_M3_LID_INSULATION),
+            wing_insulation: of(&input::design::DENSITY_KG_M3_WING_INSULATION),
         }
     }
 
@@ -303,17 +290,13 @@ impl Densities {
 fn given_masses(reader: &mut Reader) -> Vec<(ComponentKind, f64)> {
     let mut masses = Vec::new();
     for kind in ComponentKind::MADE {
-        let name = kind.key();
-        let key = format!("design.component_mass_kg.{name}");
-        let density = format!("design.density_kg_m3.{name}");
-        if !reader.given(&key) {
+        let Some(mass) = kind.mass_input().filter(|mass| reader.given(*mass)) else {
             continue;
+        };
+        if let Some(density) = mass.rivals().find(|density| reader.given(*density)) {
+            together(reader, mass, density);
         }
-        if reader.given(&density) {
-            let message = format!("given together with {density}; give one of them");
-            reader.fault(&key, message);
-        }
-        masses.extend(reader.number(&key).map(|mass_kg| (kind, mass_kg)));
+        masses.extend(reader.number(mass).map(|mass_kg| (kind, mass_kg)));
     }
     masses
 }

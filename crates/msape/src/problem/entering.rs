@@ -2,35 +2,26 @@
 
 use super::flight::Angle;
 use super::forms::beyond;
-use super::planet::remark;
 use crate::aero::table::Extrapolation;
 use crate::case::Reader;
 use crate::flight::mission::{Model, Solver, Start, Stop};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
+use crate::quantity::input::{self, BEYOND_TABLES};
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::root;
-
-/// Keys of what holds beyond the ends of tables.
-const RULES: [&str; 5] = [
-    "atmosphere.extrapolation",
-    "heating.extrapolation",
-    "vehicle.aerodynamics.extrapolation",
-    "vehicle.bank_extrapolation",
-    "wind.extrapolation",
-];
 
 /// The remark that the closed form ends no flight at the end of a table.
 pub(super) fn goes_on(reader: &mut Reader, solver: Option<&Solver>) {
     if solver.is_none_or(|solver| solver.model != Model::AllenEggers) {
         return;
     }
-    for key in RULES {
-        if reader.given(key) && beyond(reader, key) == Extrapolation::Refuse {
+    for input in BEYOND_TABLES {
+        if reader.given(input) && beyond(reader, input) == Extrapolation::Refuse {
             let message =
                 "The closed form does not end where it leaves a table: \"refuse\" is not used.";
-            remark(reader, key, message.to_string());
+            reader.remark(input, message);
         }
     }
 }
@@ -43,7 +34,7 @@ pub(super) fn above_end(reader: &mut Reader, planet: &Planet, start: &Start, sto
         let message = format!(
             "got {start_m:.0} m, must be above the final altitude of {ground_m} m: a design enters"
         );
-        reader.fault("entry.altitude_m", message);
+        reader.fault(&input::entry::ALTITUDE_M, message);
     }
 }
 
@@ -61,13 +52,13 @@ pub(super) fn descends(reader: &mut Reader, start: &Start, solver: &Solver, angl
     } = start.relative;
     if speed_m_s == 0.0 {
         let message = format!("got 0 m/s relative to the planet, must be above 0 m/s: {who}");
-        reader.fault("entry.speed_m_s", message);
+        reader.fault(&input::entry::SPEED_M_S, message);
     } else if flight_path_angle_rad >= 0.0 && angle == Angle::Any {
         let message = format!(
             "got {:.3} deg relative to the planet, must be below 0 deg: {who}",
             flight_path_angle_rad / RADIANS_PER_DEGREE
         );
-        reader.fault("entry.flight_path_angle_deg", message);
+        reader.fault(&input::entry::FLIGHT_PATH_ANGLE_DEG, message);
     }
 }
 

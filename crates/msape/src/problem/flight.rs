@@ -1,23 +1,24 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Medium, database, fitted_in_air, table_database, table_drag};
+use super::aerodynamics::{Coefficients, Medium, OwnTable, fitted_in_air, table_drag};
 use super::entering::{above_end, altitude_at, descends, goes_on};
-use super::forms::{beyond, choice, extrapolation};
-use super::freedom::{CONSTANTS, Degrees, Known, degrees, drag_of_constants, freedom, length_m};
+use super::forms::{beyond, names, together};
+use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::heating;
 use super::outline::Outline;
 use super::planet::{atmosphere, deep_enough, planet, reaching, wind};
 use crate::aero::standard::AeroBody;
 use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
-use crate::flight::mission::{
-    Beyond, Body, DEFAULT_TOLERANCE, Mission, Model, Solver, Start, Stop,
-};
+use crate::flight::mission::{Beyond, Body, DEFAULT_TOLERANCE, Mission, Solver, Start, Stop};
 use crate::flight::six_dof::aerodynamics::OfOutline;
 use crate::library::{Library, named};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
+use crate::quantity::choice::{Frame, MethodName};
+use crate::quantity::input::vehicle::CONSTANTS;
+use crate::quantity::input::{self, Input};
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
 
@@ -69,32 +70,31 @@ pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> O
         phases: Vec::new(),
         stop,
         beyond: Beyond {
-            atmosphere: beyond(reader, "atmosphere.extrapolation"),
-            wind: beyond(reader, "wind.extrapolation"),
+            atmosphere: beyond(reader, &input::atmosphere::EXTRAPOLATION),
+            wind: beyond(reader, &input::wind::EXTRAPOLATION),
         },
         solver: solver?,
     })
 }
 
 fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<Start> {
-    let [altitude, radius] = ["entry.altitude_m", "entry.radius_m"].map(|key| reader.given(key));
-    let altitude_m = altitude.then(|| reader.number("entry.altitude_m"));
-    let radius_m = radius.then(|| reader.number("entry.radius_m"));
-    match (altitude, radius) {
-        (true, true) => reader.fault(
-            "entry.radius_m",
-            "given together with entry.altitude_m; give one of them",
-        ),
-        (false, false) => reader.missing("entry.altitude_m"),
-        _ => {}
+    let [altitude, radius] = [&input::entry::ALTITUDE_M, &input::entry::RADIUS_M];
+    let of = |reader: &mut Reader, input| reader.given(input).then(|| reader.number(input));
+    let altitude_m = of(reader, altitude);
+    let radius_m = of(reader, radius);
+    let ways = reader.ways(&input::entry::START);
+    match ways.as_slice() {
+        [] => reader.missing(altitude),
+        [_] => {}
+        [first, second, ..] => together(reader, *second, first),
     }
-    let mut angle_of = |key: &str| Some(reader.required_number(key)? * RADIANS_PER_DEGREE);
-    let latitude_rad = angle_of("entry.latitude_deg");
-    let longitude_rad = angle_of("entry.longitude_deg");
-    let flight_path_angle_rad = angle_of("entry.flight_path_angle_deg");
-    let azimuth_rad = angle_of("entry.azimuth_deg");
-    let speed_m_s = reader.required_number("entry.speed_m_s");
-    let frame = choice(reader, "entry.frame");
+    let mut angle_of = |input| Some(reader.required_number(input)? * RADIANS_PER_DEGREE);
+    let latitude_rad = angle_of(&input::entry::LATITUDE_DEG);
+    let longitude_rad = angle_of(&input::entry::LONGITUDE_DEG);
+    let flight_path_angle_rad = angle_of(&input::entry::FLIGHT_PATH_ANGLE_DEG);
+    let azimuth_rad = angle_of(&input::entry::AZIMUTH_DEG);
+    let speed_m_s = reader.required_number(&input::entry::SPEED_M_S);
+    let frame = reader.choice(&input::entry::FRAME);
     if let (Angle::Descending, Some(gamma)) = (angle, flight_path_angle_rad)
         && gamma >= 0.0
     {
@@ -102,7 +102,7 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         let message = format!(
             "got {got} deg, must be -90 to below 0 deg: a design enters, so its angle points below the horizon"
         );
-        reader.fault("entry.flight_path_angle_deg", message);
+        reader.fault(&input::entry::FLIGHT_PATH_ANGLE_DEG, message);
     }
     let planet = planet?;
     let (latitude_rad, longitude_rad) = (latitude_rad?, longitude_rad?);
@@ -111,11 +111,7 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         (None, Some(radius_m)) => altitude_at(planet, radius_m, latitude_rad),
         (None, None) => return None,
     };
-    let key = match radius {
-        true => "entry.radius_m",
-        false => "entry.altitude_m",
-    };
-    deep_enough(reader, key, altitude_m, planet);
+    deep_enough(reader, ways.last()?, altitude_m, planet);
     let place = Geodetic {
         altitude_m,
         latitude_rad,
@@ -129,8 +125,8 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
         azimuth_rad: azimuth_rad?.rem_euclid(2.0 * PI),
     };
     let (relative, inertial) = match frame? {
-        "inertial" => (planet.relative_from_inertial(position_m, &given), given),
-        _ => (given, planet.inertial_from_relative(position_m, &given)),
+        Frame::Inertial => (planet.relative_from_inertial(position_m, &given), given),
+        Frame::Relative => (given, planet.inertial_from_relative(position_m, &given)),
     };
     Some(Start {
         position_m,
@@ -141,13 +137,14 @@ fn start(reader: &mut Reader, planet: Option<&Planet>, angle: Angle) -> Option<S
 }
 
 fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
-    let altitude_m = reader.number("stop.altitude_m");
+    let altitude_m = reader.number(&input::stop::ALTITUDE_M);
     if let (Some(altitude_m), Some(planet)) = (altitude_m, planet) {
-        deep_enough(reader, "stop.altitude_m", altitude_m, planet);
+        deep_enough(reader, &input::stop::ALTITUDE_M, altitude_m, planet);
     }
-    let time_s = reader.number("stop.time_s");
-    let passes = reader.number("stop.passes");
-    let nothing_given = !reader.given("stop.altitude_m") && !reader.given("stop.time_s");
+    let time_s = reader.number(&input::stop::TIME_S);
+    let passes = reader.number(&input::stop::PASSES);
+    let nothing_given =
+        !reader.given(&input::stop::ALTITUDE_M) && !reader.given(&input::stop::TIME_S);
     Stop {
         altitude_m: if nothing_given { Some(0.0) } else { altitude_m },
         time_s,
@@ -157,20 +154,16 @@ fn stop(reader: &mut Reader, planet: Option<&Planet>) -> Stop {
 
 fn solver(reader: &mut Reader) -> Option<Solver> {
     let tolerance = reader
-        .number("solver.tolerance")
+        .number(&input::solver::TOLERANCE)
         .unwrap_or(DEFAULT_TOLERANCE);
-    let step = reader.number("solver.step_s");
-    let method = match choice(reader, "solver.method")? {
-        "dormand-prince-853" => Method::DormandPrince853,
-        "rk4" => Method::Rk4 { step: step? },
-        _ => Method::DormandPrince54,
-    };
-    let model = match choice(reader, "solver.flight_model")? {
-        "allen-eggers" => Model::AllenEggers,
-        _ => Model::ThreeDof,
+    let step = reader.number(&input::solver::STEP_S);
+    let method = match reader.choice(&input::solver::METHOD)? {
+        MethodName::DormandPrince54 => Method::DormandPrince54,
+        MethodName::DormandPrince853 => Method::DormandPrince853,
+        MethodName::Rk4 => Method::Rk4 { step: step? },
     };
     Some(Solver {
-        model,
+        model: reader.choice(&input::solver::FLIGHT_MODEL)?,
         method,
         tolerance,
     })
@@ -184,37 +177,38 @@ pub(super) fn body(
     outline: &Outline,
 ) -> Option<Body> {
     let degrees = degrees(reader);
-    let mass_kg = reader.required_number("vehicle.mass_kg");
-    let nose_radius_m = match (reader.given("vehicle.nose_radius_m"), outline) {
+    let mass_kg = reader.required_number(&input::vehicle::MASS_KG);
+    let nose_radius_m = match (reader.given(&input::vehicle::NOSE_RADIUS_M), outline) {
         (false, Outline::Faulty) => None,
         (false, Outline::Body(body)) if body.nose_radius_m.is_some() => body.nose_radius_m,
-        _ => reader.required_number("vehicle.nose_radius_m"),
+        _ => reader.required_number(&input::vehicle::NOSE_RADIUS_M),
     };
     let area_of_outline_m2 = match outline {
         Outline::Body(body) => Some(body.reference_area_m2()),
         _ => None,
     };
-    let area_m2 = reader.number("vehicle.reference_area_m2");
-    let diameter_m = reader.number("vehicle.diameter_m");
-    let given = ["vehicle.reference_area_m2", "vehicle.diameter_m"].map(|key| reader.given(key));
-    match given {
-        [true, true] => reader.fault(
-            "vehicle.diameter_m",
-            "given together with vehicle.reference_area_m2; give one of them",
-        ),
-        [false, false] if *outline == Outline::Absent => reader.fault(
-            "vehicle.reference_area_m2",
-            "missing; give it, in m^2, or vehicle.diameter_m, in m",
-        ),
+    let area_m2 = reader.number(&input::vehicle::REFERENCE_AREA_M2);
+    let diameter_m = reader.number(&input::vehicle::DIAMETER_M);
+    match reader.ways(&input::vehicle::AREA).as_slice() {
+        [first, second, ..] => together(reader, *second, first),
+        [] if *outline == Outline::Absent => {
+            let diameter = &input::vehicle::DIAMETER_M;
+            let message = format!("missing; give it, in m^2, or {diameter}, in m");
+            reader.fault(&input::vehicle::REFERENCE_AREA_M2, message);
+        }
         _ => {}
     }
     let medium = Medium::of(mission, library);
     let mut drag = drag(reader, library, medium.as_ref(), degrees, outline);
     let mut database = None;
-    let at_trim = reader.flag("vehicle.trim") == Some(true) && degrees == Some(Degrees::Three);
+    let at_trim =
+        reader.flag(&input::vehicle::TRIM) == Some(true) && degrees == Some(Degrees::Three);
     if at_trim && !by_database(reader, outline) {
-        let message = "got true, which needs coefficients over the angle of attack; give an [outline] or vehicle.aerodynamics.table";
-        reader.fault("vehicle.trim", message);
+        let message = format!(
+            "got true, which needs coefficients over the angle of attack; give an [outline] or {}",
+            input::vehicle::AERODYNAMICS_TABLE
+        );
+        reader.fault(&input::vehicle::TRIM, message);
     }
     if (degrees == Some(Degrees::Six) || at_trim) && by_database(reader, outline) {
         database = of_outline(
@@ -258,10 +252,11 @@ pub(super) fn body(
 
 /// Whether force and moment of a rigid body come from a database: where it has an outline, a name or a table.
 fn by_database(reader: &Reader, outline: &Outline) -> bool {
-    let constants = CONSTANTS.iter().any(|key| reader.given(key));
-    let named = ["vehicle.aerodynamics", "vehicle.aerodynamics.table"];
-    let named = named.iter().any(|key| reader.given(key));
-    !constants && (named || *outline != Outline::Absent)
+    let named = [
+        &input::vehicle::AERODYNAMICS,
+        &input::vehicle::AERODYNAMICS_TABLE,
+    ];
+    !reader.any_given(CONSTANTS) && (reader.any_given(&named) || *outline != Outline::Absent)
 }
 
 /// The database of a rigid body, from its outline or from a table.
@@ -274,23 +269,33 @@ fn of_outline(
     diameter_m: Option<f64>,
 ) -> Option<OfOutline> {
     let database = match outline {
-        Outline::Body(body) => database(
-            reader,
-            library,
-            medium?,
-            &AeroBody::of_rigid(body, None),
-            Some(drag?),
-        ),
+        Outline::Body(body) => {
+            let body = AeroBody::of_rigid(body, None);
+            let diameter_m = body.surface.diameter_m();
+            let drag = Some(drag?);
+            let read = Coefficients::read(reader, library, medium?, diameter_m, drag)?;
+            read.of(&body).ok()
+        }
         Outline::Faulty => None,
-        Outline::Absent if reader.given("vehicle.aerodynamics.table") => {
-            let key = "vehicle.diameter_m";
-            if !reader.given(key) {
-                reader.fault(key, "missing; with vehicle.dof = 6 the moments of a table have it as their length, in m");
+        Outline::Absent if reader.given(&input::vehicle::AERODYNAMICS_TABLE) => {
+            let diameter = &input::vehicle::DIAMETER_M;
+            if !reader.given(diameter) {
+                let dof = &input::vehicle::DOF;
+                let message = format!(
+                    "missing; with {dof} = 6 the moments of a table have it as their length, in m"
+                );
+                reader.fault(diameter, message);
             }
-            table_database(reader, library, medium?, diameter_m?)
+            let diameter_m = diameter_m?;
+            let table = OwnTable::read(reader, library, medium?, diameter_m)?;
+            table.database(diameter_m).ok()
         }
         Outline::Absent => {
-            reader.fault("vehicle.aerodynamics", "has axial force alone; with vehicle.dof = 6 give an [outline] from which the rest is computed, or constants in [vehicle.aerodynamics]");
+            let (named, dof) = (&input::vehicle::AERODYNAMICS, &input::vehicle::DOF);
+            let message = format!(
+                "has axial force alone; with {dof} = 6 give an [outline] from which the rest is computed, or constants in [{named}]"
+            );
+            reader.fault(named, message);
             None
         }
     }?;
@@ -310,16 +315,10 @@ fn drag(
     degrees: Option<Degrees>,
     outline: &Outline,
 ) -> Option<Drag> {
-    let constants = CONSTANTS.into_iter().find(|key| reader.given(key));
-    let keys = [
-        "vehicle.drag_coefficient",
-        "vehicle.drag_table",
-        "vehicle.aerodynamics",
-        "vehicle.aerodynamics.table",
-    ];
-    let given: Vec<&str> = keys.into_iter().filter(|key| reader.given(key)).collect();
-    match given.as_slice() {
-        [] if constants.is_some() => drag_of_constants(reader),
+    let ways = reader.ways(&input::vehicle::DRAG);
+    // the constants are the last way
+    let constants = ways.last().filter(|last| CONSTANTS.contains(*last));
+    match ways.as_slice() {
         [] => match outline {
             Outline::Body(body) => {
                 let heat_capacity_ratio = medium?.heat_capacity_ratio;
@@ -333,65 +332,68 @@ fn drag(
             // A body on which the air does not act.
             Outline::Absent if degrees != Some(Degrees::Three) => Some(Drag::Constant(0.0)),
             Outline::Absent => {
-                let message = "missing; give it, or vehicle.drag_table, or vehicle.aerodynamics, or [outline]";
-                reader.fault("vehicle.drag_coefficient", message);
+                let [table, named] = [&input::vehicle::DRAG_TABLE, &input::vehicle::AERODYNAMICS];
+                let message = format!("missing; give it, or {table}, or {named}, or [outline]");
+                reader.fault(&input::vehicle::DRAG_COEFFICIENT, message);
                 None
             }
         },
-        [first, ..] if constants.is_some() => {
-            let message = format!("given together with {first}; give one of them");
-            reader.fault(constants.unwrap_or_default(), message);
-            None
-        }
-        [only] if *only == keys[0] => reader
-            .number("vehicle.drag_coefficient")
-            .map(Drag::Constant),
-        [only] if *only == keys[3] => {
-            let diameter_m = match outline {
-                Outline::Body(body) => body.diameter_m,
-                _ => reader.number("vehicle.diameter_m").unwrap_or(1.0),
-            };
-            table_drag(reader, medium?, diameter_m)
-        }
-        [only] if *only == keys[1] => {
-            let rows: Vec<(f64, f64)> = reader
-                .rows("vehicle.drag_table")?
-                .iter()
-                .filter_map(|row| Some((*row.first()?, *row.get(1)?)))
-                .collect();
-            let own = Own {
-                key: "vehicle.drag_table",
-                extrapolation: extrapolation(reader),
-            };
-            match DragTable::try_new(&rows) {
-                Ok(table) => Some(Drag::Table(table.of_case(own))),
-                Err(faults) => {
-                    faults
-                        .iter()
-                        .for_each(|fault| reader.fault("vehicle.drag_table", fault.as_str()));
-                    None
-                }
+        [_] if constants.is_some() => drag_of_constants(reader),
+        [only] => drag_of(reader, library, medium, outline, only),
+        [first, second, ..] => {
+            match constants {
+                Some(constant) => together(reader, *constant, first),
+                None => reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics"),
             }
-        }
-        [_] => {
-            let names: Vec<&str> = library
-                .aerodynamics
-                .iter()
-                .map(|(name, _)| name.as_str())
-                .collect();
-            let name = reader.choice("vehicle.aerodynamics", &names)?;
-            let force = named(&library.aerodynamics, name)?;
-            if let Outline::Body(body) = outline {
-                let finding =
-                    force.other_cone(name, body.cone_half_angle_rad, "vehicle.aerodynamics");
-                reader.findings.extend(finding);
-            }
-            fitted_in_air(reader, medium?.heat_capacity_ratio, Some(name));
-            Some(Drag::Table(force.table.clone()))
-        }
-        [_, second, ..] => {
-            reader.fault(second, "drag is given in more than one way; give one of drag_coefficient, drag_table, aerodynamics");
             None
         }
     }
+}
+
+/// The drag of the one way in which a case gives it.
+fn drag_of(
+    reader: &mut Reader,
+    library: &Library,
+    medium: Option<&Medium>,
+    outline: &Outline,
+    way: &'static Input,
+) -> Option<Drag> {
+    if *way == input::vehicle::DRAG_COEFFICIENT {
+        return reader.number(way).map(Drag::Constant);
+    }
+    if *way == input::vehicle::AERODYNAMICS_TABLE {
+        let diameter_m = match outline {
+            Outline::Body(body) => body.diameter_m,
+            _ => reader.number(&input::vehicle::DIAMETER_M).unwrap_or(1.0),
+        };
+        return table_drag(reader, medium?, diameter_m);
+    }
+    if *way == input::vehicle::DRAG_TABLE {
+        let rows: Vec<(f64, f64)> = reader
+            .rows(way)?
+            .iter()
+            .filter_map(|row| Some((*row.first()?, *row.get(1)?)))
+            .collect();
+        let own = Own {
+            key: way.key,
+            extrapolation: beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION),
+        };
+        return match DragTable::try_new(&rows) {
+            Ok(table) => Some(Drag::Table(table.of_case(own))),
+            Err(faults) => {
+                faults
+                    .iter()
+                    .for_each(|fault| reader.fault(way, fault.as_str()));
+                None
+            }
+        };
+    }
+    let name = reader.name(way, &names(&library.aerodynamics))?;
+    let force = named(&library.aerodynamics, name)?;
+    if let Outline::Body(body) = outline {
+        let finding = force.other_cone(name, body.cone_half_angle_rad, way.key);
+        reader.findings.extend(finding);
+    }
+    fitted_in_air(reader, medium?.heat_capacity_ratio, Some(name));
+    Some(Drag::Table(force.table.clone()))
 }

@@ -1,11 +1,16 @@
-//! Inputs of forms that several parts of a case have: a fixed choice, one row of numbers, the rule beyond the ends of a table.
+//! Inputs of forms that several parts of a case have: one row of numbers, a name of the library, the rule beyond the ends of a table.
 
 use super::Reader;
 use crate::aero::table::Extrapolation;
-use crate::quantity::input::{self, Choices, Kind};
+use crate::library::Named;
+use crate::quantity::input::{Input, Key};
 
 /// The numbers of an input of one row; `Some(None)` when it is absent, `None` when it is at fault.
-pub(super) fn one_row<const N: usize>(reader: &mut Reader, key: &str) -> Option<Option<[f64; N]>> {
+pub(super) fn one_row<const N: usize>(
+    reader: &mut Reader,
+    key: impl Into<Key>,
+) -> Option<Option<[f64; N]>> {
+    let key = key.into();
     if !reader.given(key) {
         return Some(None);
     }
@@ -21,25 +26,18 @@ pub(super) fn one_row<const N: usize>(reader: &mut Reader, key: &str) -> Option<
     row.map(Some)
 }
 
-/// One of the fixed choices of an input.
-pub(super) fn choice(reader: &mut Reader, key: &str) -> Option<&'static str> {
-    let Some(Kind::Choice(Choices::Fixed(fixed))) = input::find(key).map(|input| input.kind) else {
-        return None;
-    };
-    let names: Vec<&'static str> = fixed.iter().map(|(name, _)| *name).collect();
-    reader.choice(key, &names)
+/// The names of a list of the library.
+pub(super) fn names<T>(list: &Named<T>) -> Vec<&str> {
+    list.iter().map(|(name, _)| name.as_str()).collect()
 }
 
-/// The rule of a key beyond the ends of a table.
-pub(super) fn beyond(reader: &mut Reader, key: &str) -> Extrapolation {
-    match choice(reader, key) {
-        Some("extend") => Extrapolation::Extend,
-        Some("refuse") => Extrapolation::Refuse,
-        _ => Extrapolation::Hold,
-    }
+/// The rule of an input beyond the ends of a table.
+pub(super) fn beyond(reader: &mut Reader, input: &'static Input) -> Extrapolation {
+    reader.choice(input).unwrap_or_default()
 }
 
-/// What holds beyond the ends of the tables of coefficients.
-pub(super) fn extrapolation(reader: &mut Reader) -> Extrapolation {
-    beyond(reader, "vehicle.aerodynamics.extrapolation")
+/// The fault that an input is given together with another in whose place it stands.
+pub(super) fn together(reader: &mut Reader, input: impl Into<Key>, other: &'static Input) {
+    let message = format!("given together with {other}; give one of them");
+    reader.fault(input.into(), message);
 }

@@ -1,12 +1,11 @@
 //! Checks how a vehicle is free to move: a point mass with or without lift, or a rigid body.
 
-use super::forms::{beyond, extrapolation, one_row};
+use super::forms::{beyond, one_row};
 use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
 use crate::aero::table::Extrapolation;
-use crate::case::Reader;
-use crate::finding::{Finding, Severity};
+use crate::case::{Reader, remark};
 use crate::flight::freedom::Freedom;
 use crate::flight::lift::{Bank, Lift, Source};
 use crate::flight::mission::{Mission, Model, Solver};
@@ -16,36 +15,17 @@ use crate::flight::six_dof::aerodynamics::{
 use crate::flight::six_dof::inertia::Inertia;
 use crate::flight::six_dof::rigid::Rigid;
 use crate::flight::trim::Trim;
-use crate::quantity::input::inputs;
+use crate::quantity::Task;
+use crate::quantity::input::vehicle::CONSTANTS;
+use crate::quantity::input::{self, Alternatives, Input, inputs};
 use numerics::interp::{End, Table1};
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
 
-/// Keys of the constants; any of them makes force and moment constants.
-pub(super) const CONSTANTS: [&str; 3] = [
-    "vehicle.aerodynamics.ca",
-    "vehicle.aerodynamics.cn_alpha_per_rad",
-    "vehicle.aerodynamics.cm_alpha_per_rad",
-];
-const DAMPING: [&str; 3] = [
-    "vehicle.aerodynamics.clp",
-    "vehicle.aerodynamics.cmq",
-    "vehicle.aerodynamics.cnr",
-];
-const LIFT: [&str; 3] = [
-    "vehicle.lift_to_drag",
-    "vehicle.lift_coefficient",
-    "vehicle.lift_table",
-];
-const BANK: [&str; 3] = [
-    "vehicle.bank_deg",
-    "vehicle.bank_table_deg",
-    "vehicle.bank_speed_table_deg",
-];
-const RIGID_ONLY: [&str; 3] = [
-    "vehicle.reference_span_m",
-    "vehicle.inertia_kg_m2",
-    "vehicle.cg_m",
+const DAMPING: [&Input; 3] = [
+    &input::vehicle::AERODYNAMICS_CLP,
+    &input::vehicle::AERODYNAMICS_CMQ,
+    &input::vehicle::AERODYNAMICS_CNR,
 ];
 
 /// Degrees of freedom.
@@ -57,14 +37,14 @@ pub(super) enum Degrees {
 
 /// Degrees of freedom of the case.
 pub(super) fn degrees(reader: &mut Reader) -> Option<Degrees> {
-    if !reader.given("vehicle.dof") {
+    if !reader.given(&input::vehicle::DOF) {
         return Some(Degrees::Three);
     }
-    match reader.number("vehicle.dof")? {
+    match reader.number(&input::vehicle::DOF)? {
         3.0 => Some(Degrees::Three),
         6.0 => Some(Degrees::Six),
         other => {
-            reader.fault("vehicle.dof", format!("got {other}, must be 3 or 6"));
+            reader.fault(&input::vehicle::DOF, format!("got {other}, must be 3 or 6"));
             None
         }
     }
@@ -87,9 +67,9 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
     match known.degrees {
         Degrees::Three => {
             let at_trim = known.at_trim;
-            unused(reader, "three degrees of freedom", |key| {
-                let of_trim = at_trim && key == "vehicle.cg_m";
-                RIGID_ONLY.contains(&key) && !of_trim || key.starts_with("attitude.")
+            unused(reader, "three degrees of freedom", |input| {
+                let of_trim = at_trim && *input == input::vehicle::CG_M;
+                input.is_of(Task::RigidBody) && !input.is_of(Task::PointMass) && !of_trim
             });
             let bank = bank(reader);
             let lift = if at_trim {
@@ -104,33 +84,24 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
                 Some(source) => Freedom::Lifting(Box::new(Lift {
                     source,
                     bank: bank?,
-                    beyond_bank: beyond(reader, "vehicle.bank_extrapolation"),
+                    beyond_bank: beyond(reader, &input::vehicle::BANK_EXTRAPOLATION),
                 })),
             })
         }
         Degrees::Six => {
-            unused(reader, "six degrees of freedom", |key| {
-                LIFT.contains(&key) || BANK.contains(&key) || key == "vehicle.trim"
+            unused(reader, "six degrees of freedom", |input| {
+                input.is_of(Task::PointMass) && !input.is_of(Task::RigidBody)
             });
             rigid(reader, known).map(|rigid| Freedom::Rigid(Box::new(rigid)))
         }
     }
 }
 
-/// Keys that are given and play no part are remarked, so that a case may be flown both ways.
-pub(super) fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> bool) {
-    for input in inputs().filter(|input| which(input.key)) {
-        if reader.given(input.key) {
-            reader.findings.push(Finding {
-                severity: Severity::Note,
-                model: "input".to_string(),
-                key: input.key.to_string(),
-                value: None,
-                valid: (None, None),
-                message: format!("{} is not used in {model}.", input.label),
-                source: "convention of this program".to_string(),
-                field: Some(input.key.to_string()),
-            });
+/// Inputs that are given and play no part are remarked, so that a case may be flown both ways.
+pub(super) fn unused(reader: &mut Reader, model: &str, which: impl Fn(&Input) -> bool) {
+    for input in inputs().filter(|input| which(input)) {
+        if reader.given(input) {
+            reader.remark(input, format!("{} is not used in {model}.", input.label));
         }
     }
 }
@@ -138,17 +109,27 @@ pub(super) fn unused(reader: &mut Reader, model: &str, which: impl Fn(&str) -> b
 fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
     let inertia = inertia(reader);
     let cg = center::cg(reader, known.outline, known.database.is_some());
-    let span_m = reader.number("vehicle.reference_span_m");
-    let [ca, cn, cm] = CONSTANTS.map(|key| reader.number(key).unwrap_or(0.0));
-    let [clp, cmq, cnr] = DAMPING.map(|key| reader.number(key).unwrap_or(0.0));
-    let constants = CONSTANTS.iter().any(|key| reader.given(key));
+    let span_m = reader.number(&input::vehicle::REFERENCE_SPAN_M);
+    let [ca, cn, cm] = [
+        &input::vehicle::AERODYNAMICS_CA,
+        &input::vehicle::AERODYNAMICS_CN_ALPHA_PER_RAD,
+        &input::vehicle::AERODYNAMICS_CM_ALPHA_PER_RAD,
+    ]
+    .map(|input| reader.number(input).unwrap_or(0.0));
+    let damping = damping(reader);
+    let constants = reader.any_given(CONSTANTS);
     let given = attitude::given(reader);
-    let rates = one_row::<3>(reader, "attitude.body_rates_deg_s");
+    let rates = one_row::<3>(reader, &input::attitude::BODY_RATES_DEG_S);
     if let Some(mission) = known.mission
         && mission.solver.model == Model::AllenEggers
     {
-        let message = "got \"allen-eggers\", which has no attitude; must be \"three-dof\" with vehicle.dof = 6";
-        reader.fault("solver.flight_model", message);
+        let message = format!(
+            "got \"{}\", which has no attitude; must be \"{}\" with {} = 6",
+            Model::AllenEggers.name(),
+            Model::ThreeDof.name(),
+            input::vehicle::DOF
+        );
+        reader.fault(&input::solver::FLIGHT_MODEL, message);
     }
     let length_m = known.length_m?;
     let mission = known.mission?;
@@ -169,7 +150,7 @@ fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
             }),
             None => Aerodynamics::Drag,
         },
-        damping: Damping { clp, cmq, cnr },
+        damping,
         attitude: crate::flight::six_dof::attitude::at_start(&given?, &mission.start, mission),
         rates_rad_s: rates?
             .unwrap_or_default()
@@ -178,13 +159,19 @@ fn rigid(reader: &mut Reader, known: Known) -> Option<Rigid> {
     })
 }
 
+/// Damping about the three axes; none where the case gives none.
+pub(super) fn damping(reader: &mut Reader) -> Damping {
+    let [clp, cmq, cnr] = DAMPING.map(|input| reader.number(input).unwrap_or(0.0));
+    Damping { clp, cmq, cnr }
+}
+
 fn inertia(reader: &mut Reader) -> Option<Inertia> {
-    let key = "vehicle.inertia_kg_m2";
+    let key = &input::vehicle::INERTIA_KG_M2;
     if !reader.given(key) {
-        reader.fault(
-            key,
-            "missing; with vehicle.dof = 6 give three rows of three numbers, in kg-m^2",
-        );
+        let dof = &input::vehicle::DOF;
+        let message =
+            format!("missing; with {dof} = 6 give three rows of three numbers, in kg-m^2");
+        reader.fault(key, message);
         return None;
     }
     let rows = reader.rows(key)?;
@@ -211,17 +198,17 @@ fn inertia(reader: &mut Reader) -> Option<Inertia> {
     }
 }
 
-/// The one of several keys that is given; `Err` when there are more, which is noted.
-fn one_of<'k>(reader: &mut Reader, keys: &[&'k str], what: &str) -> Result<Option<&'k str>, ()> {
-    let given: Vec<&str> = keys
-        .iter()
-        .copied()
-        .filter(|key| reader.given(key))
-        .collect();
-    match given.as_slice() {
+/// The one way in which a case gives a thing; `Err` when there are more, which is noted.
+fn one_of(
+    reader: &mut Reader,
+    alternatives: &Alternatives,
+    what: &str,
+) -> Result<Option<&'static Input>, ()> {
+    match reader.ways(alternatives).as_slice() {
         [] => Ok(None),
         [only] => Ok(Some(only)),
         [_, second, ..] => {
+            let keys: Vec<&str> = alternatives.inputs().map(|input| input.key).collect();
             let message = format!(
                 "{what} is given in more than one way; give one of {}",
                 keys.join(", ")
@@ -233,33 +220,39 @@ fn one_of<'k>(reader: &mut Reader, keys: &[&'k str], what: &str) -> Result<Optio
 }
 
 fn lift(reader: &mut Reader) -> Option<Option<Source>> {
-    Some(Some(match one_of(reader, &LIFT, "lift").ok()? {
-        None => return Some(None),
-        Some(key) if key == LIFT[0] => Source::OfDrag(reader.number(key)?),
-        Some(key) if key == LIFT[1] => Source::Coefficient(reader.number(key)?),
-        Some(key) => {
-            let rule = extrapolation(reader);
-            let end = match rule {
-                Extrapolation::Extend => End::Extrapolate,
-                Extrapolation::Hold | Extrapolation::Refuse => End::Hold,
-            };
-            Source::Table(table(reader, key, 1.0, end)?, rule)
-        }
+    let Some(way) = one_of(reader, &input::vehicle::LIFT, "lift").ok()? else {
+        return Some(None);
+    };
+    Some(Some(if *way == input::vehicle::LIFT_TO_DRAG {
+        Source::OfDrag(reader.number(way)?)
+    } else if *way == input::vehicle::LIFT_COEFFICIENT {
+        Source::Coefficient(reader.number(way)?)
+    } else {
+        let rule = beyond(reader, &input::vehicle::AERODYNAMICS_EXTRAPOLATION);
+        let end = match rule {
+            Extrapolation::Extend => End::Extrapolate,
+            Extrapolation::Hold | Extrapolation::Refuse => End::Hold,
+        };
+        Source::Table(table(reader, way, 1.0, end)?, rule)
     }))
 }
 
 fn bank(reader: &mut Reader) -> Option<Bank> {
-    Some(match one_of(reader, &BANK, "the angle of bank").ok()? {
-        None => Bank::Constant(0.0),
-        Some(key) if key == BANK[0] => Bank::Constant(reader.number(key)? * RADIANS_PER_DEGREE),
-        Some(key) if key == BANK[1] => Bank::OfTime(bank_table(reader, key)?),
-        Some(key) => Bank::OfSpeed(bank_table(reader, key)?),
+    let Some(way) = one_of(reader, &input::vehicle::BANK, "the angle of bank").ok()? else {
+        return Some(Bank::Constant(0.0));
+    };
+    Some(if *way == input::vehicle::BANK_DEG {
+        Bank::Constant(reader.number(way)? * RADIANS_PER_DEGREE)
+    } else if *way == input::vehicle::BANK_TABLE_DEG {
+        Bank::OfTime(bank_table(reader, way)?)
+    } else {
+        Bank::OfSpeed(bank_table(reader, way)?)
     })
 }
 
 /// A table of the angle of bank, rad; between two rows within half a turn of upright it goes the shorter way.
-fn bank_table(reader: &mut Reader, key: &str) -> Option<Table1> {
-    let mut rows = reader.rows(key)?;
+fn bank_table(reader: &mut Reader, input: &'static Input) -> Option<Table1> {
+    let mut rows = reader.rows(input)?;
     let pairs = |rows: &[Vec<f64>]| -> Vec<f64> {
         rows.iter().filter_map(|row| row.get(1)).copied().collect()
     };
@@ -278,16 +271,8 @@ fn bank_table(reader: &mut Reader, key: &str) -> Option<Table1> {
         }
     }
     if pairs(&rows) != given {
-        reader.findings.push(Finding {
-            severity: Severity::Note,
-            model: "bank".to_string(),
-            key: key.to_string(),
-            value: None,
-            valid: (None, None),
-            message: "Between rows more than 180 deg apart the bank goes the shorter way, through 180 deg. For the other way write angles beyond 180 deg, or a row between.".to_string(),
-            source: "convention of this program".to_string(),
-            field: Some(key.to_string()),
-        });
+        let message = "Between rows more than 180 deg apart the bank goes the shorter way, through 180 deg. For the other way write angles beyond 180 deg, or a row between.";
+        reader.findings.push(remark("bank", input, message));
     }
     let column = |i: usize, factor: f64| -> Vec<f64> {
         let cells = rows.iter().filter_map(|row| row.get(i));
@@ -295,7 +280,7 @@ fn bank_table(reader: &mut Reader, key: &str) -> Option<Table1> {
     };
     let table = Table1::try_new(&column(0, 1.0), &column(1, RADIANS_PER_DEGREE), End::Hold);
     table
-        .map_err(|error| reader.fault(key, error.to_string()))
+        .map_err(|error| reader.fault(input, error.to_string()))
         .ok()
 }
 
@@ -303,8 +288,8 @@ fn bank_table(reader: &mut Reader, key: &str) -> Option<Table1> {
 const HALF_TURN_DEG: f64 = 180.0;
 
 /// A table of two columns, the second times a factor.
-fn table(reader: &mut Reader, key: &str, factor: f64, end: End) -> Option<Table1> {
-    let rows = reader.rows(key)?;
+fn table(reader: &mut Reader, input: &'static Input, factor: f64, end: End) -> Option<Table1> {
+    let rows = reader.rows(input)?;
     let column = |i: usize, factor: f64| -> Vec<f64> {
         rows.iter()
             .filter_map(|row| row.get(i))
@@ -314,7 +299,7 @@ fn table(reader: &mut Reader, key: &str, factor: f64, end: End) -> Option<Table1
     match Table1::try_new(&column(0, 1.0), &column(1, factor), end) {
         Ok(table) => Some(table),
         Err(error) => {
-            reader.fault(key, error.to_string());
+            reader.fault(input, error.to_string());
             None
         }
     }
@@ -327,20 +312,17 @@ pub(super) fn length_m(
     area_m2: Option<f64>,
 ) -> Option<f64> {
     let of_area = || area_m2.map(|area| (4.0 * area / PI).sqrt());
-    if reader.given("vehicle.reference_length_m") {
-        return reader.number("vehicle.reference_length_m");
+    if reader.given(&input::vehicle::REFERENCE_LENGTH_M) {
+        return reader.number(&input::vehicle::REFERENCE_LENGTH_M);
     }
     diameter_m.or_else(of_area)
 }
 
 /// Drag as a point mass has it, where constants stand in its place.
 pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
-    let ca = reader.number(CONSTANTS[0]);
-    Some(Drag::Constant(if reader.given(CONSTANTS[0]) {
-        ca?
-    } else {
-        0.0
-    }))
+    let input = &input::vehicle::AERODYNAMICS_CA;
+    let ca = reader.number(input);
+    Some(Drag::Constant(if reader.given(input) { ca? } else { 0.0 }))
 }
 
 /// Without moments the steps are long: energy and angular momentum keep to 1e-10 over ten minutes of tumbling.
@@ -352,10 +334,10 @@ pub(super) const TOLERANCE_DATABASE: f64 = 1e-8;
 
 /// Method and accuracy of six degrees of freedom, where the case does not say otherwise.
 pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
-    if !reader.given("solver.method") {
+    if !reader.given(&input::solver::METHOD) {
         solver.method = Method::DormandPrince853;
     }
-    if !reader.given("solver.tolerance") {
+    if !reader.given(&input::solver::TOLERANCE) {
         let damped = rigid.damping != Damping::default();
         solver.tolerance = match &rigid.aerodynamics {
             Aerodynamics::Database(_) => TOLERANCE_DATABASE,

@@ -1,18 +1,20 @@
 //! Checks the choice of heating models.
 
-use super::forms::{beyond, choice};
-use super::planet::{SAME_GAS, remark};
+use super::forms::{beyond, together};
+use super::planet::SAME_GAS;
 use crate::case::Reader;
 use crate::heating::StagnationHeating;
 use crate::heating::brandis_johnston::BrandisJohnston;
 use crate::heating::convective::Convective;
 use crate::heating::given::GivenHeating;
 use crate::heating::given::body::{Along, BodyHeating};
-use crate::heating::pressure::{PressureModel, StagnationPressure};
+use crate::heating::pressure::StagnationPressure;
 use crate::heating::radiative::Radiative;
 use crate::heating::stagnation::ConvectiveOptions;
 use crate::heating::wall::{Wall, WallGas};
 use crate::library::{Library, World};
+use crate::quantity::choice::{ConvectiveModel, RadiativeModel, WallModel};
+use crate::quantity::input::{self, Input};
 use std::sync::Arc;
 
 /// Heating at the stagnation point on a planet, and the emissivity of the wall.
@@ -25,47 +27,61 @@ pub(super) fn heating(
     let name = &world.planet.name;
     let (table, body) = given(reader);
     let given_fluxes = table.is_some();
-    let convective = match choice(reader, "heating.convective")? {
-        _ if table.is_some() => table.clone().map(Convective::Given),
-        "brandis-johnston" => brandis_johnston(reader, "heating.convective", world)
-            .map(|both| Convective::BrandisJohnston(both.convective.clone())),
-        "sutton-graves" => Some(Convective::SuttonGraves(world.sutton_graves.clone())),
-        other => unknown(reader, "heating.convective", other),
+    let model = reader.choice(&input::heating::CONVECTIVE)?;
+    let of_relation = |reader: &mut Reader| match model {
+        ConvectiveModel::BrandisJohnston => {
+            brandis_johnston(reader, &input::heating::CONVECTIVE, world)
+                .map(|both| Convective::BrandisJohnston(both.convective.clone()))
+        }
+        ConvectiveModel::SuttonGraves => {
+            Some(Convective::SuttonGraves(world.sutton_graves.clone()))
+        }
+    };
+    let convective = match &table {
+        Some(table) => Some(Convective::Given(table.clone())),
+        None => of_relation(reader),
     };
     let radiating = table.filter(|table| table.has_radiation());
-    let radiative = match choice(reader, "heating.radiative")? {
-        _ if radiating.is_some() => radiating.map(Radiative::Given),
-        "none" => Some(Radiative::None),
-        "brandis-johnston" => brandis_johnston(reader, "heating.radiative", world)
-            .map(|both| Radiative::BrandisJohnston(both.radiative.clone())),
-        "tauber-sutton" => {
+    let model = reader.choice(&input::heating::RADIATIVE)?;
+    let of_relation = |reader: &mut Reader| match model {
+        RadiativeModel::None => Some(Radiative::None),
+        RadiativeModel::BrandisJohnston => {
+            brandis_johnston(reader, &input::heating::RADIATIVE, world)
+                .map(|both| Radiative::BrandisJohnston(both.radiative.clone()))
+        }
+        RadiativeModel::TauberSutton => {
             let relation = world.tauber_sutton.clone().map(Radiative::TauberSutton);
             if relation.is_none() {
                 let message = format!(
-                    "got \"tauber-sutton\", which has no relation for {name}; choose \"none\""
+                    "got \"{}\", which has no relation for {name}; choose \"{}\"",
+                    model.name(),
+                    RadiativeModel::None.name()
                 );
-                reader.fault("heating.radiative", message);
+                reader.fault(&input::heating::RADIATIVE, message);
             }
             relation
         }
-        other => unknown(reader, "heating.radiative", other),
     };
-    let emissivity = reader.number("heating.wall_emissivity");
-    let wall = choice(reader, "heating.wall");
+    let radiative = match radiating {
+        Some(table) => Some(Radiative::Given(table)),
+        None => of_relation(reader),
+    };
+    let emissivity = reader.number(&input::heating::WALL_EMISSIVITY);
+    let wall = reader.choice(&input::heating::WALL);
     let model_factor = match given_fluxes {
         true => no_factor(reader),
-        false => reader.number("heating.convective_model_factor"),
+        false => reader.number(&input::heating::CONVECTIVE_MODEL_FACTOR),
     };
-    let convective_margin = reader.number("heating.convective_margin");
-    let radiative_margin = reader.number("heating.radiative_margin");
-    let pressure = choice(reader, "heating.stagnation_pressure").and_then(PressureModel::named);
+    let convective_margin = reader.number(&input::heating::CONVECTIVE_MARGIN);
+    let radiative_margin = reader.number(&input::heating::RADIATIVE_MARGIN);
+    let pressure = reader.choice(&input::heating::STAGNATION_PRESSURE);
     let emissivity = emissivity?;
     let options = ConvectiveOptions {
         model_factor: model_factor?,
         margin: convective_margin?,
         wall: match wall? {
-            "radiative-equilibrium" => Wall::RadiativeEquilibrium { emissivity },
-            _ => Wall::Cold,
+            WallModel::RadiativeEquilibrium => Wall::RadiativeEquilibrium { emissivity },
+            WallModel::Cold => Wall::Cold,
         },
     };
     let heating = StagnationHeating {
@@ -85,21 +101,24 @@ pub(super) fn heating(
 
 /// The factor on heat fluxes that the case gives: none, as it corrects a relation.
 fn no_factor(reader: &mut Reader) -> Option<f64> {
-    let key = "heating.convective_model_factor";
-    let factor = reader.number(key)?;
+    let input = &input::heating::CONVECTIVE_MODEL_FACTOR;
+    let factor = reader.number(input)?;
     if factor != 1.0 {
         let message = "The model factor is not used: it corrects a relation, and the case gives convective heat fluxes itself.";
-        remark(reader, key, message.to_string());
+        reader.remark(input, message);
     }
     Some(1.0)
 }
 
 /// The gas at the wall: that of the planet, or of the air that the case brings.
 fn wall_gas(reader: &mut Reader, planets: &WallGas, gas_constant_j_kg_k: Option<f64>) -> WallGas {
-    let own = ["atmosphere.table", "atmosphere.exponential.density_kg_m3"];
-    let brought = own.iter().any(|key| reader.given(key));
-    let key = "atmosphere.heat_capacity_ratio";
-    let ratio = reader.given(key).then(|| reader.number(key)).flatten();
+    let own = [
+        &input::atmosphere::TABLE,
+        &input::atmosphere::EXPONENTIAL_DENSITY_KG_M3,
+    ];
+    let brought = reader.any_given(&own);
+    let ratio = &input::atmosphere::HEAT_CAPACITY_RATIO;
+    let ratio = reader.given(ratio).then(|| reader.number(ratio)).flatten();
     let Some(gas_constant) = gas_constant_j_kg_k.filter(|_| brought) else {
         return planets.clone();
     };
@@ -111,67 +130,56 @@ fn wall_gas(reader: &mut Reader, planets: &WallGas, gas_constant_j_kg_k: Option<
     planets.clone().in_air(gas_constant, ratio)
 }
 
-/// Keys of the tables of heating.
-const TABLES: [&str; 3] = ["heating.table", "heating.radius_table", "heating.arc_table"];
-
 /// Heating that the case gives: the table of the stagnation point, and those along the body.
 fn given(reader: &mut Reader) -> (Option<Arc<GivenHeating>>, Option<Arc<BodyHeating>>) {
-    let rule = beyond(reader, "heating.extrapolation");
-    let keys: Vec<&'static str> = TABLES.into_iter().filter(|key| reader.given(key)).collect();
-    let key = match keys.as_slice() {
+    let rule = beyond(reader, &input::heating::EXTRAPOLATION);
+    let way = match reader.ways(&input::heating::TABLES).as_slice() {
         [] => return (None, None),
-        [key] => *key,
+        [way] => *way,
         [first, second, ..] => {
-            reader.fault(
-                second,
-                format!("given together with {first}; give one of them"),
-            );
+            together(reader, *second, first);
             return (None, None);
         }
     };
-    let Some(rows) = reader.rows(key) else {
+    let Some(rows) = reader.rows(way) else {
         return (None, None);
     };
-    let along = match key {
-        "heating.radius_table" => Along::Radius,
-        "heating.arc_table" => Along::Arc,
-        _ => {
-            let table = GivenHeating::try_new(key, &rows, rule);
-            return (noted(reader, key, table).map(Arc::new), None);
-        }
+    let along = if *way == input::heating::RADIUS_TABLE {
+        Along::Radius
+    } else if *way == input::heating::ARC_TABLE {
+        Along::Arc
+    } else {
+        let table = GivenHeating::try_new(way.key, &rows, rule);
+        return (noted(reader, way, table).map(Arc::new), None);
     };
-    let body = noted(reader, key, BodyHeating::try_new(key, along, &rows, rule));
+    let body = noted(
+        reader,
+        way,
+        BodyHeating::try_new(way.key, along, &rows, rule),
+    );
     let stagnation = body.as_ref().and_then(BodyHeating::stagnation).cloned();
     (stagnation.map(Arc::new), body.map(Arc::new))
 }
 
 /// What was made of rows, or `None` with all their faults noted.
-fn noted<T>(reader: &mut Reader, key: &str, made: Result<T, Vec<String>>) -> Option<T> {
-    let note = |fault: String| reader.fault(key, fault);
+fn noted<T>(reader: &mut Reader, input: &'static Input, made: Result<T, Vec<String>>) -> Option<T> {
+    let note = |fault: String| reader.fault(input, fault);
     made.map_err(|faults| faults.into_iter().for_each(note))
         .ok()
 }
 
 fn brandis_johnston<'l>(
     reader: &mut Reader,
-    key: &str,
+    input: &'static Input,
     world: &'l World,
 ) -> Option<&'l BrandisJohnston> {
     let both = world.brandis_johnston.as_ref();
     if both.is_none() {
         let name = &world.planet.name;
-        reader.fault(
-            key,
-            format!("got \"brandis-johnston\", which is for the Earth, not for {name}"),
-        );
+        let message = "got \"brandis-johnston\", which is for the Earth, not for ";
+        reader.fault(input, format!("{message}{name}"));
     }
     both
-}
-
-/// The fault of a name that is among the choices of an input and of which nothing is known here.
-fn unknown<T>(reader: &mut Reader, key: &str, name: &str) -> Option<T> {
-    reader.fault(key, format!("got \"{name}\", a model that is not there"));
-    None
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
 //! Checks the outline of a rigid body: a preset, dimensions of a sphere-cone, or points.
 
-use super::forms::choice;
+use super::forms::names;
 use crate::case::{Case, InputError, Reader};
 use crate::library::{Library, named};
-use crate::quantity::input::inputs;
+use crate::quantity::choice::AftOfCone;
+use crate::quantity::input;
 use crate::vehicle::body::shape::Aft;
 use crate::vehicle::body::{RigidBody, Shape, from_rows};
 use numerics::math::RADIANS_PER_DEGREE;
@@ -24,14 +25,6 @@ pub fn rigid_body(case: &Case, library: &Library) -> Result<Option<RigidBody>, V
         Err(reader.into_faults())
     }
 }
-
-/// Keys that give a sphere-cone by its dimensions.
-const DIMENSIONS: [&str; 4] = [
-    "outline.cone_half_angle_deg",
-    "outline.nose_radius_m",
-    "outline.shoulder_radius_m",
-    "outline.aft",
-];
 
 /// What the section `[outline]` of a case makes.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,8 +49,7 @@ impl Outline {
 
 /// The outline of the case.
 pub(super) fn outline(reader: &mut Reader, library: &Library) -> Outline {
-    let mut keys = inputs().filter(|input| input.key.starts_with("outline."));
-    if !keys.any(|input| reader.given(input.key)) {
+    if !reader.any_given(input::outline::INPUTS) {
         return Outline::Absent;
     }
     match given_body(reader, library) {
@@ -67,23 +59,12 @@ pub(super) fn outline(reader: &mut Reader, library: &Library) -> Outline {
 }
 
 fn given_body(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
-    let given = |reader: &Reader, key: &str| reader.given(key);
-    if given(reader, "outline.file") {
-        let message = "was not read; give its rows as outline.points";
-        reader.fault("outline.file", message);
+    let file = &input::outline::FILE;
+    if reader.given(file) {
+        reader.not_read(file);
         return None;
     }
-    let preset = given(reader, "outline.preset");
-    let points = given(reader, "outline.points");
-    let dimension = DIMENSIONS.into_iter().find(|key| reader.given(key));
-    let ways: Vec<&str> = [
-        preset.then_some("outline.preset"),
-        points.then_some("outline.points"),
-        dimension,
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let ways = reader.ways(&input::outline::OUTLINE);
     if let [first, second, ..] = ways.as_slice() {
         let message = format!(
             "given together with {first}; give a preset, dimensions or points, not more than one"
@@ -91,27 +72,25 @@ fn given_body(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
         reader.fault(second, message);
         return None;
     }
-    if points {
-        return of_points(reader);
-    }
-    if preset {
-        of_preset(reader, library)
-    } else {
-        of_dimensions(reader)
+    match ways.first() {
+        Some(way) if **way == input::outline::POINTS => of_points(reader),
+        Some(way) if **way == input::outline::PRESET => of_preset(reader, library),
+        _ => of_dimensions(reader),
     }
 }
 
 fn of_points(reader: &mut Reader) -> Option<RigidBody> {
-    let rows = reader.rows("outline.points")?;
-    if reader.given("outline.diameter_m") {
-        let message = "given together with outline.points, which have their own size";
-        reader.fault("outline.diameter_m", message);
+    let rows = reader.rows(&input::outline::POINTS)?;
+    if reader.given(&input::outline::DIAMETER_M) {
+        let points = &input::outline::POINTS;
+        let message = format!("given together with {points}, which have their own size");
+        reader.fault(&input::outline::DIAMETER_M, message);
     }
     match from_rows("Outline of the case", &rows) {
         Ok(body) => Some(body),
         Err(faults) => {
             for fault in faults {
-                reader.fault("outline.points", fault.to_string());
+                reader.fault(&input::outline::POINTS, fault.to_string());
             }
             None
         }
@@ -119,17 +98,12 @@ fn of_points(reader: &mut Reader) -> Option<RigidBody> {
 }
 
 fn of_preset(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
-    let names: Vec<&str> = library
-        .outlines
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let name = reader.choice("outline.preset", &names);
-    let diameter_m = reader.number("outline.diameter_m");
+    let name = reader.name(&input::outline::PRESET, &names(&library.outlines));
+    let diameter_m = reader.number(&input::outline::DIAMETER_M);
     match named(&library.outlines, name?)?.scaled_body(diameter_m) {
         Ok(body) => Some(body),
         Err(message) => {
-            reader.fault("outline.preset", message);
+            reader.fault(&input::outline::PRESET, message);
             None
         }
     }
@@ -137,15 +111,15 @@ fn of_preset(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
 
 fn of_dimensions(reader: &mut Reader) -> Option<RigidBody> {
     let [diameter_m, angle_deg, nose_radius_m, shoulder_radius_m] = [
-        "outline.diameter_m",
-        "outline.cone_half_angle_deg",
-        "outline.nose_radius_m",
-        "outline.shoulder_radius_m",
+        &input::outline::DIAMETER_M,
+        &input::outline::CONE_HALF_ANGLE_DEG,
+        &input::outline::NOSE_RADIUS_M,
+        &input::outline::SHOULDER_RADIUS_M,
     ]
-    .map(|key| reader.required_number(key));
-    let aft = match reader.given("outline.aft") {
-        true => choice(reader, "outline.aft"),
-        false => Some("flat"),
+    .map(|input| reader.required_number(input));
+    let aft = match reader.given(&input::outline::AFT) {
+        true => reader.choice(&input::outline::AFT),
+        false => Some(AftOfCone::Flat),
     };
     let shape = Shape {
         diameter_m: diameter_m?,
@@ -153,15 +127,15 @@ fn of_dimensions(reader: &mut Reader) -> Option<RigidBody> {
         shoulder_radius_m: shoulder_radius_m?,
         cone_half_angle_rad: Some(angle_deg? * RADIANS_PER_DEGREE),
         aft: match aft? {
-            "mmeev" => Aft::Mmeev,
-            _ => Aft::Flat,
+            AftOfCone::Mmeev => Aft::Mmeev,
+            AftOfCone::Flat => Aft::Flat,
         },
     };
     match shape.body("Sphere-cone of the case") {
         Ok(body) => Some(body),
         Err(faults) => {
             for (key, message) in faults {
-                reader.fault(&format!("outline.{key}"), message);
+                reader.fault(format!("outline.{key}"), message);
             }
             None
         }

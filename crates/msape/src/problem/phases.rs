@@ -1,18 +1,18 @@
 //! Checks the phases of a flight.
 
-use super::forms::{choice, one_row};
-use crate::case::Reader;
+use super::forms::one_row;
+use crate::case::{Reader, remark};
 use crate::finding::range::short;
-use crate::finding::{Finding, Severity};
 use crate::flight::phase::{Begin, Canopy, Change, Direction, Mark, Phase};
+use crate::quantity::input::{self, Input, phase};
 
-/// The keys of which one begins a phase.
-const MARKS: [(&str, Mark); 5] = [
-    ("time_s", Mark::Time),
-    ("altitude_m", Mark::Altitude),
-    ("mach", Mark::Mach),
-    ("dynamic_pressure_pa", Mark::DynamicPressure),
-    ("deceleration_earth_g", Mark::Deceleration),
+/// The inputs of which one begins a phase.
+const MARKS: [(&Input, Mark); 5] = [
+    (&phase::TIME_S, Mark::Time),
+    (&phase::ALTITUDE_M, Mark::Altitude),
+    (&phase::MACH, Mark::Mach),
+    (&phase::DYNAMIC_PRESSURE_PA, Mark::DynamicPressure),
+    (&phase::DECELERATION_EARTH_G, Mark::Deceleration),
 ];
 
 /// What flies through the phases.
@@ -31,20 +31,19 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
     let mut found: Vec<Phase> = Vec::with_capacity(count);
     let mut earlier_s = 0.0;
     let mut before_kg = reader
-        .given("vehicle.mass_kg")
-        .then(|| reader.number("vehicle.mass_kg"))
+        .given(&input::vehicle::MASS_KG)
+        .then(|| reader.number(&input::vehicle::MASS_KG))
         .flatten();
     for number in 1..=count {
-        let Some(phase) = phase(reader, number, flown) else {
+        let Some(phase) = of_number(reader, number, flown) else {
             continue;
         };
-        let key = format!("phase.{number}");
         if found.iter().any(|other| other.name == phase.name) {
             let message = format!(
                 "got \"{}\", which an earlier phase is called, too",
                 phase.name
             );
-            reader.fault(&format!("{key}.name"), message);
+            reader.fault(phase::NAME.of_phase(number), message);
         }
         if phase.begin.mark == Mark::Time {
             if phase.begin.value < earlier_s {
@@ -52,7 +51,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                     "got {} s, must be at least {earlier_s} s of an earlier phase: phases begin in their order",
                     phase.begin.value
                 );
-                reader.fault(&format!("{key}.time_s"), message);
+                reader.fault(phase::TIME_S.of_phase(number), message);
             }
             earlier_s = phase.begin.value;
         }
@@ -68,9 +67,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                 short(mass_kg),
                 short(before)
             );
-            reader
-                .findings
-                .push(note(&format!("{key}.mass_kg"), &message));
+            note(reader, &phase::MASS_KG, number, message);
         }
         before_kg = phase.change.mass_kg.or(before_kg);
         found.push(phase);
@@ -78,16 +75,11 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
     (reader.faults.len() == before).then_some(found)
 }
 
-fn phase(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
-    let key = |name: &str| format!("phase.{number}.{name}");
-    let name = match reader.given(&key("name")) {
-        true => reader
-            .words(&key("name"))
-            .filter(|name| !name.trim().is_empty()),
-        false => None,
-    };
+fn of_number(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
+    let key = phase::NAME.of_phase(number);
+    let name = reader.words(key).filter(|name| !name.trim().is_empty());
     if name.is_none() {
-        reader.fault(&key("name"), "missing; every phase has a name");
+        reader.fault(key, "missing; every phase has a name");
     }
     let begin = begin(reader, number);
     let change = change(reader, number, flown);
@@ -99,94 +91,101 @@ fn phase(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
 }
 
 fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
-    let key = |name: &str| format!("phase.{number}.{name}");
     let given: Vec<_> = MARKS
         .into_iter()
-        .filter(|(name, _)| reader.given(&key(name)))
+        .filter(|(input, _)| reader.given(input.of_phase(number)))
         .collect();
-    let direction_given = reader.given(&key("direction"));
+    let ways = || {
+        let names = MARKS.map(|(input, _)| phase::name(input));
+        names.join(", ")
+    };
+    let key = phase::DIRECTION.of_phase(number);
+    let direction_given = reader.given(key);
     let direction = match direction_given {
-        true => choice(reader, &key("direction"))?,
-        false => "falling",
+        true => reader.choice(key)?,
+        false => Direction::Falling,
     };
     match given.as_slice() {
-        [(name, mark)] => {
+        [(input, mark)] => {
             if *mark == Mark::Time && direction_given {
-                reader.fault(
-                    &key("direction"),
-                    "given together with time_s, which only rises; leave it away",
-                );
+                let time = phase::name(input);
+                let message =
+                    format!("given together with {time}, which only rises; leave it away");
+                reader.fault(key, message);
             }
             Some(Begin {
                 mark: *mark,
-                value: reader.number(&key(name))?,
-                direction: match direction {
-                    "rising" => Direction::Rising,
-                    _ => Direction::Falling,
-                },
+                value: reader.number(input.of_phase(number))?,
+                direction,
             })
         }
         [] => {
-            reader.fault(
-                &key("altitude_m"),
-                "missing; give one of time_s, altitude_m, mach, dynamic_pressure_pa, deceleration_earth_g",
-            );
+            let message = format!("missing; give one of {}", ways());
+            reader.fault(phase::ALTITUDE_M.of_phase(number), message);
             None
         }
         [_, (second, _), ..] => {
-            reader.fault(&key(second), "a phase begins in one way; give one of time_s, altitude_m, mach, dynamic_pressure_pa, deceleration_earth_g");
+            let message = format!("a phase begins in one way; give one of {}", ways());
+            reader.fault(second.of_phase(number), message);
             None
         }
     }
 }
 
 fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
-    let key = |name: &str| format!("phase.{number}.{name}");
     let before = reader.faults.len();
-    let mut value = |name: &str| {
-        let key = key(name);
-        reader.given(&key).then(|| reader.number(&key)).flatten()
-    };
-    let (mass_kg, reference_area_m2, drag_coefficient) = (
-        value("mass_kg"),
-        value("reference_area_m2"),
-        value("drag_coefficient"),
-    );
-    let (drag_area_m2, inflation_s) = (value("drag_area_m2"), value("inflation_s"));
-    let attachment = one_row::<3>(reader, &key("attachment_m")).flatten();
-    let out = reader.given(&key("drag_area_m2"));
+    let [
+        mass_kg,
+        reference_area_m2,
+        drag_coefficient,
+        drag_area_m2,
+        inflation_s,
+    ] = [
+        &phase::MASS_KG,
+        &phase::REFERENCE_AREA_M2,
+        &phase::DRAG_COEFFICIENT,
+        &phase::DRAG_AREA_M2,
+        &phase::INFLATION_S,
+    ]
+    .map(|input| reader.number(input.of_phase(number)));
+    let drag_coefficient_key = phase::DRAG_COEFFICIENT.of_phase(number);
+    let attachment_key = phase::ATTACHMENT_M.of_phase(number);
+    let attachment = one_row::<3>(reader, attachment_key).flatten();
+    let area = phase::name(&phase::REFERENCE_AREA_M2);
+    let drag_area = phase::name(&phase::DRAG_AREA_M2);
+    let out = reader.given(phase::DRAG_AREA_M2.of_phase(number));
     if !out {
-        for name in ["inflation_s", "attachment_m"] {
-            if reader.given(&key(name)) {
-                reader.fault(
-                    &key(name),
-                    "given without drag_area_m2, to which it belongs",
-                );
+        for key in [phase::INFLATION_S.of_phase(number), attachment_key] {
+            if reader.given(key) {
+                let message = format!("given without {drag_area}, to which it belongs");
+                reader.fault(key, message);
             }
         }
     }
     match flown {
         Flown::Rigid => {
-            if reader.given(&key("drag_coefficient")) {
-                reader.fault(&key("drag_coefficient"), "is of a point mass; the drag of a rigid body follows from its attitude and one number does not tell its moments: give reference_area_m2, by which all its forces and moments are scaled, or drag_area_m2, a parachute");
+            if reader.given(drag_coefficient_key) {
+                let message = format!(
+                    "is of a point mass; the drag of a rigid body follows from its attitude and one number does not tell its moments: give {area}, by which all its forces and moments are scaled, or {drag_area}, a parachute"
+                );
+                reader.fault(drag_coefficient_key, message);
             }
             if reference_area_m2.is_some() {
                 let message = "Forces and moments of the vehicle are scaled with its reference area when the phase begins; coefficients and reference lengths stay.";
-                reader
-                    .findings
-                    .push(note(&key("reference_area_m2"), message));
+                note(reader, &phase::REFERENCE_AREA_M2, number, message);
             }
-            if out && drag_area_m2 != Some(0.0) && !reader.given(&key("attachment_m")) {
-                reader.fault(&key("attachment_m"), "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
+            if out && drag_area_m2 != Some(0.0) && !reader.given(attachment_key) {
+                reader.fault(attachment_key, "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
             }
             if mass_kg.is_some() {
                 let message = "The inertia of the vehicle is scaled with its mass, and its centre of gravity stays, when the phase begins.";
-                reader.findings.push(note(&key("mass_kg"), message));
+                note(reader, &phase::MASS_KG, number, message);
             }
         }
-        Flown::Point if reader.given(&key("attachment_m")) => {
-            let message = "Parachute Attachment is not used in three degrees of freedom.";
-            reader.findings.push(note(&key("attachment_m"), message));
+        Flown::Point if reader.given(attachment_key) => {
+            let label = phase::ATTACHMENT_M.label;
+            let message = format!("{label} is not used in three degrees of freedom.");
+            note(reader, &phase::ATTACHMENT_M, number, message);
         }
         Flown::Point => {}
     }
@@ -207,21 +206,13 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
 pub(super) fn not_flown(reader: &mut Reader, by: &str) {
     if reader.phases() > 0 {
         let message = format!("The phases of the case are not used by {by}.");
-        reader.findings.push(note("phase.1.name", &message));
+        note(reader, &phase::NAME, 1, message);
     }
 }
 
-fn note(key: &str, message: &str) -> Finding {
-    Finding {
-        severity: Severity::Note,
-        model: "phases".to_string(),
-        key: key.to_string(),
-        value: None,
-        valid: (None, None),
-        message: message.to_string(),
-        source: "convention of this program".to_string(),
-        field: Some(key.to_string()),
-    }
+fn note(reader: &mut Reader, input: &'static Input, number: usize, message: impl Into<String>) {
+    let note = remark("phases", input.of_phase(number), message);
+    reader.findings.push(note);
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Checks planet, atmosphere and wind: by name, or given in the case itself.
 
+use super::forms::{names, together};
 use crate::case::Reader;
-use crate::finding::{Finding, Severity};
 use crate::library::{Library, World, named};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::exponential::Exponential;
@@ -9,7 +9,7 @@ use crate::planet::atmosphere::table::Table;
 use crate::planet::gas::{GAS_CONSTANT_J_KMOL_K, Gas, HeatCapacityRatio};
 use crate::planet::wind::{Wind, WindTable};
 use crate::planet::{Gravity, Planet};
-use crate::quantity::input::{OWN_ATMOSPHERE, inputs};
+use crate::quantity::input::{self, Input, OWN_ATMOSPHERE};
 use std::fmt::Display;
 use std::sync::Arc;
 
@@ -20,25 +20,22 @@ pub(super) const SAME_GAS: f64 = 1.05;
 
 /// The planet, and the one of the library whose heating relations are taken.
 pub(super) fn planet<'l>(reader: &mut Reader, library: &'l Library) -> Option<(Planet, &'l World)> {
-    let names: Vec<&str> = library
-        .planets
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let name = reader.choice("entry.planet", &names);
+    let name = reader.name(&input::entry::PLANET, &names(&library.planets));
     if !is_own(reader) {
         let world = named(&library.planets, name?)?;
         return Some((world.planet.clone(), world));
     }
-    if reader.given("entry.planet") {
+    if reader.given(&input::entry::PLANET) {
         let message = "The case brings its own [planet]; of the one named only the atmosphere, the gas, the limits and the heating relations are used.";
-        remark(reader, "entry.planet", message.to_string());
+        reader.remark(&input::entry::PLANET, message);
     }
-    let equatorial_radius_m = reader.required_number("planet.equatorial_radius_m");
+    let equatorial_radius_m = reader.required_number(&input::planet::EQUATORIAL_RADIUS_M);
     let polar_radius_m = reader
-        .number("planet.polar_radius_m")
+        .number(&input::planet::POLAR_RADIUS_M)
         .or(equatorial_radius_m);
-    let rotation_rate_rad_s = reader.number("planet.rotation_rate_rad_s").unwrap_or(0.0);
+    let rotation_rate_rad_s = reader
+        .number(&input::planet::ROTATION_RATE_RAD_S)
+        .unwrap_or(0.0);
     let gravity = gravity(reader, equatorial_radius_m);
     let world = base(reader, library, name)?;
     let base = &world.planet;
@@ -57,7 +54,7 @@ pub(super) fn planet<'l>(reader: &mut Reader, library: &'l Library) -> Option<(P
         kml_target: base
             .kml_target
             .clone()
-            .filter(|_| reader.given("entry.planet")),
+            .filter(|_| reader.given(&input::entry::PLANET)),
         ..base.clone()
     };
     let faults = planet.check();
@@ -80,29 +77,34 @@ pub(super) fn reaching(planet: Planet, atmosphere: Option<&Atmosphere>) -> Plane
 }
 
 /// A fault of an altitude below the lowest of the planet.
-pub(super) fn deep_enough(reader: &mut Reader, key: &str, altitude_m: f64, planet: &Planet) {
+pub(super) fn deep_enough(
+    reader: &mut Reader,
+    input: &'static Input,
+    altitude_m: f64,
+    planet: &Planet,
+) {
     let (lowest_m, title) = (planet.lowest_altitude_m, &planet.title);
     if altitude_m < lowest_m {
         let message = format!(
             "got an altitude of {altitude_m} m, must be at least {lowest_m} m, the lowest of {title}"
         );
-        reader.fault(key, message);
+        reader.fault(input, message);
     }
 }
 
 /// Whether the case brings a planet of its own.
 fn is_own(reader: &Reader) -> bool {
-    section_given(reader, "planet.")
+    reader.any_given(input::planet::INPUTS)
 }
 
 /// The planet of the library that lends its air to one of the case: the one named, else the one whose atmosphere is named, else the
 /// default.
 fn base<'l>(reader: &Reader, library: &'l Library, name: Option<&str>) -> Option<&'l World> {
     let named = named(&library.planets, name?)?;
-    if reader.given("entry.planet") {
+    if reader.given(&input::entry::PLANET) {
         return Some(named);
     }
-    let atmosphere = reader.text("entry.atmosphere");
+    let atmosphere = reader.text(&input::entry::ATMOSPHERE);
     let owns = |planet: &Planet| {
         atmosphere
             .as_ref()
@@ -116,18 +118,19 @@ fn base<'l>(reader: &Reader, library: &'l Library, name: Option<&str>) -> Option
 }
 
 fn gravity(reader: &mut Reader, equatorial_radius_m: Option<f64>) -> Option<Gravity> {
-    let mu_m3_s2 = reader.number("planet.mu_m3_s2");
-    let uniform_m_s2 = reader.number("planet.uniform_gravity_m_s2");
-    let zonal =
-        ["planet.j2", "planet.j3", "planet.j4"].map(|key| reader.number(key).unwrap_or(0.0));
+    let mu_m3_s2 = reader.number(&input::planet::MU_M3_S2);
+    let uniform_m_s2 = reader.number(&input::planet::UNIFORM_GRAVITY_M_S2);
+    let zonal = [&input::planet::J2, &input::planet::J3, &input::planet::J4]
+        .map(|key| reader.number(key).unwrap_or(0.0));
     let reference_radius_m = reader
-        .number("planet.j_reference_radius_m")
+        .number(&input::planet::J_REFERENCE_RADIUS_M)
         .or(equatorial_radius_m);
     match (mu_m3_s2, uniform_m_s2) {
         (Some(_), Some(_)) => {
-            reader.fault(
-                "planet.uniform_gravity_m_s2",
-                "given together with planet.mu_m3_s2; give one of them",
+            together(
+                reader,
+                &input::planet::UNIFORM_GRAVITY_M_S2,
+                &input::planet::MU_M3_S2,
             );
             None
         }
@@ -140,11 +143,10 @@ fn gravity(reader: &mut Reader, equatorial_radius_m: Option<f64>) -> Option<Grav
             reference_radius_m,
         }),
         (None, None) => {
-            if !reader.given("planet.mu_m3_s2") && !reader.given("planet.uniform_gravity_m_s2") {
-                reader.fault(
-                    "planet.mu_m3_s2",
-                    "missing; give it, in m^3/s^2, or planet.uniform_gravity_m_s2, in m/s^2",
-                );
+            if reader.ways(&input::planet::GRAVITY).is_empty() {
+                let uniform = &input::planet::UNIFORM_GRAVITY_M_S2;
+                let message = format!("missing; give it, in m^3/s^2, or {uniform}, in m/s^2");
+                reader.fault(&input::planet::MU_M3_S2, message);
             }
             None
         }
@@ -157,12 +159,11 @@ pub(super) fn atmosphere(
     library: &Library,
     planet: &Option<(Planet, &World)>,
 ) -> Option<Atmosphere> {
-    let known = library.atmospheres.iter().map(|(name, _)| name.as_str());
-    let names: Vec<&str> = [OWN_ATMOSPHERE].into_iter().chain(known).collect();
-    let name = reader.choice("entry.atmosphere", &names);
-    let [table, file] = ["atmosphere.table", "atmosphere.file"].map(|key| reader.given(key));
-    let exponential = section_given(reader, "atmosphere.exponential.");
-    if !(table || file || exponential) {
+    let known = names(&library.atmospheres);
+    let known: Vec<&str> = [OWN_ATMOSPHERE].into_iter().chain(known).collect();
+    let name = reader.name(&input::entry::ATMOSPHERE, &known);
+    let ways = reader.ways(&input::atmosphere::AIR);
+    let Some(&way) = ways.first() else {
         for key in GAS {
             if reader.given(key) {
                 reader.fault(
@@ -172,24 +173,21 @@ pub(super) fn atmosphere(
             }
         }
         return own_atmosphere(reader, library, planet.as_ref()?, name?);
-    }
-    if reader.given("entry.atmosphere") {
+    };
+    if reader.given(&input::entry::ATMOSPHERE) {
         let message =
             "The case brings its own [atmosphere], which is used in place of the one named.";
-        remark(reader, "entry.atmosphere", message.to_string());
+        reader.remark(&input::entry::ATMOSPHERE, message);
     }
-    if usize::from(table) + usize::from(file) + usize::from(exponential) > 1 {
+    if ways.len() > 1 {
         reader.fault(
             "atmosphere",
             "given in more than one way; give one of table, file and exponential",
         );
         return None;
     }
-    if file {
-        reader.fault(
-            "atmosphere.file",
-            "was not read; give its rows as atmosphere.table",
-        );
+    if *way == input::atmosphere::FILE {
+        reader.not_read(way);
         return None;
     }
     // The rows of a case whose planet is at fault are checked all the same.
@@ -203,32 +201,32 @@ pub(super) fn atmosphere(
     let title = &world.atmosphere_title;
     let mut air = world.atmosphere.planet_air();
     given_gas(reader, &mut air.gas)?;
-    let model = if exponential {
-        let density = reader.required_number("atmosphere.exponential.density_kg_m3");
-        let height = reader.required_number("atmosphere.exponential.scale_height_m");
+    let table = &input::atmosphere::TABLE;
+    let model = if way == table {
+        let rows = reader.rows(table)?;
+        let model = Table::try_new(&rows, air.clone());
+        all_faults(reader, table, model).map(|model| Atmosphere::Table(Arc::new(model)))
+    } else {
+        let density = reader.required_number(&input::atmosphere::EXPONENTIAL_DENSITY_KG_M3);
+        let height = reader.required_number(&input::atmosphere::EXPONENTIAL_SCALE_HEIGHT_M);
         let model = Exponential::try_new(density?, height?, air.clone());
         all_faults(reader, "atmosphere.exponential", model)
             .map(|model| Atmosphere::Exponential(Arc::new(model)))
-    } else {
-        let rows = reader.rows("atmosphere.table")?;
-        let model = Table::try_new(&rows, air.clone());
-        all_faults(reader, "atmosphere.table", model)
-            .map(|model| Atmosphere::Table(Arc::new(model)))
     }?;
-    let key = match exponential {
-        true => "atmosphere.exponential.density_kg_m3",
-        false => "atmosphere.table",
+    let input = match way == table {
+        true => table,
+        false => &input::atmosphere::EXPONENTIAL_DENSITY_KG_M3,
     };
     for message in assumed(reader, &model, &air.gas, lender, title) {
-        remark(reader, key, message);
+        reader.remark(input, message);
     }
     Some(model)
 }
 
 /// Inputs of the gas of an atmosphere that the case brings.
-const GAS: [&str; 2] = [
-    "atmosphere.molar_mass_kg_kmol",
-    "atmosphere.heat_capacity_ratio",
+const GAS: [&Input; 2] = [
+    &input::atmosphere::MOLAR_MASS_KG_KMOL,
+    &input::atmosphere::HEAT_CAPACITY_RATIO,
 ];
 
 /// The planet's own atmosphere by its name, or as that of the planet.
@@ -250,7 +248,7 @@ fn own_atmosphere(
             owners.join(" and "),
             planet.title
         );
-        reader.fault("entry.atmosphere", message);
+        reader.fault(&input::entry::ATMOSPHERE, message);
         return None;
     }
     Some(world.atmosphere.clone())
@@ -277,8 +275,8 @@ fn assumed(
     title: &str,
 ) -> Vec<String> {
     let mut messages = Vec::new();
-    let unnamed = is_own(reader) && !reader.given("entry.planet");
-    let gas_given = GAS.iter().all(|key| reader.given(key));
+    let unnamed = is_own(reader) && !reader.given(&input::entry::PLANET);
+    let gas_given = GAS.into_iter().all(|input| reader.given(input));
     let has_temperature = match model {
         Atmosphere::Table(table) => table.has_temperature(),
         _ => false,
@@ -291,8 +289,11 @@ fn assumed(
     if !has_temperature || (unnamed && !gas_given) {
         let mass = gas.molar_mass_kg_kmol();
         let why = match unnamed {
-            true => "; with entry.planet it takes those of another planet",
-            false => "",
+            true => format!(
+                "; with {} it takes those of another planet",
+                input::entry::PLANET
+            ),
+            false => String::new(),
         };
         messages.push(format!(
             "{taken} assumed: of {title}, {mass:.2} kg/kmol; the case brings none{why}."
@@ -317,7 +318,7 @@ fn assumed(
 /// A model, or `None` with all its faults noted.
 fn all_faults<T, F: Display>(
     reader: &mut Reader,
-    key: &str,
+    key: impl Display + Copy,
     model: Result<T, Vec<F>>,
 ) -> Option<T> {
     match model {
@@ -333,43 +334,25 @@ fn all_faults<T, F: Display>(
 
 /// The wind.
 pub(super) fn wind(reader: &mut Reader) -> Option<Wind> {
-    let eastward_m_s = reader.number("wind.eastward_m_s");
-    let northward_m_s = reader.number("wind.northward_m_s");
-    let constant = reader.given("wind.eastward_m_s") || reader.given("wind.northward_m_s");
-    if !reader.given("wind.table") {
-        return Some(match constant {
-            false => Wind::Calm,
-            true => Wind::Constant {
-                eastward_m_s: eastward_m_s.unwrap_or(0.0),
-                northward_m_s: northward_m_s.unwrap_or(0.0),
-            },
-        });
+    let eastward_m_s = reader.number(&input::wind::EASTWARD_M_S);
+    let northward_m_s = reader.number(&input::wind::NORTHWARD_M_S);
+    let table = &input::wind::TABLE;
+    match reader.ways(&input::wind::WIND).as_slice() {
+        [] => Some(Wind::Calm),
+        [way] if *way == table => {
+            let rows = reader.rows(table)?;
+            all_faults(reader, table, WindTable::try_new(&rows)).map(Wind::Table)
+        }
+        [_] => Some(Wind::Constant {
+            eastward_m_s: eastward_m_s.unwrap_or(0.0),
+            northward_m_s: northward_m_s.unwrap_or(0.0),
+        }),
+        _ => {
+            reader.fault(
+                table,
+                "given together with a constant wind; give one of them",
+            );
+            None
+        }
     }
-    if constant {
-        reader.fault(
-            "wind.table",
-            "given together with a constant wind; give one of them",
-        );
-        return None;
-    }
-    let rows = reader.rows("wind.table")?;
-    all_faults(reader, "wind.table", WindTable::try_new(&rows)).map(Wind::Table)
-}
-
-fn section_given(reader: &Reader, prefix: &str) -> bool {
-    inputs().any(|input| input.key.starts_with(prefix) && reader.given(input.key))
-}
-
-/// A remark at an input.
-pub(super) fn remark(reader: &mut Reader, key: &str, message: String) {
-    reader.findings.push(Finding {
-        severity: Severity::Note,
-        model: "input".to_string(),
-        key: key.to_string(),
-        value: None,
-        valid: (None, None),
-        message,
-        source: "convention of this program".to_string(),
-        field: Some(key.to_string()),
-    });
 }

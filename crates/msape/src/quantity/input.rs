@@ -1,25 +1,55 @@
-//! The inputs: one entry for each key that a case file may hold.
+//! The inputs: one item for each key that a case file may hold, such as [`entry::SPEED_M_S`] for `entry.speed_m_s`.
+//!
+//! The module of an item is the section of its key; the name is the rest of the key, dots as underlines.
 
-mod aerodynamics;
-mod attitude;
-mod design;
-mod heating;
+/// Declares inputs, for the tasks that ask for them unless they say otherwise: the item of each, and the list of all.
+macro_rules! inputs {
+    ($tasks:expr; $($name:ident: $key:literal = $made:expr;)+) => {
+        $(
+            #[doc = concat!("`", $key, "`.")]
+            pub static $name: Input = $made.of($key, $tasks);
+        )+
+
+        /// The inputs of this file, in the order of the list.
+        pub static INPUTS: &[&Input] = &[$(&$name),+];
+    };
+}
+
+mod alternatives;
+pub mod atmosphere;
+pub mod attitude;
+pub mod column;
+pub mod design;
+pub mod entry;
+pub mod heating;
 mod kind;
-mod mission;
-mod outline;
+pub mod outline;
 pub mod phase;
-mod vehicle;
+pub mod planet;
+pub mod solver;
+pub mod stop;
+pub mod vehicle;
+pub mod wind;
 
+use super::Task;
 use crate::units::{Dimension, Unit, canonical};
+use std::fmt;
 
-use kind::HELD;
-pub use kind::{
-    Choices, Column, Group, Kind, Level, Need, OWN_ATMOSPHERE, OWN_OUTLINE, Preset, Range,
-    range_of_column,
-};
+pub use alternatives::Alternatives;
+pub use column::Column;
+pub use kind::{Choices, Group, Kind, Level, Need, OWN_ATMOSPHERE, OWN_OUTLINE, Preset, Range};
+pub use phase::Key;
+
+const CONVENTION: &str = "convention of this program";
+const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
+const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
+const REPORT_STATIC: &str = "NASA/TM-2014-218507, section 3.3.1";
+const REPORT_DAMPING: &str = "NASA/TM-2014-218507, section 3.3.7";
+/// Below any planet's lowest altitude, m; each has its own limit.
+const DEEPEST_M: f64 = -1e6;
 
 /// One input.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Input {
     /// Dotted key in the case file, such as `entry.speed_m_s`.
     pub key: &'static str,
@@ -43,12 +73,41 @@ pub struct Input {
     pub preset: Preset,
     /// Other names under which it is read.
     pub aliases: &'static [&'static str],
+    /// Which tasks ask for it.
+    pub tasks: &'static [Task],
+    /// The ways to give one thing of which it is one.
+    pub alternatives: Option<&'static Alternatives>,
+    /// Section that, where a case has it, stands in the place of the default.
+    pub default_gives_way_to: Option<&'static str>,
+    /// Tables of which it names a file.
+    pub tables: &'static [&'static Input],
+    /// Whether it is a table of one row, which may be given without the outer brackets: `[0.2, 0.0, 0.0]`.
+    pub one_row: bool,
+}
+
+impl PartialEq for Input {
+    fn eq(&self, other: &Input) -> bool {
+        self.key == other.key
+    }
+}
+
+impl fmt::Debug for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.key)
+    }
+}
+
+/// The key, as messages name an input.
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.key)
+    }
 }
 
 impl Input {
-    const fn new(key: &'static str, label: &'static str, group: Group, kind: Kind) -> Input {
+    const fn new(label: &'static str, group: Group, kind: Kind) -> Input {
         Input {
-            key,
+            key: "",
             label,
             unit: "",
             help: "",
@@ -59,11 +118,15 @@ impl Input {
             kind,
             preset: Preset::Absent,
             aliases: &[],
+            tasks: &[],
+            alternatives: None,
+            default_gives_way_to: None,
+            tables: &[],
+            one_row: false,
         }
     }
 
     const fn number(
-        key: &'static str,
         label: &'static str,
         group: Group,
         dimension: Dimension,
@@ -75,7 +138,7 @@ impl Input {
             usual: None,
             whole: false,
         };
-        Input::new(key, label, group, kind)
+        Input::new(label, group, kind)
     }
 
     const fn unit(mut self, symbol: &'static str) -> Input {
@@ -123,6 +186,59 @@ impl Input {
         self
     }
 
+    /// Asked for by these tasks instead of those of its file.
+    const fn tasks(mut self, tasks: &'static [Task]) -> Input {
+        self.tasks = tasks;
+        self
+    }
+
+    const fn one_way_of(mut self, alternatives: &'static Alternatives) -> Input {
+        self.alternatives = Some(alternatives);
+        self
+    }
+
+    const fn default_gives_way_to(mut self, section: &'static str) -> Input {
+        self.default_gives_way_to = Some(section);
+        self
+    }
+
+    const fn file_of(mut self, tables: &'static [&'static Input]) -> Input {
+        self.tables = tables;
+        self
+    }
+
+    const fn one_row(mut self) -> Input {
+        self.one_row = true;
+        self
+    }
+
+    const fn of(mut self, key: &'static str, tasks: &'static [Task]) -> Input {
+        self.key = key;
+        if self.tasks.is_empty() {
+            self.tasks = tasks;
+        }
+        self
+    }
+
+    /// Whether a task asks for it.
+    pub fn is_of(&self, task: Task) -> bool {
+        self.tasks.contains(&task)
+    }
+
+    /// The other inputs in the place of which it may be given.
+    pub fn rivals(&self) -> impl Iterator<Item = &'static Input> {
+        let key = self.key;
+        let ways = self.alternatives.map_or(&[][..], |all| all.ways);
+        let own = move |way: &&&[&Input]| way.iter().any(|input| input.key == key);
+        let others = ways.iter().filter(move |way| !own(way));
+        others.flat_map(|way| way.iter().copied())
+    }
+
+    /// The input that names a file of this table.
+    pub fn file(&self) -> Option<&'static Input> {
+        inputs().find(|file| file.tables.contains(&self))
+    }
+
     /// Dimension of a number; [`Dimension::One`] for what is not a number.
     pub fn dimension(&self) -> Dimension {
         match self.kind {
@@ -138,11 +254,6 @@ impl Input {
             .unwrap_or_else(|| canonical(self.dimension()))
     }
 
-    /// Whether it is a table of one row, which may be given without the outer brackets: `[0.2, 0.0, 0.0]`.
-    pub fn is_one_row(&self) -> bool {
-        attitude::ONE_ROW.contains(&self.key)
-    }
-
     /// The report's column header, such as `Entry Velocity (m/s)`.
     pub fn header(&self) -> String {
         if self.unit.is_empty() {
@@ -155,16 +266,34 @@ impl Input {
 
 /// All inputs, in the order of files and forms.
 pub fn inputs() -> impl Iterator<Item = &'static Input> {
-    mission::INPUTS
-        .iter()
-        .chain(heating::INPUTS)
-        .chain(design::INPUTS)
-        .chain(vehicle::INPUTS)
-        .chain(outline::INPUTS)
-        .chain(attitude::INPUTS)
-        .chain(aerodynamics::INPUTS)
-        .chain(phase::INPUTS)
+    let lists = [
+        entry::INPUTS,
+        planet::INPUTS,
+        atmosphere::INPUTS,
+        wind::INPUTS,
+        heating::INPUTS,
+        stop::INPUTS,
+        solver::INPUTS,
+        heating::table::INPUTS,
+        design::INPUTS,
+        vehicle::INPUTS,
+        outline::INPUTS,
+        vehicle::freedom::INPUTS,
+        attitude::INPUTS,
+        vehicle::aerodynamics::INPUTS,
+        phase::INPUTS,
+    ];
+    lists.into_iter().flatten().copied()
 }
+
+/// The rules beyond the ends of tables.
+pub static BEYOND_TABLES: [&Input; 5] = [
+    &atmosphere::EXTRAPOLATION,
+    &heating::EXTRAPOLATION,
+    &vehicle::AERODYNAMICS_EXTRAPOLATION,
+    &vehicle::BANK_EXTRAPOLATION,
+    &wind::EXTRAPOLATION,
+];
 
 /// The input with this key or alias; of a key of one phase, such as `phase.2.mach`, the one that stands for all.
 pub fn find(key: &str) -> Option<&'static Input> {
@@ -177,10 +306,8 @@ pub fn find(key: &str) -> Option<&'static Input> {
 pub fn canonical_key(key: &str) -> String {
     match (find(key), phase::numbered(key)) {
         (Some(_), Some(_)) | (None, _) => key.to_string(),
-        (Some(input), None) => match input.key.strip_prefix("phase.") {
-            Some(name) => format!("{}.1.{name}", phase::SECTION),
-            None => input.key.to_string(),
-        },
+        (Some(input), None) if phase::is_repeated(input.key) => input.of_phase(1).to_string(),
+        (Some(input), None) => input.key.to_string(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The modules of the report, by which quantities are grouped, and the jobs that give them.
+//! The modules of the report, by which quantities are grouped, the jobs that give them and the tasks that ask for them.
 
 /// Module of the report to which an output belongs; results are grouped by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,4 +50,29 @@ pub enum Job {
     Fly,
     /// `design`: everything.
     Design,
+}
+
+/// What asks for an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// The flight of a point mass.
+    PointMass,
+    /// The flight of a rigid body.
+    RigidBody,
+    /// A design.
+    Design,
+    /// The flight of a designed vehicle as a rigid body.
+    DesignedBody,
+}
+
+impl Task {
+    /// All.
+    pub const ALL: &'static [Task] = &[
+        Task::PointMass,
+        Task::RigidBody,
+        Task::Design,
+        Task::DesignedBody,
+    ];
+    /// The flights.
+    pub const FLOWN: &'static [Task] = &[Task::PointMass, Task::RigidBody, Task::DesignedBody];
 }

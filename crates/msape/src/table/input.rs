@@ -2,18 +2,17 @@
 
 use super::Manner;
 use crate::case::{Case, Value};
-use crate::quantity::Job;
 use crate::quantity::input::{Choices, Input, Kind, Level, Preset};
+use crate::quantity::{Job, Task};
 use crate::units::number::shortest;
 use crate::units::{canonical, parse_number};
 
 /// Whether a job asks for an input.
 pub(super) fn belongs(input: &Input, job: Job) -> bool {
-    let of_the_other: &[&str] = match job {
-        Job::Fly => &["design."],
-        Job::Design => &["vehicle.", "outline.", "attitude."],
-    };
-    !of_the_other.iter().any(|part| input.key.starts_with(part))
+    match job {
+        Job::Fly => input.is_of(Task::PointMass) || input.is_of(Task::RigidBody),
+        Job::Design => input.is_of(Task::Design),
+    }
 }
 
 /// The cell of an input; `None` when it is absent, is a table, or gives way to another input.
@@ -26,7 +25,7 @@ pub(super) fn cell(case: &Case, input: &Input, manner: Manner) -> Option<String>
         }),
         Some(Value::Flag(flag)) => Some(flag_cell(*flag, manner)),
         Some(Value::Rows(_) | Value::Other(_)) => None,
-        None if replaced(case, input.key) => None,
+        None if replaced(case, input) => None,
         None => match input.preset {
             Preset::Absent => None,
             Preset::Number(number) => Some(number_cell(number, input, manner)),
@@ -37,14 +36,12 @@ pub(super) fn cell(case: &Case, input: &Input, manner: Manner) -> Option<String>
 }
 
 /// Whether something else that is given stands in the place of this input's default.
-fn replaced(case: &Case, key: &str) -> bool {
-    let section = |name: &str| case.values.keys().any(|key| key.starts_with(name));
-    match key {
-        "entry.planet" => section("planet."),
-        "entry.atmosphere" => section("atmosphere."),
-        "entry.altitude_m" => section("entry.radius_m"),
-        _ => false,
-    }
+fn replaced(case: &Case, input: &Input) -> bool {
+    let given = |start: &str| case.values.keys().any(|key| key.starts_with(start));
+    input.default_gives_way_to.is_some_and(given)
+        || input
+            .rivals()
+            .any(|rival| case.values.contains_key(rival.key))
 }
 
 fn parsed(text: &str, input: &Input) -> Option<f64> {

@@ -23,35 +23,12 @@ use super::Side;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::heating::afterbody::Afterbody;
+pub use crate::quantity::choice::JudgedAt;
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 
-/// Where the heat shield of a part is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JudgedAt {
-    /// At the hottest point of the part, shoulder included.
-    HottestPoint,
-    /// At the stagnation point, whatever the shoulder.
-    StagnationPoint,
-}
-
 impl JudgedAt {
-    /// All, the default first.
-    pub const ALL: [JudgedAt; 2] = [Self::HottestPoint, Self::StagnationPoint];
-
-    /// Name as in case files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::HottestPoint => "hottest-point",
-            Self::StagnationPoint => "stagnation-point",
-        }
-    }
-
-    /// The choice of a name.
-    pub fn named(name: &str) -> Option<JudgedAt> {
-        Self::ALL.into_iter().find(|choice| choice.name() == name)
-    }
-
     /// What the forebody's heat shield is judged by, from the stagnation point and the hottest point off it.
     pub fn environment(self, stagnation: &Environment, off: &OffStagnation) -> Environment {
         match self {
@@ -227,7 +204,7 @@ impl Environment {
             valid: (None, None),
             message,
             source: "NASA/TM-2014-218507, sections 3.4.3 and 3.5".into(),
-            field: Some("heating.judged_at".into()),
+            field: Some(input::heating::JUDGED_AT.key.into()),
         }
     }
 }
@@ -235,7 +212,6 @@ impl Environment {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::input::{self, Choices, Kind, Preset};
 
     const STAGNATION: Environment = Environment {
         point: Point::Stagnation,
@@ -310,21 +286,5 @@ mod tests {
             said.contains("given by the user") && said.contains("1.5 and 0.8"),
             "{said}"
         );
-    }
-
-    #[test]
-    fn every_choice_of_the_input_is_known_and_the_default_the_hottest_point() {
-        let input = input::find("heating.judged_at").unwrap();
-        let Kind::Choice(Choices::Fixed(choices)) = input.kind else {
-            panic!("fixed choices")
-        };
-        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, JudgedAt::ALL.map(JudgedAt::name));
-        assert_eq!(input.preset, Preset::Name("hottest-point"));
-        assert_eq!(
-            JudgedAt::named("stagnation-point"),
-            Some(JudgedAt::StagnationPoint)
-        );
-        assert_eq!(JudgedAt::named("nose"), None);
     }
 }

@@ -5,6 +5,7 @@ use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
+use crate::quantity::input;
 use serde::Deserialize;
 
 /// The trajectories on which the relations were fitted, from `tps/mer-fit-space.toml`.
@@ -60,7 +61,7 @@ impl FitSpace {
             si_per_unit: 1000.0,
             meaning: "the thickness relations were not fitted there",
             source: "NASA/TM-2014-218507, Tables 5 and 6",
-            field: Some("entry.speed_m_s"),
+            field: Some(input::entry::SPEED_M_S.key),
         };
         let angle = Check {
             key: "entry_relative_flight_path_angle_deg",
@@ -69,7 +70,7 @@ impl FitSpace {
             range: self.flight_path_angle_deg,
             unit: "deg",
             si_per_unit: 1.0,
-            field: Some("entry.flight_path_angle_deg"),
+            field: Some(input::entry::FLIGHT_PATH_ANGLE_DEG.key),
             ..speed
         };
         let ballistic = Check {
@@ -79,7 +80,7 @@ impl FitSpace {
             range: self.ballistic_coefficient_kg_m2,
             unit: "kg/m²",
             si_per_unit: 1.0,
-            field: Some("design.diameter_m"),
+            field: Some(input::design::DIAMETER_M.key),
             ..speed
         };
         let flux = Check {

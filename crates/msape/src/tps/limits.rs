@@ -18,6 +18,7 @@ use super::{Environment, PA_PER_ATM, Side};
 use crate::finding::range::{Check, Range, short};
 use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
+use crate::quantity::input;
 
 /// Findings of one sized heat shield.
 pub fn findings(
@@ -231,7 +232,7 @@ fn in_depth(material: &TpsMaterial, environment: &Environment, template: &Check)
                 "comparison with an in-depth ablation model, {}",
                 row.provenance
             ),
-            field: Some("entry.flight_path_angle_deg".into()),
+            field: Some(input::entry::FLIGHT_PATH_ANGLE_DEG.key.into()),
         }
     };
     material

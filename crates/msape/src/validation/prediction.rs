@@ -27,6 +27,7 @@ use crate::case::Case;
 use crate::flight::{self, Request};
 use crate::library::{DataError, Library, data_folder, named};
 use crate::problem::FlightProblem;
+use crate::quantity::input;
 use crate::tps::environment::OffStagnation;
 use crate::tps::material::TpsMaterial;
 use crate::tps::mer::{self, Sizing};
@@ -203,7 +204,7 @@ impl<'a> Closing<'a> {
             .cone_half_angle_rad
             .ok_or("the outline has no cone, the volume of the heat shield needs one")?;
         let mut case = Case::from_text(&file.case).map_err(|faults| super::joined(&faults))?;
-        case.set("outline.preset", &file.outline);
+        case.set(input::outline::PRESET.key, &file.outline);
         let problem =
             FlightProblem::check(&case, library).map_err(|faults| super::joined(&faults))?;
         let shoulder_ratio = 2.0 * shape.shoulder_radius_m / shape.diameter_m;

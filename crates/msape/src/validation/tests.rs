@@ -109,7 +109,7 @@ fn quantities_of_flights_are_in_the_lists() {
         for row in file.rows.iter().filter(|_| file.command == Command::Fly) {
             let known = match row.time_s {
                 None => output::find(&row.quantity).map(|output| output.dimension),
-                Some(_) => trajectory::find(&row.quantity).map(|column| column.dimension),
+                Some(_) => columns::find(&row.quantity).map(|column| column.dimension),
             };
             let unit = Unit::find(&row.unit).map(|unit| unit.dimension);
             assert!(known.is_some() && known == unit, "{name}: {}", row.quantity);

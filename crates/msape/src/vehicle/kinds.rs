@@ -1,5 +1,7 @@
 //! The kinds of which a vehicle is made: concept, components, walls, foams.
 
+pub use crate::quantity::choice::{CrushingMass, FoamStrength};
+use crate::quantity::input::{Input, design};
 use serde::{Deserialize, Serialize};
 
 /// Standard gravity, m/s².
@@ -89,6 +91,24 @@ impl ComponentKind {
         }
     }
 
+    /// Input of the mass of a component; none of the payload's, which is required.
+    pub fn mass_input(self) -> Option<&'static Input> {
+        Some(match self {
+            Self::ForebodyTps => &design::COMPONENT_MASS_KG_FOREBODY_TPS,
+            Self::Bond => &design::COMPONENT_MASS_KG_BOND,
+            Self::ForebodyCarrier => &design::COMPONENT_MASS_KG_FOREBODY_CARRIER_STRUCTURE,
+            Self::AftbodyTps => &design::COMPONENT_MASS_KG_AFTBODY_TPS,
+            Self::AftbodyCarrier => &design::COMPONENT_MASS_KG_AFTBODY_CARRIER_STRUCTURE,
+            Self::PrimaryStructure => &design::COMPONENT_MASS_KG_PRIMARY_STRUCTURE,
+            Self::WingInsulation => &design::COMPONENT_MASS_KG_WING_INSULATION,
+            Self::ImpactFoam => &design::COMPONENT_MASS_KG_IMPACT_FOAM,
+            Self::ImpactShell => &design::COMPONENT_MASS_KG_IMPACT_SHELL,
+            Self::BodyFoam => &design::COMPONENT_MASS_KG_BODY_FOAM,
+            Self::LidInsulation => &design::COMPONENT_MASS_KG_LID_INSULATION,
+            Self::Payload => return None,
+        })
+    }
+
     /// Name in plain words.
     pub fn label(self) -> &'static str {
         match self {
@@ -174,24 +194,4 @@ pub struct ComponentDensities {
     pub lid_insulation_kg_m3: f64,
     /// Wing insulation, kg/m³.
     pub wing_insulation_kg_m3: f64,
-}
-
-/// What the strength of the impact foam follows from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum FoamStrength {
-    /// The law by which the landing is judged: energy over the volume that is crushed.
-    #[default]
-    CrushLaw,
-    /// Equation 6 as printed: energy over the payload's cross-section and the stroke.
-    Equation6,
-}
-
-/// What crushes the impact foam.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum CrushingMass {
-    /// The payload alone, as in equations 4 and 6.
-    #[default]
-    Payload,
-    /// The whole impact sphere of the MSR concept, which moves with the payload.
-    ImpactSphere,
 }

@@ -1,6 +1,7 @@
 //! What is said beside a vehicle: inputs that the closing rules changed, and findings.
 
 use crate::finding::{Adjustment, Finding, Severity};
+use crate::quantity::input;
 use crate::vehicle::close::Closed;
 use crate::vehicle::impact::Impact;
 use crate::vehicle::impact::foam_rule::FoamRule;
@@ -23,7 +24,7 @@ pub fn adjustments(
     let source = "NASA/TM-2014-218507, section 3.1.2".to_owned();
     if diameter_m > input.diameter_m + ROUNDING_M {
         list.push(Adjustment {
-            key: "design.diameter_m".to_owned(),
+            key: input::design::DIAMETER_M.key.to_owned(),
             from: input.diameter_m,
             to: diameter_m,
             reason: "The vehicle was grown to the smallest diameter that holds payload, impact foam and lid.".to_owned(),
@@ -39,7 +40,7 @@ pub fn adjustments(
             "The shoulder radius was increased to the smallest that has room for the layers of forebody and aftbody."
         };
         list.push(Adjustment {
-            key: "design.shoulder_radius_ratio".to_owned(),
+            key: input::design::SHOULDER_RADIUS_RATIO.key.to_owned(),
             from: input.shoulder_radius_ratio,
             to: 2.0 * shoulder_m / diameter_m,
             reason: reason.to_owned(),
@@ -50,7 +51,7 @@ pub fn adjustments(
         && foam.stroke_efficiency < asked
     {
         list.push(Adjustment {
-            key: "design.stroke_efficiency".to_owned(),
+            key: input::design::STROKE_EFFICIENCY.key.to_owned(),
             from: asked,
             to: foam.stroke_efficiency,
             reason: "The stroke efficiency was reduced to what the plateau of the foam in use has: beyond it the foam stiffens and the payload feels more than its limit.".to_owned(),

@@ -7,11 +7,13 @@ use crate::pages::library;
 use crate::state::State;
 use leptos::prelude::*;
 use msape::Case;
-use msape::quantity::input::OWN_OUTLINE;
+use msape::quantity::input::{self, OWN_OUTLINE};
 
 /// Whether a key of a case belongs to the coefficients.
 fn is_aerodynamic(key: &str) -> bool {
-    key == "vehicle.aerodynamics" || key.starts_with("vehicle.aerodynamics.")
+    let section = input::vehicle::AERODYNAMICS.key;
+    let rest = key.strip_prefix(section);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 /// Replaces the coefficients of a case by those of another.
@@ -37,14 +39,14 @@ pub fn Usage() -> impl IntoView {
             document.with_case(|design| {
                 put(&case, design);
                 // the point mass of the design takes the axial force by name
-                let name = case.text("vehicle.aerodynamics");
+                let name = case.text(input::vehicle::AERODYNAMICS.key);
                 design.set(
-                    "design.aerodynamics",
+                    input::design::AERODYNAMICS.key,
                     name.as_deref().unwrap_or(OWN_OUTLINE),
                 );
             })
         });
-        state.notice.set(if case.values.contains_key(TABLE) {
+        state.notice.set(if case.gives_any(&[TABLE]) {
             "The design flies its attitude with this table; undo takes it back.".to_string()
         } else {
             "The design uses these coefficients; undo takes it back.".to_string()
@@ -61,9 +63,8 @@ pub fn Usage() -> impl IntoView {
         let mut fields = Case::default();
         put(&case, &mut fields);
         // a point mass needs an axial force: a named one, that of a table, or else that of a blunt body at high speed
-        if !fields.values.contains_key("vehicle.aerodynamics") && !fields.values.contains_key(TABLE)
-        {
-            fields.set("vehicle.drag_coefficient", "1.5");
+        if !fields.gives_any(&[&input::vehicle::AERODYNAMICS, TABLE]) {
+            fields.set(input::vehicle::DRAG_COEFFICIENT.key, "1.5");
         }
         state.flight_fields.set_value(Some(fields));
         library::go_to(&entry.id());

@@ -11,13 +11,13 @@ use msape::quantity::input::{self, Input, Preset};
 use msape::vehicle::impact::Ground;
 
 /// Key of the input.
-const KEY: &str = "design.ground";
+const GROUND: &Input = &input::design::GROUND;
 
 /// Library name of the ground of a case.
 fn key_of(case: &Case) -> String {
-    case.text(KEY)
-        .unwrap_or_else(|| match input::find(KEY).map(|input| input.preset) {
-            Some(Preset::Name(name)) => name.to_string(),
+    case.text(GROUND.key)
+        .unwrap_or_else(|| match GROUND.preset {
+            Preset::Name(name) => name.to_string(),
             _ => String::new(),
         })
 }
@@ -42,19 +42,19 @@ pub fn ground_name(card: VehicleView) -> Memo<String> {
 /// List of grounds with the properties of the chosen one.
 #[component]
 pub fn GroundChoice() -> impl IntoView {
-    input::find(KEY).map(|input| view! { <Choice input /> })
+    view! { <Choice input=GROUND /> }
 }
 
 #[component]
 fn Choice(input: &'static Input) -> impl IntoView {
     let state = State::expect();
     let now = Memo::new(move |_| state.case.with(|case| key_of(case)));
-    let id = format!("landing-{}", control_id(KEY));
+    let id = format!("landing-{}", control_id(input.key));
     let choose = move |name: String| {
         // typing on the list passes through several grounds: one undo step
-        state.edit(input.label, Some(KEY), |document| {
+        state.edit(input.label, Some(input.key), |document| {
             document.with_case(|case| {
-                case.values.insert(KEY.to_string(), Value::Text(name));
+                case.values.insert(input.to_string(), Value::Text(name));
             })
         });
     };

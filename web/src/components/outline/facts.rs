@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn units_of_files_are_known() {
         for symbol in length_units() {
-            assert!(cad::outline::LengthUnit::of(symbol).is_some());
+            assert!(cad::outline::unit_of(symbol).is_some());
             assert!(msape::units::Unit::find(symbol).is_some());
         }
     }

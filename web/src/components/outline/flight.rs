@@ -11,17 +11,18 @@ use crate::state::State;
 use crate::worker::Asker;
 use leptos::prelude::*;
 use msape::answer::output;
-use msape::quantity::input::{self, Input, Kind, Preset};
+use msape::quantity::Task;
+use msape::quantity::input::{self, Input, Kind, Preset, inputs};
 use msape::{Answer, Case};
 use std::sync::Arc;
 use wasm_bindgen_futures::spawn_local;
 
 /// Inputs of the form; the mission comes from the design.
-const FIELDS: [&str; 4] = [
-    "vehicle.mass_kg",
-    "vehicle.drag_coefficient",
-    "vehicle.aerodynamics",
-    "vehicle.nose_radius_m",
+const FIELDS: [&Input; 4] = [
+    &input::vehicle::MASS_KG,
+    &input::vehicle::DRAG_COEFFICIENT,
+    &input::vehicle::AERODYNAMICS,
+    &input::vehicle::NOSE_RADIUS_M,
 ];
 
 /// Outputs shown for a flight.
@@ -36,28 +37,17 @@ const SHOWN: [&str; 8] = [
     "final_speed_m_s",
 ];
 
-/// Sections of a case that define the mission.
-const MISSION: [&str; 7] = [
-    "entry.",
-    "planet.",
-    "atmosphere.",
-    "wind.",
-    "heating.",
-    "stop.",
-    "solver.",
-];
-
-/// Case that flies an outline through the mission of a design.
+/// A case that flies an outline through the mission of a design.
 fn flight_case(design: &Case, entry: &Entry, fields: &Case) -> Case {
     let mut case = Case {
         name: entry.title(),
         ..Case::default()
     };
-    let of_mission = |key: &&String| MISSION.iter().any(|section| key.starts_with(section));
-    for key in design.values.keys().filter(of_mission) {
-        // omit inputs that only a design uses
-        if let (Some(value), Some(_)) = (design.values.get(key), input::find(key)) {
-            case.values.insert(key.clone(), value.clone());
+    // omit inputs that only a design uses
+    let of_mission = |input: &&Input| Task::ALL.iter().all(|task| input.is_of(*task));
+    for input in inputs().filter(of_mission) {
+        if let Some(value) = design.values.get(input.key) {
+            case.values.insert(input.to_string(), value.clone());
         }
     }
     for (key, value) in &fields.values {
@@ -80,7 +70,8 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
             Some(design.vehicle.mass.mass_kg)
         });
         if let Some(mass_kg) = mass_kg.filter(|_| !typed.get_untracked()) {
-            fields.update(|fields| fields.set("vehicle.mass_kg", &format!("{mass_kg:.1}")));
+            fields
+                .update(|fields| fields.set(input::vehicle::MASS_KG.key, &format!("{mass_kg:.1}")));
         }
     });
     let flown = RwSignal::new(None::<(Arc<Answer>, String)>);
@@ -112,7 +103,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
         faults.with(|faults| {
             let other = faults
                 .iter()
-                .filter(|fault| !FIELDS.contains(&fault.key.as_str()));
+                .filter(|fault| FIELDS.iter().all(|input| input.key != fault.key));
             other
                 .map(|fault| view! { <li class="note-outside"><code>{fault.key.clone()}</code> " " {fault.message.clone()}</li> })
                 .collect_view()
@@ -130,7 +121,7 @@ pub fn OutlineFlight(#[prop(into)] entry: Signal<Option<Entry>>) -> impl IntoVie
     view! {
         <p class="quiet">"Entry, atmosphere and heating models are those of the present design, and so is the mass until another is given. The vehicle flies as it is, without ablation or parachute."</p>
         <div class="flight-form">
-            {FIELDS.into_iter().filter_map(input::find).map(|input| view! { <FlightField input fields faults typed /> }).collect_view()}
+            {FIELDS.into_iter().map(|input| view! { <FlightField input fields faults typed /> }).collect_view()}
         </div>
         <div role="status"><ul class="notes">{others}</ul></div>
         <div class:old=move || faults.with(|faults| !faults.is_empty())>
@@ -147,7 +138,7 @@ fn first_fields(state: State) -> Case {
     let handed_over = state.flight_fields.try_update_value(Option::take).flatten();
     handed_over.unwrap_or_else(|| {
         let mut fields = Case::default();
-        fields.set("vehicle.drag_coefficient", "1.5");
+        fields.set(input::vehicle::DRAG_COEFFICIENT.key, "1.5");
         fields
     })
 }

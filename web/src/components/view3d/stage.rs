@@ -13,13 +13,11 @@ use crate::view3d::camera::Camera;
 use crate::view3d::paint::{self, Colour};
 use crate::view3d::pick;
 use crate::view3d::renderer::{Frame, Look, Renderer};
-use leptos::__reexports::send_wrapper::SendWrapper;
 use leptos::ev::{Event, KeyboardEvent, PointerEvent, WheelEvent};
 use leptos::html::{Canvas, Div};
 use leptos::prelude::*;
 pub use stored::Subject;
 use stored::{Moved, Stored, place};
-use wasm_bindgen::{JsCast, closure::Closure};
 
 /// Source of a color.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -24,7 +24,7 @@ fn geopotential_altitudes_become_geometric() {
         );
     }
     let text = "geopotential altitude (m),rho (kg/m3)\n0,0.015\n71000,1e-5\n";
-    let table = read("atmosphere.file", text.as_bytes(), &mars()).unwrap();
+    let table = read(&input::atmosphere::FILE, text.as_bytes(), &mars()).unwrap();
     // mean radius (2 × 3396190 + 3376200)/3 = 3389526.67 m: z = 72518.99 m
     assert!((table.rows[1][0] - 72_519.0).abs() < 0.1, "{table:?}");
     // where both are given, the geometric altitude is used
@@ -32,7 +32,7 @@ fn geopotential_altitudes_become_geometric() {
         air("geopotential altitude (m),altitude (m),rho (kg/m3)\n0,0,1.2\n71000,71802,6e-5\n");
     assert_eq!(both.rows[1][0], 71_802.0);
     let plain = read(
-        "atmosphere.file",
+        &input::atmosphere::FILE,
         b"# H, m\tT, K\tp, Pa\trho, kg/m3\n0\t200\t585.65\t1.55e-2\n5000\t200\t358.45\t9.4867e-3\n",
         &mars(),
     )
@@ -62,7 +62,7 @@ fn a_plain_h_is_told_by_the_weight_of_the_air() {
                 _ => format!("{}, {p:.4e}, {rho:.4e}\n", h / 1e3),
             };
         }
-        read("atmosphere.file", text.as_bytes(), &earth())
+        read(&input::atmosphere::FILE, text.as_bytes(), &earth())
     };
     for columns in [", p, Pa, rho, kg/m3", ", T, K, rho, kg/m3"] {
         let found = table(|h, _| h, columns).unwrap();
@@ -89,7 +89,7 @@ fn a_plain_h_is_told_by_the_weight_of_the_air() {
     // too low to distinguish
     let low = "H (m), p (Pa), rho (kg/m3)\n0, 101325, 1.225\n1000, 89876, 1.1117\n";
     assert_eq!(
-        read("atmosphere.file", low.as_bytes(), &earth()),
+        read(&input::atmosphere::FILE, low.as_bytes(), &earth()),
         Err(vec![TableFault::CapitalH])
     );
 }
@@ -131,7 +131,7 @@ Station information and sounding indices
         "{:?}",
         table.remarks
     );
-    let wind = read("wind.file", listing.as_bytes(), &earth()).unwrap();
+    let wind = read(&input::wind::FILE, listing.as_bytes(), &earth()).unwrap();
     // 10 kt from the west blow east
     assert!(
         (wind.rows[2][1] - 10.0 * 1852.0 / 3600.0).abs() < 1e-12 && wind.rows[2][2].abs() < 1e-12,
@@ -139,11 +139,15 @@ Station information and sounding indices
     );
     let elsewhere = b"p (Pa),z (m),T (K)\n600,0,210\n300,7000,200\n";
     // 600 / (191.093 × 210) = 0.0149515 in the gas of Mars
-    let table = read("atmosphere.file", elsewhere, &mars()).unwrap();
+    let table = read(&input::atmosphere::FILE, elsewhere, &mars()).unwrap();
     assert!((table.rows[0][1] - 0.014_951_5).abs() < 1e-6, "{table:?}");
     let mut own = Case::default();
     own.set("planet.equatorial_radius_m", "3396190");
-    let unknown = read("atmosphere.file", elsewhere, &Ground::of(&own, &LIBRARY));
+    let unknown = read(
+        &input::atmosphere::FILE,
+        elsewhere,
+        &Ground::of(&own, &LIBRARY),
+    );
     assert_eq!(unknown.unwrap_err(), [TableFault::UnknownGas]);
 }
 
@@ -166,19 +170,19 @@ fn pressure_altitudes_are_stacked_to_heights() {
     assert!((warm.rows[2][0] - 2200.76).abs() < 0.5, "{warm:?}");
     assert!(
         faults(
-            "atmosphere.file",
+            &input::atmosphere::FILE,
             "pressure altitude (m),p (Pa)\n0,1\n1,2\n"
         )[0]
         .contains("no column for density")
             || faults(
-                "atmosphere.file",
+                &input::atmosphere::FILE,
                 "pressure altitude (m),p (Pa)\n0,1\n1,2\n"
             )[0]
             .contains("give temperature")
     );
     let text = b"pressure altitude (m),T (K)\n0,1\n1,2\n";
     assert!(
-        read("atmosphere.file", text, &mars()).unwrap_err()[0]
+        read(&input::atmosphere::FILE, text, &mars()).unwrap_err()[0]
             .to_string()
             .contains("of the Earth")
     );
@@ -186,7 +190,8 @@ fn pressure_altitudes_are_stacked_to_heights() {
 
 #[test]
 fn curves_of_drag_and_bank() {
-    let of = |key: &str, text: &str| read(key, text.as_bytes(), &earth()).unwrap();
+    let of =
+        |key: &str, text: &str| read(input::find(key).unwrap(), text.as_bytes(), &earth()).unwrap();
     let curve = [[0.5, 0.38], [1.0, 0.63], [2.0, 0.51]];
     for text in [
         "0.5,0.38\n1.0,0.63\n2.0,0.51\n",
@@ -219,7 +224,7 @@ fn curves_of_drag_and_bank() {
             .any(|remark| remark.contains("at 1 Mach numbers"))
     );
     assert!(
-        faults("vehicle.drag_file", "1,0.5\n3,0.4\n2,0.6\n")[0]
+        faults(&input::vehicle::DRAG_FILE, "1,0.5\n3,0.4\n2,0.6\n")[0]
             .starts_with("line 3: mach 2 after 3")
     );
     let bank = of("vehicle.bank_file", "speed (km/s),bank (rad)\n7,0\n3,1\n");
@@ -239,7 +244,7 @@ fn curves_of_drag_and_bank() {
 #[test]
 fn numbers_that_no_unit_keeps_finite_are_refused() {
     let text = "altitude (km),density (kg/m3),temperature (K)\n0,1.2,288\n1e308,1e-9,200\n";
-    let faults = read("atmosphere.file", text.as_bytes(), &earth()).unwrap_err();
+    let faults = read(&input::atmosphere::FILE, text.as_bytes(), &earth()).unwrap_err();
     let said = faults
         .iter()
         .map(ToString::to_string)
@@ -251,9 +256,13 @@ fn numbers_that_no_unit_keeps_finite_are_refused() {
 #[test]
 fn aerodynamic_tables() {
     let of = |text: &str| {
-        read("vehicle.aerodynamics.file", text.as_bytes(), &earth())
-            .unwrap()
-            .rows
+        read(
+            &input::vehicle::AERODYNAMICS_FILE,
+            text.as_bytes(),
+            &earth(),
+        )
+        .unwrap()
+        .rows
     };
     let rows = [[1.0, 0.0, 1.5, 0.0], [1.0, 10.0, 1.4, 0.1]];
     for text in [
@@ -272,7 +281,7 @@ fn aerodynamic_tables() {
     let descending = of("mach,alpha,ca,cn\n2,0,1,0\n\n1,0,1,0\n");
     assert_eq!(descending[0][0], 1.0);
     let damping = read(
-        "vehicle.aerodynamics.damping_file",
+        &input::vehicle::AERODYNAMICS_DAMPING_FILE,
         b"mach,alpha_deg,cmq\n1,0,-0.1\n2,0,-0.2\n",
         &earth(),
     );
@@ -281,7 +290,7 @@ fn aerodynamic_tables() {
 
 #[test]
 fn faults_of_aerodynamic_tables() {
-    let said = |text: &str| faults("vehicle.aerodynamics.file", text);
+    let said = |text: &str| faults(&input::vehicle::AERODYNAMICS_FILE, text);
     let found = said("mach,alpha,ca,cn\n1,0,1,0\n1,5,,0.1\n1,10,x,0.1\n1,15,1,0.1,7\n");
     assert_eq!(
         found,

@@ -22,7 +22,7 @@ fn blanks_in_fixed_columns_leave_the_other_cells_in_their_places() {
     assert_eq!(table.rows.len(), 5, "{table:?}");
     assert!((table.rows[2][0] - 5574.885).abs() < 1e-3, "{table:?}");
     assert!((table.rows[2][1] - 0.68806).abs() < 1e-5, "{table:?}");
-    let wind = read("wind.file", listing.as_bytes(), &earth()).unwrap();
+    let wind = read(&input::wind::FILE, listing.as_bytes(), &earth()).unwrap();
     assert_eq!(wind.rows.len(), 1);
     // names and numbers aligned at their first characters
     let left =
@@ -61,7 +61,7 @@ fn a_quantity_in_two_units_is_read_once_and_compared() {
         "{told}"
     );
     let crooked = text.replace("32,808", "23,808");
-    let said = faults("atmosphere.file", &crooked).join("\n");
+    let said = faults(&input::atmosphere::FILE, &crooked).join("\n");
     assert!(
         said.starts_with("line 4: altitude is 10000 in column 1 and 7256.6784"),
         "{said}"
@@ -70,7 +70,7 @@ fn a_quantity_in_two_units_is_read_once_and_compared() {
 
 #[test]
 fn what_has_no_unit_and_is_not_in_that_taken_is_refused() {
-    let said = |text: &str| faults("atmosphere.file", text).join("\n");
+    let said = |text: &str| faults(&input::atmosphere::FILE, text).join("\n");
     let km = said(
         "alt,temp,press,dens\n0,288.1,101325,1.225\n5,255.7,54048,0.736\n10,223.3,26499,0.414\n",
     );
@@ -95,7 +95,7 @@ fn what_has_no_unit_and_is_not_in_that_taken_is_refused() {
 /// Altitude, temperature, pressure, density without a heading: the second column is not density.
 #[test]
 fn columns_in_another_order_are_not_taken_for_density() {
-    let said = |text: &str| faults("atmosphere.file", text).join("\n");
+    let said = |text: &str| faults(&input::atmosphere::FILE, text).join("\n");
     let warm = said(
         "0\t288.15\t1.01325\t1.225\n40000\t250.35\t0.00287\t0.003996\n80000\t198.64\t1.05e-5\t1.85e-5\n",
     );
@@ -111,7 +111,12 @@ fn columns_in_another_order_are_not_taken_for_density() {
 #[test]
 fn a_title_with_a_number_is_no_row() {
     let text = "Title,columns\nCapsule at Mach 5,16\nMach,ALFA,CA,CN\n5,0,1.5,0\n5,10,1.4,0.1\n";
-    let table = read("vehicle.aerodynamics.file", text.as_bytes(), &earth()).unwrap();
+    let table = read(
+        &input::vehicle::AERODYNAMICS_FILE,
+        text.as_bytes(),
+        &earth(),
+    )
+    .unwrap();
     assert_eq!(table.rows, [[5.0, 0.0, 1.5, 0.0], [5.0, 10.0, 1.4, 0.1]]);
 }
 
@@ -119,14 +124,24 @@ fn a_title_with_a_number_is_no_row() {
 #[test]
 fn axial_force_without_thrust_counts_above_a_drag_that_does_not_change_with_the_angle() {
     let text = "Mach,Alpha,CD,CD Power-Off,CD Power-On,CA Power-Off,CA Power-On,CL,CN,CP\n0.5,0,0.34,0.34,0.30,0.34,0.30,0,0,54\n0.5,4,0.34,0.41,0.37,0.35,0.31,0.89,0.92,54\n";
-    let table = read("vehicle.aerodynamics.file", text.as_bytes(), &earth()).unwrap();
+    let table = read(
+        &input::vehicle::AERODYNAMICS_FILE,
+        text.as_bytes(),
+        &earth(),
+    )
+    .unwrap();
     assert_eq!(table.rows, [[0.5, 0.0, 0.34, 0.0], [0.5, 4.0, 0.35, 0.92]]);
 }
 
 #[test]
 fn a_table_without_mach_number_counts_at_every_one() {
     let text = " alpha[deg], CL, CD\n 0.0 , 0.0 , 1.0\n 90.0 , -0.2 , 0.5\n";
-    let table = read("vehicle.aerodynamics.file", text.as_bytes(), &earth()).unwrap();
+    let table = read(
+        &input::vehicle::AERODYNAMICS_FILE,
+        text.as_bytes(),
+        &earth(),
+    )
+    .unwrap();
     assert_eq!(table.rows.len(), 4);
     assert_eq!((table.rows[0][0], table.rows[3][0]), (0.0, 1000.0));
     assert!(table.remarks.join("\n").contains("without a Mach number"));
@@ -136,11 +151,16 @@ fn a_table_without_mach_number_counts_at_every_one() {
 fn angles_below_zero_may_end_before_those_above() {
     let rows = "0.3,-10,-0.70,0.60\n0.3, 0, 0.00,0.10\n0.3, 10, 0.70,0.60\n0.3, 15, 1.05,1.13\n";
     let text = format!("mach,alpha,cl,cd\n{rows}");
-    let table = read("vehicle.aerodynamics.file", text.as_bytes(), &earth()).unwrap();
+    let table = read(
+        &input::vehicle::AERODYNAMICS_FILE,
+        text.as_bytes(),
+        &earth(),
+    )
+    .unwrap();
     let angles: Vec<f64> = table.rows.iter().map(|row| row[1]).collect();
     assert_eq!(angles, [0.0, 10.0, 15.0]);
     let crooked = text.replace("-0.70,0.60", "-0.50,0.60");
-    let said = faults("vehicle.aerodynamics.file", &crooked).join("\n");
+    let said = faults(&input::vehicle::AERODYNAMICS_FILE, &crooked).join("\n");
     assert!(said.contains("a body of revolution is symmetric"), "{said}");
 }
 
@@ -148,17 +168,24 @@ fn angles_below_zero_may_end_before_those_above() {
 #[test]
 fn whole_degrees_in_radians_are_told() {
     let text = "mach,TotalAOA,CD,CL\n1,0,0.21,0\n1,0.034906585,0.23,0.24\n1,0.174532925,0.48,1.6\n";
-    let said = faults("vehicle.aerodynamics.file", text).join("\n");
+    let said = faults(&input::vehicle::AERODYNAMICS_FILE, text).join("\n");
     assert!(said.contains("a whole number of deg in rad"), "{said}");
     let degrees = text
         .replace("0.034906585", "2")
         .replace("0.174532925", "10");
-    assert!(read("vehicle.aerodynamics.file", degrees.as_bytes(), &earth()).is_ok());
+    assert!(
+        read(
+            &input::vehicle::AERODYNAMICS_FILE,
+            degrees.as_bytes(),
+            &earth()
+        )
+        .is_ok()
+    );
 }
 
 #[test]
 fn several_curves_of_drag_are_not_made_one() {
-    let said = |text: &str| faults("vehicle.drag_file", text);
+    let said = |text: &str| faults(&input::vehicle::DRAG_FILE, text);
     let brakes =
         "deployment_level, mach, cd\n0, 0.1, 0.77\n1.0, 0.1, 1.10\n0, 0.2, 0.75\n1.0, 0.2, 0.99\n";
     assert_eq!(

@@ -14,6 +14,7 @@ use super::{Polar, Theory};
 use crate::aero::damping::Damping;
 use crate::aero::database::{Database, Regime};
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 
 fn note(message: String, source: &str, field: Option<&str>) -> Finding {
@@ -61,7 +62,7 @@ pub fn remarks(polar: &Polar, theory: &Theory, database: &Database) -> Vec<Findi
                 let mut finding = note(
                     format!("Beyond the table: {message}."),
                     "the table of the case",
-                    Some("vehicle.aerodynamics.extrapolation"),
+                    Some(input::vehicle::AERODYNAMICS_EXTRAPOLATION.key),
                 );
                 finding.severity = Severity::Extrapolated;
                 if !findings.contains(&finding) {
@@ -89,7 +90,7 @@ pub fn remarks(polar: &Polar, theory: &Theory, database: &Database) -> Vec<Findi
         findings.push(note(
             message,
             "assumed",
-            Some("vehicle.aerodynamics.damping_table"),
+            Some(input::vehicle::AERODYNAMICS_DAMPING_TABLE.key),
         ));
     }
     findings

@@ -19,6 +19,7 @@ use crate::flight::motion::Motion;
 use crate::flight::reach::Axis;
 use crate::outcome::Outcome;
 use crate::planet::Gravity;
+use crate::quantity::input;
 use numerics::ode::OdeError;
 use numerics::scalar::Single;
 
@@ -71,8 +72,9 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         let (t, _) = self.now();
         self.record.outcome = Outcome::GaveUp;
         self.record.reason = Some(format!(
-            "the fixed step is too long: after {:.2} s the energy grows, as no air makes it; give a shorter solver.step_s or an adaptive method",
-            t.value()
+            "the fixed step is too long: after {:.2} s the energy grows, as no air makes it; give a shorter {} or an adaptive method",
+            t.value(),
+            input::solver::STEP_S
         ));
         Next::Over
     }

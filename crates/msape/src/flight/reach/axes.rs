@@ -24,6 +24,7 @@ use crate::flight::six_dof::aerodynamics::Aerodynamics;
 use crate::heating::given::GivenHeating;
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::wind::Wind;
+use crate::quantity::input;
 
 /// The tables of the case that a flight of this vehicle looks up, one entry an axis.
 pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
@@ -31,7 +32,7 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
     if let Wind::Table(table) = &mission.wind {
         axes.push(Axis {
             rule: mission.beyond.wind,
-            ..Axis::held("wind.table", Argument::Altitude, table.ends_m())
+            ..Axis::held(input::wind::TABLE.key, Argument::Altitude, table.ends_m())
         });
     }
     if mission.beyond.atmosphere == Extrapolation::Refuse {
@@ -47,7 +48,7 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
                     of_drag(&body.drag, &mut axes);
                     axes.push(Axis {
                         rule: *rule,
-                        ..Axis::held("vehicle.lift_table", Argument::Mach, table.ends())
+                        ..Axis::held(input::vehicle::LIFT_TABLE.key, Argument::Mach, table.ends())
                     });
                 }
                 Source::Trim(trim) => axes.extend(&trim.axes),
@@ -59,11 +60,11 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
             match &lift.bank {
                 Bank::Constant(_) => {}
                 Bank::OfTime(table) => {
-                    let key = "vehicle.bank_table_deg";
+                    let key = input::vehicle::BANK_TABLE_DEG.key;
                     axes.push(of_bank(key, Argument::Time, table.ends()));
                 }
                 Bank::OfSpeed(table) => {
-                    let key = "vehicle.bank_speed_table_deg";
+                    let key = input::vehicle::BANK_SPEED_TABLE_DEG.key;
                     axes.push(of_bank(key, Argument::AirSpeed, table.ends()));
                 }
             }
@@ -164,11 +165,11 @@ pub fn of_database(database: &Database) -> Vec<Axis> {
     };
     let mut axes = Vec::new();
     if let Some(table) = database.table() {
-        axes.extend(grid("vehicle.aerodynamics.table", table));
+        axes.extend(grid(input::vehicle::AERODYNAMICS_TABLE.key, table));
     }
     match database.damping() {
         Damping::Table(table) if Some(table) != database.table() => {
-            axes.extend(grid("vehicle.aerodynamics.damping_table", table));
+            axes.extend(grid(input::vehicle::AERODYNAMICS_DAMPING_TABLE.key, table));
         }
         _ => {}
     }

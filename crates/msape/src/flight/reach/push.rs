@@ -19,6 +19,7 @@ use crate::flight::freedom::Freedom;
 use crate::flight::lift::Source;
 use crate::flight::mission::Body;
 use crate::flight::six_dof::aerodynamics::Aerodynamics;
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 
@@ -56,7 +57,7 @@ impl Push {
                 short(self.time_s)
             ),
             source: "first law of thermodynamics".to_string(),
-            field: Some("vehicle.aerodynamics".to_string()),
+            field: Some(input::vehicle::AERODYNAMICS.to_string()),
         }
     }
 }

@@ -17,6 +17,7 @@ use super::events::AttitudeEvents;
 use super::rigid::Rigid;
 use crate::aero::damping;
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 
 /// Angle up to which slopes at zero stand for the whole, deg.
@@ -39,7 +40,7 @@ pub fn findings(rigid: &Rigid, attitude: &AttitudeEvents) -> Vec<Finding> {
             valid: (Some(0.0), Some(LINEAR_DEG)),
             message: format!("The total angle of attack reaches {largest_deg:.1} deg; constants are slopes at zero and are used beyond {LINEAR_DEG} deg. An outline gives coefficients at every angle."),
             source: "convention of this program".to_string(),
-            field: Some("vehicle.aerodynamics.ca".to_string()),
+            field: Some(input::vehicle::AERODYNAMICS_CA.to_string()),
         });
     }
     if let Aerodynamics::Database(of) = &rigid.aerodynamics
@@ -56,7 +57,7 @@ pub fn findings(rigid: &Rigid, attitude: &AttitudeEvents) -> Vec<Finding> {
                 data.placeholder_note()
             ),
             source: "assumed".to_string(),
-            field: Some("vehicle.aerodynamics.damping_table".to_string()),
+            field: Some(input::vehicle::AERODYNAMICS_DAMPING_TABLE.to_string()),
         });
     }
     let heated_deg = attitude.total_alpha_at_peak_heating_rad / RADIANS_PER_DEGREE;

@@ -17,6 +17,7 @@ use super::check::Numbered;
 use super::{GivenHeating, USERS};
 use crate::aero::table::Extrapolation;
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use crate::units::told;
 use serde::{Deserialize, Serialize};
 
@@ -131,9 +132,10 @@ impl BodyHeating {
             points.push((*fraction, table));
         }
         if points.len() < 2 {
-            return Err(vec![
-                "got the fraction 0 alone, must be 2 fractions or more; for the stagnation point alone give heating.table".to_owned(),
-            ]);
+            return Err(vec![format!(
+                "got the fraction 0 alone, must be 2 fractions or more; for the stagnation point alone give {}",
+                input::heating::TABLE
+            )]);
         }
         Ok(BodyHeating { along, points })
     }

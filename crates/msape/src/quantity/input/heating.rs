@@ -1,67 +1,51 @@
-//! Inputs of heating that another program or a test gives.
+//! Inputs of the heating: relations, margins, wall.
 
-use super::{Choices, Column, Group, Input, Kind, Preset};
+pub(super) mod table;
 
-const CONVENTION: &str = "convention of this program";
+use super::{CONVENTION, Group, Input, Kind, Preset, RUN_PAGE, Range};
+use crate::quantity::Task;
+use crate::quantity::choice::{
+    Choice, ConvectiveModel, JudgedAt, PressureModel, RadiativeModel, WallModel,
+};
+use crate::units::Dimension;
 
-const fn column(name: &'static str) -> Column {
-    Column {
-        name,
-        required: true,
-    }
+pub use table::*;
+
+inputs! {
+    Task::ALL;
+    CONVECTIVE: "heating.convective" = Input::new("Convective Heat Rate Model", Group::Models, Kind::Choice(ConvectiveModel::CHOICES))
+        .preset(Preset::Name(ConvectiveModel::SuttonGraves.name()))
+        .basic()
+        .help("Relation for convective heating at the stagnation point.", RUN_PAGE);
+    RADIATIVE: "heating.radiative" = Input::new("Radiative Heat Rate Model", Group::Models, Kind::Choice(RadiativeModel::CHOICES))
+        .preset(Preset::Name(RadiativeModel::TauberSutton.name()))
+        .basic()
+        .help("Relation for radiative heating at the stagnation point.", RUN_PAGE);
+    CONVECTIVE_MARGIN: "heating.convective_margin" = Input::number("Convective Heat Rate Margin", Group::Margins, Dimension::One, Range::closed(0.0, 10.0))
+        .usual(0.0, 10.0)
+        .preset(Preset::Number(1.3))
+        .basic()
+        .help("Factor on convective heating chosen by the designer; results say whether they carry it.", RUN_PAGE);
+    RADIATIVE_MARGIN: "heating.radiative_margin" = Input::number("Radiative Heat Rate Margin", Group::Margins, Dimension::One, Range::closed(0.0, 10.0))
+        .usual(0.0, 2.0)
+        .preset(Preset::Number(1.0))
+        .basic()
+        .help("Factor on radiative heating chosen by the designer; results say whether they carry it.", RUN_PAGE);
+    CONVECTIVE_MODEL_FACTOR: "heating.convective_model_factor" = Input::number("Convective Model Factor", Group::Models, Dimension::One, Range::above(0.0, 10.0))
+        .usual(1.0, 1.5)
+        .preset(Preset::Number(1.0))
+        .help("Correction of the convective relation itself, apart from the margin and not of heat fluxes that the case gives; the report's comparison with DPLR gives 1.33.", "NASA/TM-2014-218507, section 3.4.3");
+    WALL: "heating.wall" = Input::new("Wall for Convective Heating", Group::Models, Kind::Choice(WallModel::CHOICES))
+        .preset(Preset::Name(WallModel::Cold.name()))
+        .help("Whether convective heating is that of a cold wall, or is lowered by the enthalpy of a wall in radiative equilibrium.", CONVENTION);
+    WALL_EMISSIVITY: "heating.wall_emissivity" = Input::number("Wall Emissivity", Group::Models, Dimension::One, Range::above(0.0, 1.0))
+        .usual(0.5, 1.0)
+        .preset(Preset::Number(0.85))
+        .help("Emissivity of the wall for its radiative-equilibrium temperature.", "NASA/TM-2014-218507, section 3.4.2");
+    STAGNATION_PRESSURE: "heating.stagnation_pressure" = Input::new("Stagnation Pressure", Group::Models, Kind::Choice(PressureModel::CHOICES))
+        .preset(Preset::Name(PressureModel::NewtonianLimit.name()))
+        .help("How the pressure at the stagnation point is found, which loads the walls and is held against the limits of the heat shield; the Newtonian limit bounds the others.", "NASA/TM-2014-218507, equations 9 to 12");
+    JUDGED_AT: "heating.judged_at" = Input::new("Heat Shield Judged at", Group::Models, Kind::Choice(JudgedAt::CHOICES))
+        .preset(Preset::Name(JudgedAt::HottestPoint.name()))
+        .help("Where heat flux and heat load are taken for the thickness of the forebody's heat shield and for its limits; the report's relations took those of the stagnation point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5");
 }
-
-const CONVECTIVE: [Column; 3] = [
-    column("speed_m_s"),
-    column("density_kg_m3"),
-    column("convective_w_m2"),
-];
-
-const fn along_body(key: &'static str, label: &'static str, columns: &'static [Column]) -> Input {
-    Input::new(key, label, Group::Models, Kind::Rows(columns))
-}
-
-pub(super) const INPUTS: &[Input] = &[
-    Input::new(
-        "heating.table",
-        "Heating Table",
-        Group::Models,
-        Kind::Rows(&[
-            CONVECTIVE[0],
-            CONVECTIVE[1],
-            CONVECTIVE[2],
-            Column { name: "radiative_w_m2", required: false },
-        ]),
-    )
-    .help("Cold-wall heat fluxes of the stagnation point from outside, over speed relative to the air and density, in place of the relations: each speed with each density, in any order, and two of each or more. The margins apply, the model factor does not. Logarithms are interpolated where all are above 0. Without radiative fluxes the radiative relation stays; a total heat flux stands as convective beside radiative fluxes of 0.", CONVENTION),
-    along_body("heating.radius_table", "Heating Table over Radius", &[
-        column("radius_fraction"),
-        CONVECTIVE[0],
-        CONVECTIVE[1],
-        CONVECTIVE[2],
-        column("radiative_w_m2"),
-    ])
-    .help("The same at points of the forebody, by their distance from the axis over the largest radius; 0 is the stagnation point. Every point has the speeds and densities of the stagnation point. Each is integrated along the flight, and a heat shield is judged by the largest heat flux and heat load.", CONVENTION),
-    along_body("heating.arc_table", "Heating Table over Arc Length", &[
-        column("arc_fraction"),
-        CONVECTIVE[0],
-        CONVECTIVE[1],
-        CONVECTIVE[2],
-        column("radiative_w_m2"),
-    ])
-    .help("The same at points of the forebody, by their length along the outline from the nose over that to the largest radius; 0 is the stagnation point.", CONVENTION),
-    Input::new("heating.file", "Heating File", Group::Models, Kind::Text)
-        .help("Name of a text file with speed, density and convective, radiative or total heat flux to a cold wall, and r or s as a fraction where it is along the body.", CONVENTION),
-    Input::new(
-        "heating.extrapolation",
-        "Beyond the Heating Table",
-        Group::Models,
-        Kind::Choice(Choices::Fixed(&[
-            ("extend", "Extend with the last slope"),
-            ("hold", "Hold the end"),
-            ("refuse", "Refuse"),
-        ])),
-    )
-    .preset(Preset::Name("extend"))
-    .help("Rule beyond the speeds and densities of a table of heating. The last slope, of the logarithms where these are interpolated, never makes more heat of less speed or density; a held end heats in a vacuum, too; refuse ends the flight there.", CONVENTION),
-];

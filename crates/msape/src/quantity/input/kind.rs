@@ -1,5 +1,6 @@
 //! What an input takes, who needs it, and where it stands in a form.
 
+use super::Column;
 use crate::units::Dimension;
 
 /// Part of the form in which an input stands.
@@ -100,9 +101,6 @@ impl Range {
     }
 }
 
-/// Rules beyond a table that can only be held.
-pub(super) const HELD: &[(&str, &str)] = &[("hold", "Hold the end"), ("refuse", "Refuse")];
-
 /// Name, in a case, of the drag of the outline itself.
 pub const OWN_OUTLINE: &str = "outline";
 
@@ -130,47 +128,6 @@ pub enum Choices {
     DesignAerodynamics,
     /// Outlines of the library.
     Outlines,
-}
-
-/// Range of the cells of a column of any table, by its name; the signs of attitude and the like are free.
-///
-/// ```
-/// use msape::quantity::input::range_of_column;
-/// assert!(!range_of_column("altitude_m").contains(1e12));
-/// ```
-pub fn range_of_column(name: &str) -> Range {
-    match name {
-        "altitude_m" => Range::closed(-1e6, 1e9),
-        // Nought is open: the other two of density, temperature and pressure give it, or the row is refused.
-        "density_kg_m3" => Range::closed(0.0, 1e4),
-        "temperature_K" => Range::closed(0.0, 1e5),
-        "pressure_Pa" => Range::closed(0.0, 1e12),
-        "eastward_m_s" | "northward_m_s" => Range::closed(-2e3, 2e3),
-        "mach" => Range::closed(0.0, 1e3),
-        "speed_m_s" => Range::closed(0.0, 1e5),
-        "time_s" => Range::closed(-1e7, 1e7),
-        // Nought stands for none, where the altitude is given in its place.
-        "knudsen" => Range::closed(0.0, 1e12),
-        "alpha_deg" => Range::closed(-180.0, 180.0),
-        "bank_deg" => Range::closed(-36_000.0, 36_000.0),
-        "p_deg_s" | "q_deg_s" | "r_deg_s" => Range::closed(-36_000.0, 36_000.0),
-        "ca" | "cn" | "cm" | "cmq" | "lift_coefficient" => Range::closed(-100.0, 100.0),
-        "drag_coefficient" => Range::closed(0.0, 100.0),
-        "convective_w_m2" | "radiative_w_m2" => Range::closed(0.0, 1e12),
-        "radius_fraction" | "arc_fraction" => Range::closed(0.0, 1.0),
-        "x_m" | "y_m" | "z_m" | "r_m" => Range::closed(-1e4, 1e4),
-        // Elements of inertia, kg-m², and of a quaternion.
-        _ => Range::closed(-1e9, 1e9),
-    }
-}
-
-/// A column of an input table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Column {
-    /// Name with unit, such as `altitude_m`.
-    pub name: &'static str,
-    /// Whether every row must have it.
-    pub required: bool,
 }
 
 /// What kind of value an input takes.

@@ -2,10 +2,13 @@
 //!
 //! A key of the list, such as `phase.altitude_m`, stands for that of every phase: `phase.1.altitude_m`, `phase.2.altitude_m`.
 
-use super::{Choices, Column, Group, Input, Kind, Range};
+use super::{Alternatives, CONVENTION, Group, Input, Kind, Range, column};
+use crate::quantity::Task;
+use crate::quantity::choice::{Choice, Direction};
 use crate::units::Dimension;
+use std::borrow::Cow;
+use std::fmt;
 
-const CONVENTION: &str = "convention of this program";
 const KNACKE: &str = "Knacke 1991, chapter 5";
 
 /// Name of the section.
@@ -13,59 +16,103 @@ pub const SECTION: &str = "phase";
 /// Most phases of a case.
 pub const MOST: usize = 20;
 
-const fn part(name: &'static str) -> Column {
-    Column {
-        name,
-        required: true,
+/// Ways in which a phase begins.
+pub static BEGIN: Alternatives = Alternatives {
+    label: "Phase begins at",
+    required: true,
+    ways: &[
+        &[&TIME_S],
+        &[&ALTITUDE_M],
+        &[&MACH],
+        &[&DYNAMIC_PRESSURE_PA],
+        &[&DECELERATION_EARTH_G],
+    ],
+};
+
+inputs! {
+    Task::FLOWN;
+    NAME: "phase.name" = Input::new("Phase", Group::Mission, Kind::Text)
+        .help("Name of the phase, as it stands in time histories and events.", CONVENTION);
+    TIME_S: "phase.time_s" = Input::number("Begins at Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e7))
+        .unit("s")
+        .one_way_of(&BEGIN)
+        .help("Time after the start at which the phase begins; one of time, altitude, Mach number, dynamic pressure and deceleration.", CONVENTION);
+    ALTITUDE_M: "phase.altitude_m" = Input::number("Begins at Altitude", Group::Mission, Dimension::Length, Range::closed(-1e6, 1e9))
+        .unit("km")
+        .one_way_of(&BEGIN)
+        .help("Geodetic altitude at which the phase begins.", CONVENTION);
+    MACH: "phase.mach" = Input::number("Begins at Mach Number", Group::Mission, Dimension::One, Range::above(0.0, 1e3))
+        .one_way_of(&BEGIN)
+        .help("Mach number at which the phase begins.", CONVENTION);
+    DYNAMIC_PRESSURE_PA: "phase.dynamic_pressure_pa" = Input::number("Begins at Dynamic Pressure", Group::Mission, Dimension::Pressure, Range::above(0.0, 1e12))
+        .unit("Pa")
+        .one_way_of(&BEGIN)
+        .help("Dynamic pressure at which the phase begins.", CONVENTION);
+    DECELERATION_EARTH_G: "phase.deceleration_earth_g" = Input::number("Begins at Deceleration", Group::Mission, Dimension::Load, Range::above(0.0, 1e6))
+        .unit("Earth g")
+        .one_way_of(&BEGIN)
+        .help("Aerodynamic force over mass over 9.80665 m/s^2 at which the phase begins.", CONVENTION);
+    DIRECTION: "phase.direction" = Input::new("Direction", Group::Mission, Kind::Choice(Direction::CHOICES))
+        .help("Whether the quantity falls or rises through its value when the phase begins; falling when absent. Where it did so before the turn of the phase, or jumps through it by what the phase before changes, and stands beyond it, the phase begins at once; where it has stood beyond it since the start, never, and that is told.", CONVENTION);
+    MASS_KG: "phase.mass_kg" = Input::number("Mass from then on", Group::Mission, Dimension::Mass, Range::above(0.0, 1e6))
+        .unit("kg")
+        .help("Mass of the vehicle from the begin of the phase on, as after the heat shield is dropped; the one before when absent.", CONVENTION);
+    REFERENCE_AREA_M2: "phase.reference_area_m2" = Input::number("Reference Area from then on", Group::Mission, Dimension::Area, Range::above(0.0, 1e5))
+        .unit("m^2")
+        .help("Area to which the coefficients belong from then on, of a rigid body all of force and moment; the one before when absent.", CONVENTION);
+    DRAG_COEFFICIENT: "phase.drag_coefficient" = Input::number("Drag Coefficient from then on", Group::Mission, Dimension::One, Range::closed(0.0, 100.0))
+        .help("Drag coefficient of a point mass, without parachute, at every Mach number from then on; as before when absent.", CONVENTION);
+    DRAG_AREA_M2: "phase.drag_area_m2" = Input::number("Parachute Drag Area", Group::Mission, Dimension::Area, Range::closed(0.0, 1e5))
+        .unit("m^2")
+        .help("Drag coefficient times area of the parachutes that are out from then on, in the place of those before; 0 releases them.", KNACKE);
+    INFLATION_S: "phase.inflation_s" = Input::number("Inflation Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e4))
+        .unit("s")
+        .help("Time in which the drag area of the parachutes grows evenly from nothing; at once when absent.", KNACKE);
+    ATTACHMENT_M: "phase.attachment_m" = Input::new("Parachute Attachment", Group::Mission, Kind::Rows(&[column::X_M, column::Y_M, column::Z_M]))
+        .one_row()
+        .help("Point of a rigid body at which the parachutes pull, m: x aft of the virtual apex, y to the right, z down.", CONVENTION);
+}
+
+/// Key of an input in a case: that of the list, or that of one phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Key {
+    /// The input.
+    pub input: &'static Input,
+    phase: Option<usize>,
+}
+
+impl From<&'static Input> for Key {
+    fn from(input: &'static Input) -> Key {
+        Key { input, phase: None }
     }
 }
 
-pub(super) const INPUTS: &[Input] = &[
-    Input::new("phase.name", "Phase", Group::Mission, Kind::Text)
-        .help("Name of the phase, as it stands in time histories and events.", CONVENTION),
-    Input::number("phase.time_s", "Begins at Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e7))
-        .unit("s")
-        .help("Time after the start at which the phase begins; one of time, altitude, Mach number, dynamic pressure and deceleration.", CONVENTION),
-    Input::number("phase.altitude_m", "Begins at Altitude", Group::Mission, Dimension::Length, Range::closed(-1e6, 1e9))
-        .unit("km")
-        .help("Geodetic altitude at which the phase begins.", CONVENTION),
-    Input::number("phase.mach", "Begins at Mach Number", Group::Mission, Dimension::One, Range::above(0.0, 1e3))
-        .help("Mach number at which the phase begins.", CONVENTION),
-    Input::number("phase.dynamic_pressure_pa", "Begins at Dynamic Pressure", Group::Mission, Dimension::Pressure, Range::above(0.0, 1e12))
-        .unit("Pa")
-        .help("Dynamic pressure at which the phase begins.", CONVENTION),
-    Input::number("phase.deceleration_earth_g", "Begins at Deceleration", Group::Mission, Dimension::Load, Range::above(0.0, 1e6))
-        .unit("Earth g")
-        .help("Aerodynamic force over mass over 9.80665 m/s^2 at which the phase begins.", CONVENTION),
-    Input::new(
-        "phase.direction",
-        "Direction",
-        Group::Mission,
-        Kind::Choice(Choices::Fixed(&[("falling", "Falling"), ("rising", "Rising")])),
-    )
-    .help("Whether the quantity falls or rises through its value when the phase begins; falling when absent. Where it did so before the turn of the phase, or jumps through it by what the phase before changes, and stands beyond it, the phase begins at once; where it has stood beyond it since the start, never, and that is told.", CONVENTION),
-    Input::number("phase.mass_kg", "Mass from then on", Group::Mission, Dimension::Mass, Range::above(0.0, 1e6))
-        .unit("kg")
-        .help("Mass of the vehicle from the begin of the phase on, as after the heat shield is dropped; the one before when absent.", CONVENTION),
-    Input::number("phase.reference_area_m2", "Reference Area from then on", Group::Mission, Dimension::Area, Range::above(0.0, 1e5))
-        .unit("m^2")
-        .help("Area to which the coefficients belong from then on, of a rigid body all of force and moment; the one before when absent.", CONVENTION),
-    Input::number("phase.drag_coefficient", "Drag Coefficient from then on", Group::Mission, Dimension::One, Range::closed(0.0, 100.0))
-        .help("Drag coefficient of a point mass, without parachute, at every Mach number from then on; as before when absent.", CONVENTION),
-    Input::number("phase.drag_area_m2", "Parachute Drag Area", Group::Mission, Dimension::Area, Range::closed(0.0, 1e5))
-        .unit("m^2")
-        .help("Drag coefficient times area of the parachutes that are out from then on, in the place of those before; 0 releases them.", KNACKE),
-    Input::number("phase.inflation_s", "Inflation Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e4))
-        .unit("s")
-        .help("Time in which the drag area of the parachutes grows evenly from nothing; at once when absent.", KNACKE),
-    Input::new(
-        "phase.attachment_m",
-        "Parachute Attachment",
-        Group::Mission,
-        Kind::Rows(&[part("x_m"), part("y_m"), part("z_m")]),
-    )
-    .help("Point of a rigid body at which the parachutes pull, m: x aft of the virtual apex, y to the right, z down.", CONVENTION),
-];
+impl Key {
+    /// The key as a case has it.
+    pub fn text(self) -> Cow<'static, str> {
+        let key = self.input.key;
+        match (self.phase, key.strip_prefix(SECTION)) {
+            (Some(number), Some(name)) => Cow::Owned(format!("{SECTION}.{number}{name}")),
+            _ => Cow::Borrowed(key),
+        }
+    }
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text())
+    }
+}
+
+impl Input {
+    /// The key of one phase, counted from 1.
+    pub fn of_phase(&'static self, number: usize) -> Key {
+        Key {
+            input: self,
+            phase: Some(number),
+        }
+    }
+}
 
 /// The number of the phase in a key, and the key that stands for it in the list; `None` where the key is of no phase.
 pub(super) fn numbered(key: &str) -> Option<(usize, String)> {
@@ -76,6 +123,11 @@ pub(super) fn numbered(key: &str) -> Option<(usize, String)> {
     let index: usize = number.parse().ok()?;
     let plain = (1..=MOST).contains(&index) && number == index.to_string();
     plain.then(|| (index, format!("{SECTION}.{name}")))
+}
+
+/// Key of an input within its section, such as `altitude_m`.
+pub fn name(input: &Input) -> &'static str {
+    input.key.rsplit('.').next().unwrap_or_default()
 }
 
 /// Whether a key of the list stands for that of every phase.

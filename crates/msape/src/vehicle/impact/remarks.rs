@@ -15,6 +15,7 @@
 //! - \[samareh-2014\] section 3.1.5; \[young-1997\].
 
 use crate::finding::{Finding, Severity};
+use crate::quantity::input;
 use crate::vehicle::Vehicle;
 use crate::vehicle::impact::Impact;
 use crate::vehicle::impact::crush::PulseEnd;
@@ -35,7 +36,7 @@ const SIDEWAYS_SHARE: f64 = 0.01;
 /// Depth in diameters from which Young's equation holds.
 const YOUNG_DIAMETERS: f64 = 3.0;
 /// The input that sets the limit.
-const LIMIT: &str = "design.crush_load_limit_earth_g";
+const LIMIT: &str = input::design::CRUSH_LOAD_LIMIT_EARTH_G.key;
 const REPORT: &str = "NASA/TM-2014-218507, section 3.1.5";
 
 /// Findings of a landing.
@@ -89,7 +90,7 @@ pub fn strength(input: &VehicleInput, impact: &Impact) -> Vec<Finding> {
         Severity::Note,
         (None, None),
         by,
-        "design.foam_strength",
+        input::design::FOAM_STRENGTH.key,
     )];
     let grades = &input.foam_grades;
     let (weakest, strongest) = match input.densities.impact_foam_kg_m3 {
@@ -144,8 +145,8 @@ fn over_limit(vehicle: &Vehicle, key: &str, load: f64, place: &str) -> Option<Fi
         source: REPORT.to_string(),
         field: Some(
             match vehicle.impact.foam_strength_by {
-                FoamStrength::CrushLaw => "design.stroke_efficiency",
-                FoamStrength::Equation6 => "design.foam_strength",
+                FoamStrength::CrushLaw => input::design::STROKE_EFFICIENCY.key,
+                FoamStrength::Equation6 => input::design::FOAM_STRENGTH.key,
             }
             .to_string(),
         ),
@@ -188,7 +189,7 @@ fn range_of_ground(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Opt
         valid,
         message,
         source: ground.law_source().to_string(),
-        field: Some("design.ground".to_string()),
+        field: Some(input::design::GROUND.to_string()),
     };
     if ground.penetration.is_some() && depth > nose {
         return Some(finding(
@@ -245,7 +246,7 @@ fn densified(vehicle: &Vehicle, landing: &Landing) -> Option<Finding> {
             absorber.law.plateau_pa / 1e6,
         ),
         source: "Gibson and Ashby, Cellular Solids; strain where densification begins".to_string(),
-        field: Some("design.stroke_efficiency".to_string()),
+        field: Some(input::design::STROKE_EFFICIENCY.to_string()),
     })
 }
 

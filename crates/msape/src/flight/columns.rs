@@ -1,303 +1,302 @@
-//! Columns of a time history.
+//! Columns of a time history: what each is, and how it is taken out of a sample.
 
+use super::sample::Sample;
+use crate::quantity::Column;
 use crate::units::Dimension;
+use numerics::math::RADIANS_PER_DEGREE;
 
-/// One column.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Column {
-    /// Key with its SI unit, such as `altitude_m`.
-    pub key: &'static str,
-    /// Name for axes and headers, without the unit.
-    pub label: &'static str,
-    /// What it measures.
-    pub dimension: Dimension,
-    /// Symbol of the unit shown by default.
-    pub unit: &'static str,
-    /// One sentence: what it is.
-    pub help: &'static str,
+/// A column and the value of it at one instant.
+pub(super) struct Sampled {
+    /// Key, unit and meaning.
+    pub(super) column: Column,
+    /// Takes it out of a sample; `None` where the flight does not have it.
+    pub(super) get: fn(&Sample) -> Option<f64>,
 }
 
-pub(crate) const fn column(
+const fn sampled(
     key: &'static str,
     label: &'static str,
-    dimension: Dimension,
-    unit: &'static str,
+    (dimension, unit): (Dimension, &'static str),
     help: &'static str,
-) -> Column {
-    Column {
-        key,
-        label,
-        dimension,
-        unit,
-        help,
+    get: fn(&Sample) -> Option<f64>,
+) -> Sampled {
+    Sampled {
+        column: Column {
+            key,
+            label,
+            dimension,
+            unit,
+            help,
+        },
+        get,
     }
 }
 
 /// All columns, in the order of files.
-pub fn columns() -> &'static [Column] {
-    COLUMNS
+pub fn columns() -> impl Iterator<Item = &'static Column> {
+    SAMPLED.iter().map(|sampled| &sampled.column)
 }
 
 /// The column with this key.
 pub fn find(key: &str) -> Option<&'static Column> {
-    COLUMNS.iter().find(|column| column.key == key)
+    columns().find(|column| column.key == key)
 }
 
 /// Key of the column whose numbers stand for the names of phases.
-pub const PHASE: &str = "phase";
+pub(super) const PHASE: &str = "phase";
 
-static COLUMNS: &[Column] = &[
-    column(
+pub(super) static SAMPLED: &[Sampled] = &[
+    sampled(
         "time_s",
         "Time",
-        Dimension::Time,
-        "s",
+        (Dimension::Time, "s"),
         "Time after the start.",
+        |s| Some(s.time_s),
     ),
-    column(
+    sampled(
         "altitude_m",
         "Geodetic Altitude",
-        Dimension::Length,
-        "km",
+        (Dimension::Length, "km"),
         "Height above the reference ellipsoid.",
+        |s| Some(s.altitude_m),
     ),
-    column(
+    sampled(
         "latitude_deg",
         "Latitude",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Geodetic latitude, north positive.",
+        |s| Some(s.latitude_rad / RADIANS_PER_DEGREE),
     ),
-    column(
+    sampled(
         "longitude_deg",
         "Longitude",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Longitude, east positive, -180 to 180 deg.",
+        |s| Some(s.longitude_rad / RADIANS_PER_DEGREE),
     ),
-    column(
+    sampled(
         "speed_m_s",
         "Relative Velocity",
-        Dimension::Speed,
-        "m/s",
+        (Dimension::Speed, "m/s"),
         "Speed relative to the rotating planet.",
+        |s| Some(s.speed_m_s),
     ),
-    column(
+    sampled(
         "flight_path_angle_deg",
         "Flight Path Angle",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Angle of the relative velocity against the geodetic horizon, negative down.",
+        |s| Some(s.flight_path_angle_rad / RADIANS_PER_DEGREE),
     ),
-    column(
+    sampled(
         "azimuth_deg",
         "Azimuth",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Direction of the horizontal relative velocity from north, clockwise.",
+        |s| Some(s.azimuth_rad / RADIANS_PER_DEGREE),
     ),
-    column(
+    sampled(
         "inertial_speed_m_s",
         "Inertial Velocity",
-        Dimension::Speed,
-        "m/s",
+        (Dimension::Speed, "m/s"),
         "Speed in the frame that does not rotate with the planet.",
+        |s| Some(s.inertial_speed_m_s),
     ),
-    column(
+    sampled(
         "eastward_speed_m_s",
         "Eastward Velocity",
-        Dimension::Speed,
-        "m/s",
+        (Dimension::Speed, "m/s"),
         "Relative velocity towards the east.",
+        |s| Some(s.velocity_m_s[1]),
     ),
-    column(
+    sampled(
         "northward_speed_m_s",
         "Northward Velocity",
-        Dimension::Speed,
-        "m/s",
+        (Dimension::Speed, "m/s"),
         "Relative velocity towards the north.",
+        |s| Some(s.velocity_m_s[0]),
     ),
-    column(
+    sampled(
         "downward_speed_m_s",
         "Downward Velocity",
-        Dimension::Speed,
-        "m/s",
+        (Dimension::Speed, "m/s"),
         "Relative velocity downwards along the geodetic vertical.",
+        |s| Some(-s.velocity_m_s[2]),
     ),
-    column(
+    sampled(
         "downrange_m",
         "Downrange",
-        Dimension::Length,
-        "km",
+        (Dimension::Length, "km"),
         "Distance from the start over the figure of the planet: on Earth the great circle on a sphere of 6371 km, elsewhere the shortest line on the ellipsoid.",
+        |s| Some(s.downrange_m),
     ),
-    column(
+    sampled(
         "mach",
         "Mach Number",
-        Dimension::One,
-        "",
+        (Dimension::One, ""),
         "Speed relative to the air over the speed of sound.",
+        |s| Some(s.mach),
     ),
-    column(
+    sampled(
         "density_kg_m3",
         "Density",
-        Dimension::Density,
-        "kg/m^3",
+        (Dimension::Density, "kg/m^3"),
         "Density of the air.",
+        |s| Some(s.density_kg_m3),
     ),
-    column(
+    sampled(
         "temperature_k",
         "Air Temperature",
-        Dimension::Temperature,
-        "K",
+        (Dimension::Temperature, "K"),
         "Temperature of the air.",
+        |s| Some(s.temperature_k),
     ),
-    column(
+    sampled(
         "pressure_pa",
         "Air Pressure",
-        Dimension::Pressure,
-        "Pa",
+        (Dimension::Pressure, "Pa"),
         "Static pressure of the air.",
+        |s| Some(s.pressure_pa),
     ),
-    column(
+    sampled(
         "drag_coefficient",
         "Drag Coefficient",
-        Dimension::One,
-        "",
+        (Dimension::One, ""),
         "Drag coefficient in use.",
+        |s| Some(s.drag_coefficient),
     ),
-    column(
+    sampled(
         "dynamic_pressure_pa",
         "Dynamic Pressure",
-        Dimension::Pressure,
-        "kPa",
+        (Dimension::Pressure, "kPa"),
         "Half the density times the square of the speed relative to the air.",
+        |s| Some(s.dynamic_pressure_pa),
     ),
-    column(
+    sampled(
         "stagnation_pressure_pa",
         "Stagnation Pressure",
-        Dimension::Pressure,
-        "kPa",
+        (Dimension::Pressure, "kPa"),
         "Pressure at the stagnation point, by the model of heating.stagnation_pressure.",
+        |s| Some(s.stagnation_pressure_pa),
     ),
-    column(
+    sampled(
         "deceleration_earth_g",
         "Deceleration",
-        Dimension::Load,
-        "Earth g",
+        (Dimension::Load, "Earth g"),
         "Aerodynamic force over mass over 9.80665 m/s^2.",
+        |s| Some(s.deceleration_earth_g),
     ),
-    column(
+    sampled(
         "convective_heat_flux_w_m2",
         "Convective Heat Rate",
-        Dimension::HeatFlux,
-        "W/cm^2",
+        (Dimension::HeatFlux, "W/cm^2"),
         "Convective heat flux at the stagnation point without margin.",
+        |s| Some(s.convective_heat_flux_w_m2),
     ),
-    column(
+    sampled(
         "radiative_heat_flux_w_m2",
         "Radiative Heat Rate",
-        Dimension::HeatFlux,
-        "W/cm^2",
+        (Dimension::HeatFlux, "W/cm^2"),
         "Radiative heat flux at the stagnation point without margin.",
+        |s| Some(s.radiative_heat_flux_w_m2),
     ),
-    column(
+    sampled(
         "total_heat_flux_w_m2",
         "Total Heat Rate",
-        Dimension::HeatFlux,
-        "W/cm^2",
+        (Dimension::HeatFlux, "W/cm^2"),
         "Convective and radiative heat flux without margins.",
+        |s| Some(s.total_heat_flux_w_m2),
     ),
-    column(
+    sampled(
         "total_margined_heat_flux_w_m2",
         "Total Heat Rate (Margined)",
-        Dimension::HeatFlux,
-        "W/cm^2",
+        (Dimension::HeatFlux, "W/cm^2"),
         "Convective and radiative heat flux, each with its margin.",
+        |s| Some(s.total_margined_heat_flux_w_m2),
     ),
-    column(
+    sampled(
         "convective_heat_load_j_m2",
         "Convective Heat Load",
-        Dimension::HeatLoad,
-        "J/cm^2",
+        (Dimension::HeatLoad, "J/cm^2"),
         "Convective heat flux without margin, integrated over time.",
+        |s| Some(s.convective_heat_load_j_m2),
     ),
-    column(
+    sampled(
         "radiative_heat_load_j_m2",
         "Radiative Heat Load",
-        Dimension::HeatLoad,
-        "J/cm^2",
+        (Dimension::HeatLoad, "J/cm^2"),
         "Radiative heat flux without margin, integrated over time.",
+        |s| Some(s.radiative_heat_load_j_m2),
     ),
-    column(
+    sampled(
         "wall_temperature_k",
         "Wall Temperature",
-        Dimension::Temperature,
-        "K",
+        (Dimension::Temperature, "K"),
         "Temperature at which the stagnation point radiates away the heat flux with margins.",
+        |s| Some(s.wall_temperature_k),
     ),
-    column(
+    sampled(
         "knudsen",
         "Knudsen Number",
-        Dimension::One,
-        "",
+        (Dimension::One, ""),
         "Mean free path of the air over the reference length.",
+        |s| Some(s.knudsen),
     ),
-    column(
+    sampled(
         "total_alpha_deg",
         "Total Angle of Attack",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Angle between the axis of the vehicle and its velocity relative to the air; six degrees of freedom only.",
+        |s| s.angle(|a| a.total_alpha_rad),
     ),
-    column(
+    sampled(
         "yaw_deg",
         "Yaw",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Nose from north, clockwise; six degrees of freedom only.",
+        |s| s.angle(|a| a.yaw_pitch_roll_rad[0]),
     ),
-    column(
+    sampled(
         "pitch_deg",
         "Pitch",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Nose above the local horizon; six degrees of freedom only.",
+        |s| s.angle(|a| a.yaw_pitch_roll_rad[1]),
     ),
-    column(
+    sampled(
         "roll_deg",
         "Roll",
-        Dimension::Angle,
-        "deg",
+        (Dimension::Angle, "deg"),
         "Right side down, after yaw and pitch; six degrees of freedom only.",
+        |s| s.angle(|a| a.yaw_pitch_roll_rad[2]),
     ),
-    column(
+    sampled(
         "p_deg_s",
         "Roll Rate",
-        Dimension::BodyRate,
-        "deg/s",
+        (Dimension::BodyRate, "deg/s"),
         "Inertial rate about the axis forward; six degrees of freedom only.",
+        |s| s.angle(|a| a.rates_rad_s[0]),
     ),
-    column(
+    sampled(
         "q_deg_s",
         "Pitch Rate",
-        Dimension::BodyRate,
-        "deg/s",
+        (Dimension::BodyRate, "deg/s"),
         "Inertial rate about the axis to the right; six degrees of freedom only.",
+        |s| s.angle(|a| a.rates_rad_s[1]),
     ),
-    column(
+    sampled(
         "r_deg_s",
         "Yaw Rate",
-        Dimension::BodyRate,
-        "deg/s",
+        (Dimension::BodyRate, "deg/s"),
         "Inertial rate about the axis down; six degrees of freedom only.",
+        |s| s.angle(|a| a.rates_rad_s[2]),
     ),
-    column(
+    sampled(
         PHASE,
         "Phase",
-        Dimension::One,
-        "",
+        (Dimension::One, ""),
         "Name of the phase, entry before the first; where a case has phases.",
+        |s| s.phase,
     ),
 ];
 
