@@ -11,8 +11,10 @@
 //! - [`planets`], [`atmosphere_tables`]: each its own gas, air, figure and depth.
 //! - [`robustness`]: cases that once gave nonsense, or took minutes.
 //! - [`hostile`]: files, cases and vehicles by the thousand, and as many more as one likes.
+//! - [`allocations`]: memory that a vehicle asks for.
 //! - [`landings`]: the limit of the payload, equations 3 and 5.
 
+mod allocations;
 mod atmosphere_tables;
 mod coupling;
 mod designs;

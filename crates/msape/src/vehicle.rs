@@ -17,6 +17,7 @@ pub mod after_landing;
 pub mod body;
 pub mod close;
 pub mod crossing;
+pub mod draft;
 pub mod forebody;
 pub mod grow;
 pub mod impact;

@@ -76,20 +76,15 @@ fn columns(concept: Concept, layout: &Layout) -> Profile {
         Concept::Msr => {
             let outer_m = radius_m + layout.foam_thickness_m;
             let sweep_rad = -asin(radius_m / outer_m);
-            Profile {
-                segments: vec![Segment::arc(center, outer_m, PI, sweep_rad)],
-            }
+            Profile::default().and(Segment::arc(center, outer_m, PI, sweep_rad))
         }
         Concept::NonMsr => {
             let forebody = &layout.outline.forebody;
-            forebody.between(layout.depths.fore_m(), 0.0, radius_m)
+            forebody.between(Profile::default(), layout.depths.fore_m(), [0.0, radius_m])
         }
     };
-    let payload = Segment::arc(center, radius_m, FRAC_PI_2, FRAC_PI_2);
     front
-        .then(&Profile {
-            segments: vec![payload],
-        })
+        .and(Segment::arc(center, radius_m, FRAC_PI_2, FRAC_PI_2))
         .closed()
 }
 

@@ -20,10 +20,11 @@
 //! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it). Its loop, geometry about the last centre of gravity
 //!   over and over, is replaced by the bracketed root: it need not settle where a vehicle closes.
 
+use crate::vehicle::draft::Memory;
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
-use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::{Concept, Foam};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit, Trial};
 use crate::vehicle::mass::{
     Component, Densities, MassProperties, Masses, components, masses, total,
@@ -125,40 +126,63 @@ impl Attempt {
     }
 }
 
-/// The vehicle at the diameter `diameter_m`, with the impact foam that `foam` asks for or more of it.
-pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Closed, Misfit> {
-    attempt(input, diameter_m, foam)?.closed(input, foam)
+/// Lays a vehicle out at one diameter after the other, with the impact foam that the landing asks for or more of it.
+pub struct Search<'a> {
+    input: &'a VehicleInput,
+    foam: &'a FoamRule<'a>,
+    payload_radius_m: f64,
+    memory: Memory,
 }
 
-/// Lays the vehicle out at a diameter.
-pub fn attempt(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Attempt, Misfit> {
-    let radius_m = diameter_m / 2.0;
-    let payload_radius_m = input.payload_diameter_m() / 2.0;
-    if payload_radius_m >= radius_m {
-        return Err(Misfit::PayloadWiderThanVehicle {
-            payload_radius_m,
-            vehicle_radius_m: radius_m,
-        });
+impl<'a> Search<'a> {
+    /// For the vehicle of an input, whose landing asks for `foam`.
+    pub fn new(input: &'a VehicleInput, foam: &'a FoamRule<'a>) -> Self {
+        Self {
+            input,
+            foam,
+            payload_radius_m: input.payload_diameter_m() / 2.0,
+            memory: Memory::default(),
+        }
     }
-    let mut candidate = Candidate {
-        input,
-        foam,
-        forebody: Forebody {
-            diameter_m,
-            nose_radius_m: input.nose_radius_ratio * radius_m,
-            shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-            cone_half_angle_rad: input.cone_half_angle_rad,
-        },
-        payload_radius_m,
-        structure: least_walls(input),
-        layouts: 0,
-    };
-    let trial = candidate.trial()?;
-    Ok(Attempt {
-        trial,
-        structure: candidate.structure,
-        iterations: candidate.layouts,
-    })
+
+    /// The vehicle at a diameter, when it closes there.
+    pub fn close(&mut self, diameter_m: f64) -> Result<Closed, Misfit> {
+        self.attempt(diameter_m)?.closed(self.input, self.foam)
+    }
+
+    /// The vehicle at a diameter, whether it closes or not.
+    pub fn attempt(&mut self, diameter_m: f64) -> Result<Attempt, Misfit> {
+        let (input, radius_m, payload_radius_m) =
+            (self.input, diameter_m / 2.0, self.payload_radius_m);
+        if payload_radius_m >= radius_m {
+            return Err(Misfit::PayloadWiderThanVehicle {
+                payload_radius_m,
+                vehicle_radius_m: radius_m,
+            });
+        }
+        let least_foam = self.foam.at(self.foam.least_thickness_m);
+        let mut candidate = Candidate {
+            input,
+            foam: self.foam,
+            least_foam,
+            memory: &mut self.memory,
+            forebody: Forebody {
+                diameter_m,
+                nose_radius_m: input.nose_radius_ratio * radius_m,
+                shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+                cone_half_angle_rad: input.cone_half_angle_rad,
+            },
+            payload_radius_m,
+            structure: least_walls(input),
+            layouts: 0,
+        };
+        let trial = candidate.trial()?;
+        Ok(Attempt {
+            trial,
+            structure: candidate.structure,
+            iterations: candidate.layouts,
+        })
+    }
 }
 
 fn least_walls(input: &VehicleInput) -> Structure {
@@ -176,6 +200,9 @@ fn least_walls(input: &VehicleInput) -> Structure {
 struct Candidate<'a> {
     input: &'a VehicleInput,
     foam: &'a FoamRule<'a>,
+    /// Foam of the least thickness.
+    least_foam: Foam,
+    memory: &'a mut Memory,
     forebody: Forebody,
     payload_radius_m: f64,
     /// Walls of the last turn.
@@ -212,12 +239,16 @@ impl Candidate<'_> {
         PRECISION * self.input.rules.convergence_m
     }
 
-    fn masses(&self, trial: &Trial) -> Masses {
-        let densities = Densities {
-            structure: &self.structure,
-            foam: self.foam.at(trial.layout.foam_thickness_m),
+    fn masses(&mut self, trial: &Trial) -> Masses {
+        let thickness_m = trial.layout.foam_thickness_m;
+        let foam = if thickness_m == self.least_foam.thickness_m {
+            self.least_foam
+        } else {
+            self.foam.at(thickness_m)
         };
-        masses(self.input, &trial.layout, &densities)
+        let structure = &self.structure;
+        let densities = Densities { structure, foam };
+        masses(self.input, &trial.layout, &densities, self.memory)
     }
 
     /// The layout with walls that carry it, and how far its centre of gravity lies from the place that it is laid out about, m.

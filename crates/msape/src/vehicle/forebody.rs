@@ -134,15 +134,20 @@ impl Forebody {
         }
     }
 
-    /// The surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
-    pub fn between(&self, depth_m: f64, inner_r_m: f64, outer_r_m: f64) -> Profile {
+    /// `path` with the surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
+    pub fn between(
+        &self,
+        path: Profile,
+        depth_m: f64,
+        [inner_r_m, outer_r_m]: [f64; 2],
+    ) -> Profile {
         let radius = self.nose_radius_m - depth_m;
         let at = |r_m: f64| Point {
             x_m: self.depth_x_m(depth_m, r_m),
             r_m,
         };
         let tangent = self.nose_tangent(depth_m);
-        let mut segments = Vec::with_capacity(2);
+        let mut path = path;
         let mut from = at(inner_r_m);
         if radius > 0.0 && inner_r_m < tangent.r_m {
             let center = Point::on_axis(self.nose_center_x_m());
@@ -153,7 +158,7 @@ impl Forebody {
                 tangent
             };
             let start_angle_rad = angle(from);
-            segments.push(Segment::Arc {
+            path = path.and(Segment::Arc {
                 start: from,
                 end: to,
                 center,
@@ -164,12 +169,12 @@ impl Forebody {
             from = to;
         }
         if outer_r_m > from.r_m {
-            segments.push(Segment::Line {
+            path = path.and(Segment::Line {
                 start: from,
                 end: at(outer_r_m),
             });
         }
-        Profile { segments }
+        path
     }
 
     /// Axial position of the centre of a ball of radius `radius_m` that rests on the surface at depth `depth_m`, m.
@@ -191,9 +196,7 @@ impl Forebody {
             FRAC_PI_2 + theta,
             -theta,
         );
-        self.nose(0.0).then(&Profile {
-            segments: vec![shoulder],
-        })
+        self.nose(0.0).and(shoulder)
     }
 }
 

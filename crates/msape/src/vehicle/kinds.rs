@@ -56,6 +56,25 @@ pub enum ComponentKind {
 }
 
 impl ComponentKind {
+    /// How many.
+    pub const COUNT: usize = 12;
+
+    /// All, in the order in which they are summed.
+    pub const ALL: [ComponentKind; Self::COUNT] = [
+        Self::ForebodyTps,
+        Self::Bond,
+        Self::ForebodyCarrier,
+        Self::AftbodyTps,
+        Self::AftbodyCarrier,
+        Self::PrimaryStructure,
+        Self::WingInsulation,
+        Self::ImpactFoam,
+        Self::ImpactShell,
+        Self::BodyFoam,
+        Self::LidInsulation,
+        Self::Payload,
+    ];
+
     /// All whose mass the user may give instead of a density.
     pub const MADE: [ComponentKind; 11] = [
         Self::ForebodyTps,

@@ -13,6 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
 
+use crate::vehicle::draft::{Draft, Memory};
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::Concept;
@@ -78,88 +79,81 @@ pub struct MassProperties {
     pub volume_m3: f64,
 }
 
+/// Draws every component, in the order in which they are summed.
+fn draw(concept: Concept, layout: &Layout, draft: &mut Draft) {
+    let (d, outline) = (&layout.depths, &layout.outline);
+    draft.layers(
+        [
+            ComponentKind::ForebodyTps,
+            ComponentKind::Bond,
+            ComponentKind::ForebodyCarrier,
+        ],
+        [d.forebody_tps_m, d.forebody_tps_m + d.bond_m, d.fore_m()],
+        |path, depth_m| outline.fore_layer(path, depth_m, 0.0),
+    );
+    draft.layers(
+        [ComponentKind::AftbodyTps, ComponentKind::AftbodyCarrier],
+        [d.aftbody_tps_m, d.aft_m()],
+        |path, depth_m| outline.aft_layer(path, depth_m),
+    );
+    draft.part(ComponentKind::PrimaryStructure, |path| {
+        if d.primary_m > 0.0 {
+            primary(path, layout)
+        } else {
+            path
+        }
+    });
+    draft.part(ComponentKind::WingInsulation, |path| wing(path, layout));
+    match concept {
+        Concept::Msr => msr::filling(layout, draft),
+        Concept::NonMsr => non_msr::filling(layout, draft),
+    }
+    draft.part(ComponentKind::Payload, |path| {
+        let center = Point::on_axis(layout.payload_x_m);
+        path.and(Segment::arc(center, layout.payload_radius_m, PI, -PI))
+    });
+}
+
 /// The profiles of every component, in the order in which they are summed.
 pub fn profiles(concept: Concept, layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    let d = &layout.depths;
-    let fore = [
-        0.0,
-        d.forebody_tps_m,
-        d.forebody_tps_m + d.bond_m,
-        d.fore_m(),
-    ]
-    .map(|t| layout.outline.fore_layer(t));
-    let aft = [0.0, d.aftbody_tps_m, d.aft_m()].map(|t| layout.outline.aft_layer(t));
-    let [fore_0, fore_1, fore_2, fore_3] = &fore;
-    let [aft_0, aft_1, aft_2] = &aft;
-    // a layer of no thickness is no body
-    let layer = |outer: &Profile, inner: &Profile| match outer == inner {
-        true => Vec::new(),
-        false => vec![outer.clone().then(&inner.reversed()).closed()],
+    let mut all: Vec<(ComponentKind, Vec<Profile>)> = Vec::with_capacity(ComponentKind::COUNT);
+    let mut keep = |kind, profile: &Profile| {
+        if all.last().is_none_or(|(last, _)| *last != kind) {
+            all.push((kind, Vec::new()));
+        }
+        if let Some((_, profiles)) = all.last_mut()
+            && !profile.segments.is_empty()
+        {
+            profiles.push(profile.clone());
+        }
     };
-    let mut all = vec![
-        (ComponentKind::ForebodyTps, layer(fore_0, fore_1)),
-        (ComponentKind::Bond, layer(fore_1, fore_2)),
-        (ComponentKind::ForebodyCarrier, layer(fore_2, fore_3)),
-        (ComponentKind::AftbodyTps, layer(aft_0, aft_1)),
-        (ComponentKind::AftbodyCarrier, layer(aft_1, aft_2)),
-        (
-            ComponentKind::PrimaryStructure,
-            if d.primary_m > 0.0 {
-                vec![primary(layout)]
-            } else {
-                Vec::new()
-            },
-        ),
-        (ComponentKind::WingInsulation, vec![wing(layout)]),
-    ];
-    all.extend(match concept {
-        Concept::Msr => msr::filling(layout),
-        Concept::NonMsr => non_msr::filling(layout),
-    });
-    let ball = Segment::arc(
-        Point::on_axis(layout.payload_x_m),
-        layout.payload_radius_m,
-        PI,
-        -PI,
-    );
-    all.push((
-        ComponentKind::Payload,
-        vec![
-            Profile {
-                segments: vec![ball],
-            }
-            .closed(),
-        ],
-    ));
+    let mut memory = Memory::default();
+    draw(concept, layout, &mut Draft::new(&mut memory, &mut keep));
     all
 }
 
-fn primary(layout: &Layout) -> Profile {
+fn primary(path: Profile, layout: &Layout) -> Profile {
     let (inner, outer) = (layout.primary_inner_r_m(), layout.primary_outer_r_m());
     let x_m = layout.outline.attached_structure_x_m - layout.depths.aft_m();
-    let foot = layout
-        .outline
-        .forebody
-        .between(layout.depths.fore_m(), inner, outer);
+    let forebody = &layout.outline.forebody;
+    let foot = forebody.between(path, layout.depths.fore_m(), [inner, outer]);
     foot.line_to(Point { x_m, r_m: outer })
         .line_to(Point { x_m, r_m: inner })
-        .closed()
 }
 
-fn wing(layout: &Layout) -> Profile {
+fn wing(path: Profile, layout: &Layout) -> Profile {
     let (fore, aft) = (layout.depths.fore_m(), layout.depths.aft_m());
     let outline = &layout.outline;
     let wall_r = layout.primary_outer_r_m();
     let x_m = outline.attached_structure_x_m - aft;
     outline
-        .fore_layer_beyond(fore, wall_r)
+        .fore_layer(path, fore, wall_r)
         .line_to(outline.on_tip_line(outline.forebody.shoulder_radius_m - aft))
         .line_to(Point {
             x_m,
             r_m: outline.annulus_outer_r_m(aft),
         })
         .line_to(Point { x_m, r_m: wall_r })
-        .closed()
 }
 
 /// Densities that are found and not given.
@@ -171,18 +165,36 @@ pub struct Densities<'a> {
     pub foam: Foam,
 }
 
-/// A component's kind and its mass with margin, kg.
-pub type PartMass = (ComponentKind, f64);
-
 /// Mass and centre of gravity alone, margin included.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Masses {
-    /// Each component, in the order in which they are summed.
-    pub parts: Vec<PartMass>,
+    /// Each component, with margin, kg: zero where the concept does not have it.
+    parts_kg: [f64; ComponentKind::COUNT],
     /// Their sum, kg.
     pub mass_kg: f64,
     /// Axial position of the centre of gravity from the virtual apex, m.
     pub cg_x_m: f64,
+}
+
+impl Masses {
+    /// Those of components and of their sum.
+    pub fn of(components: &[Component], mass: &MassProperties) -> Self {
+        let mut all = Self {
+            mass_kg: mass.mass_kg,
+            cg_x_m: mass.cg_x_m,
+            ..Self::default()
+        };
+        for component in components {
+            all.parts_kg[component.kind as usize] = component.mass_with_margin_kg;
+        }
+        all
+    }
+
+    /// Sum over the components of some kinds, with margin, kg.
+    pub fn sum_kg(&self, of: impl Fn(ComponentKind) -> bool) -> f64 {
+        let those = ComponentKind::ALL.iter().filter(|kind| of(**kind));
+        those.map(|kind| self.parts_kg[*kind as usize]).sum()
+    }
 }
 
 /// The factor of the margin on a component.
@@ -194,23 +206,29 @@ fn margin_factor(kind: ComponentKind, input: &VehicleInput) -> f64 {
 }
 
 /// What the closing loop reads of [`components`] and [`total`], with the same bits.
-pub fn masses(input: &VehicleInput, layout: &Layout, found: &Densities) -> Masses {
+pub fn masses(
+    input: &VehicleInput,
+    layout: &Layout,
+    found: &Densities,
+    memory: &mut Memory,
+) -> Masses {
+    let mut volumes = [(0.0, 0.0); ComponentKind::COUNT];
+    let mut measure = |kind: ComponentKind, profile: &Profile| {
+        let (volume_m3, moment_m4) = profile.volume_and_moment();
+        let sum = &mut volumes[kind as usize];
+        *sum = (sum.0 + volume_m3, sum.1 + moment_m4);
+    };
+    draw(input.concept, layout, &mut Draft::new(memory, &mut measure));
     let mut all = Masses::default();
     let mut moment = 0.0;
-    for (kind, profiles) in profiles(input.concept, layout) {
-        let (mut volume_m3, mut volume_moment_m4) = (0.0, 0.0);
-        for profile in &profiles {
-            let (volume, of_volume) = profile.volume_and_moment();
-            volume_m3 += volume;
-            volume_moment_m4 += of_volume;
-        }
+    for (kind, (volume_m3, volume_moment_m4)) in ComponentKind::ALL.into_iter().zip(volumes) {
         let mass_kg = density_kg_m3(kind, input, found, volume_m3) * volume_m3;
         let with_margin_kg = margin_factor(kind, input) * mass_kg;
         if volume_m3 > 0.0 {
             moment += with_margin_kg * (volume_moment_m4 / volume_m3);
         }
         all.mass_kg += with_margin_kg;
-        all.parts.push((kind, with_margin_kg));
+        all.parts_kg[kind as usize] = with_margin_kg;
     }
     if all.mass_kg > 0.0 {
         all.cg_x_m = moment / all.mass_kg;

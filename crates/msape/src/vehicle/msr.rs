@@ -18,6 +18,7 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
+use crate::vehicle::draft::Draft;
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
 use crate::vehicle::profile::Profile;
@@ -109,8 +110,8 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     }
 }
 
-/// What is inside the primary structure and under the lid.
-pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
+/// Draws what is inside the primary structure and under the lid.
+pub fn filling(layout: &Layout, draft: &mut Draft) {
     let Layout {
         payload_radius_m: payload,
         foam_thickness_m: foam,
@@ -118,30 +119,26 @@ pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
     } = *layout;
     let center = Point::on_axis(layout.payload_x_m);
     let sphere = layout.impact_sphere_radius_m();
-    let shell = |inner: f64, outer: f64| vec![half_ring(center, inner, outer)];
-    vec![
-        (ComponentKind::ImpactFoam, shell(payload, payload + foam)),
-        (ComponentKind::ImpactShell, shell(payload + foam, sphere)),
-        (ComponentKind::BodyFoam, body_foam(layout, center, sphere)),
-        (
-            ComponentKind::LidInsulation,
-            vec![lid_insulation(layout, center, sphere)],
-        ),
-    ]
-}
-
-fn half_ring(center: Point, inner: f64, outer: f64) -> Profile {
-    let outside = Profile {
-        segments: vec![Segment::arc(center, outer, PI, -PI)],
+    let half_ring = |path: Profile, inner, outer| {
+        path.and(Segment::arc(center, outer, PI, -PI))
+            .and(Segment::arc(center, inner, 0.0, PI))
     };
-    let inside = Profile {
-        segments: vec![Segment::arc(center, inner, 0.0, PI)],
-    };
-    outside.then(&inside).closed()
+    draft.part(ComponentKind::ImpactFoam, |path| {
+        half_ring(path, payload, payload + foam)
+    });
+    draft.part(ComponentKind::ImpactShell, |path| {
+        half_ring(path, payload + foam, sphere)
+    });
+    body_foam(layout, center, sphere, draft);
+    draft.part(ComponentKind::LidInsulation, |path| {
+        let inner_m = sphere + layout.body_foam_thickness_m;
+        path.and(layout.outline.lid(layout.depths.aft_m()))
+            .and(Segment::arc(center, inner_m, 0.0, FRAC_PI_2))
+    });
 }
 
 /// Around the sphere inside the primary structure and in a dome above it; ahead of it, too, where it rests in the cone.
-fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
+fn body_foam(layout: &Layout, center: Point, sphere: f64, draft: &mut Draft) {
     let forebody = &layout.outline.forebody;
     let fore = layout.depths.fore_m();
     let theta = forebody.cone_half_angle_rad;
@@ -156,44 +153,21 @@ fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
     } else {
         sphere * sin_cos(touch).0
     };
-    let around = forebody
-        .between(fore, touch_r, wall_r)
-        .line_to(Point {
-            x_m: center.x_m,
-            r_m: wall_r,
-        })
-        .then(&Profile {
-            segments: vec![dome],
-        })
-        .then(&Profile {
-            segments: vec![Segment::arc(center, sphere, 0.0, touch)],
-        })
-        .closed();
-    let mut profiles = vec![around];
-    if !in_nose {
-        let ahead = forebody
-            .between(fore, 0.0, touch_r)
-            .then(&Profile {
-                segments: vec![Segment::arc(center, sphere, touch, PI - touch)],
+    draft.part(ComponentKind::BodyFoam, |path| {
+        forebody
+            .between(path, fore, [touch_r, wall_r])
+            .line_to(Point {
+                x_m: center.x_m,
+                r_m: wall_r,
             })
-            .closed();
-        profiles.push(ahead);
+            .and(dome)
+            .and(Segment::arc(center, sphere, 0.0, touch))
+    });
+    if !in_nose {
+        draft.part(ComponentKind::BodyFoam, |path| {
+            forebody
+                .between(path, fore, [0.0, touch_r])
+                .and(Segment::arc(center, sphere, touch, PI - touch))
+        });
     }
-    profiles
-}
-
-fn lid_insulation(layout: &Layout, center: Point, sphere: f64) -> Profile {
-    let inner = Segment::arc(
-        center,
-        sphere + layout.body_foam_thickness_m,
-        0.0,
-        FRAC_PI_2,
-    );
-    layout
-        .outline
-        .lid(layout.depths.aft_m())
-        .then(&Profile {
-            segments: vec![inner],
-        })
-        .closed()
 }

@@ -21,6 +21,7 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested, and that the lid is raised where 50 mm leave no room
 //!   for the wing, are choices of ours.
 
+use crate::vehicle::draft::Draft;
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
 use crate::vehicle::profile::Profile;
@@ -121,12 +122,12 @@ fn lowest_lid(frame: &Frame, wing: &Wing, narrowest: Lid) -> Lid {
     root::brent(clearance, frame.cg_x_m, narrowest.foot_x_m, LID_TOLERANCE_M).map_or(narrowest, at)
 }
 
-/// What is inside the primary structure and under the lid.
-pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    vec![
-        (ComponentKind::ImpactFoam, vec![impact_foam(layout)]),
-        (ComponentKind::LidInsulation, vec![lid_insulation(layout)]),
-    ]
+/// Draws what is inside the primary structure and under the lid.
+pub fn filling(layout: &Layout, draft: &mut Draft) {
+    draft.part(ComponentKind::ImpactFoam, |path| impact_foam(path, layout));
+    draft.part(ComponentKind::LidInsulation, |path| {
+        lid_insulation(path, layout)
+    });
 }
 
 /// Top of the impact foam, m.
@@ -140,21 +141,18 @@ fn nest_x_m(layout: &Layout) -> f64 {
 }
 
 /// The lid's inner surface from the axial position `from_x_m` (at its foot when below it) to the axis.
-fn lid_above(layout: &Layout, from_x_m: f64) -> Profile {
+fn lid_above(layout: &Layout, from_x_m: f64) -> Segment {
     let aft = layout.depths.aft_m();
     let outline = &layout.outline;
+    if from_x_m <= outline.attached_structure_x_m {
+        return outline.lid(aft);
+    }
     let (radius_m, center) = (
         outline.lid_radius_m - aft,
         Point::on_axis(outline.lid_center_x_m),
     );
     let start = lid_inner_angle_rad(layout, from_x_m);
-    if from_x_m <= outline.attached_structure_x_m {
-        outline.lid(aft)
-    } else {
-        Profile {
-            segments: vec![Segment::arc(center, radius_m, start, -start)],
-        }
-    }
+    Segment::arc(center, radius_m, start, -start)
 }
 
 fn lid_inner_angle_rad(layout: &Layout, x_m: f64) -> f64 {
@@ -176,15 +174,18 @@ fn payload_angle_rad(layout: &Layout) -> f64 {
     }
 }
 
-fn impact_foam(layout: &Layout) -> Profile {
+fn impact_foam(path: Profile, layout: &Layout) -> Profile {
     let outline = &layout.outline;
     let fore = layout.depths.fore_m();
     let wall_r = layout.primary_inner_r_m();
     let (nest, foot) = (nest_x_m(layout), outline.attached_structure_x_m);
-    let mut path = outline.forebody.between(fore, 0.0, wall_r).line_to(Point {
-        x_m: foot.min(nest),
-        r_m: wall_r,
-    });
+    let mut path = outline
+        .forebody
+        .between(path, fore, [0.0, wall_r])
+        .line_to(Point {
+            x_m: foot.min(nest),
+            r_m: wall_r,
+        });
     if nest > foot {
         let (from, to) = (
             lid_inner_angle_rad(layout, foot),
@@ -192,40 +193,32 @@ fn impact_foam(layout: &Layout) -> Profile {
         );
         let center = Point::on_axis(outline.lid_center_x_m);
         let radius = outline.lid_radius_m - layout.depths.aft_m();
-        path = path.then(&Profile {
-            segments: vec![Segment::arc(center, radius, from, to - from)],
-        });
+        path = path.and(Segment::arc(center, radius, from, to - from));
     }
-    path.then(&payload_arc(layout, payload_angle_rad(layout), PI))
-        .closed()
+    path.and(payload_arc(layout, payload_angle_rad(layout), PI))
 }
 
-fn lid_insulation(layout: &Layout) -> Profile {
+fn lid_insulation(path: Profile, layout: &Layout) -> Profile {
     let (nest, foot) = (nest_x_m(layout), layout.outline.attached_structure_x_m);
     let (angle, wall_r) = (payload_angle_rad(layout), layout.primary_inner_r_m());
-    let mut path = lid_above(layout, nest);
-    path = if angle > 0.0 {
-        path.then(&payload_arc(layout, 0.0, angle))
+    let lid = path.and(lid_above(layout, nest));
+    let path = if angle > 0.0 {
+        lid.and(payload_arc(layout, 0.0, angle))
     } else {
-        path.line_to(Point::on_axis(nest))
+        lid.line_to(Point::on_axis(nest))
     };
     if nest < foot {
-        path = path.line_to(Point {
+        path.line_to(Point {
             x_m: nest,
             r_m: wall_r,
-        });
+        })
+    } else {
+        path
     }
-    path.closed()
 }
 
-fn payload_arc(layout: &Layout, from_rad: f64, to_rad: f64) -> Profile {
+fn payload_arc(layout: &Layout, from_rad: f64, to_rad: f64) -> Segment {
     let center = Point::on_axis(layout.payload_x_m);
-    Profile {
-        segments: vec![Segment::arc(
-            center,
-            layout.payload_radius_m,
-            from_rad,
-            to_rad - from_rad,
-        )],
-    }
+    let radius_m = layout.payload_radius_m;
+    Segment::arc(center, radius_m, from_rad, to_rad - from_rad)
 }

@@ -80,17 +80,13 @@ impl Outline {
         }
     }
 
-    /// The forebody's surface at depth `depth_m`, from the axis outwards and round the shoulder to the tip line.
-    pub fn fore_layer(&self, depth_m: f64) -> Profile {
-        self.fore_layer_beyond(depth_m, 0.0)
-    }
-
-    /// The same from the distance `inner_r_m` off the axis.
-    pub fn fore_layer_beyond(&self, depth_m: f64, inner_r_m: f64) -> Profile {
+    /// `path` with the forebody's surface at depth `depth_m`, from the distance `inner_r_m` off the axis outwards and round the
+    /// shoulder to the tip line.
+    pub fn fore_layer(&self, path: Profile, depth_m: f64, inner_r_m: f64) -> Profile {
         let cone_end = self.cone_end(depth_m);
         let path = self
             .forebody
-            .between(depth_m, inner_r_m, cone_end.r_m)
+            .between(path, depth_m, [inner_r_m, cone_end.r_m])
             .line_to(cone_end);
         let radius = self.forebody.shoulder_radius_m - depth_m;
         if radius > 0.0 {
@@ -101,9 +97,7 @@ impl Outline {
                 start,
                 -(start + self.wing_slope_rad),
             );
-            path.then(&Profile {
-                segments: vec![arc],
-            })
+            path.and(arc)
         } else {
             path
         }
@@ -119,13 +113,13 @@ impl Outline {
         }
     }
 
-    /// The aftbody's surface at depth `depth_m`, from the tip line inwards to the foot of the lid and on to the axis.
-    pub fn aft_layer(&self, depth_m: f64) -> Profile {
-        self.aft_layer_to_foot(depth_m).then(&self.lid(depth_m))
+    /// `path` with the aftbody's surface at depth `depth_m`, from the tip line inwards to the foot of the lid and on to the axis.
+    pub fn aft_layer(&self, path: Profile, depth_m: f64) -> Profile {
+        self.aft_layer_to_foot(path, depth_m).and(self.lid(depth_m))
     }
 
-    /// The wing's and the annulus' surface at depth `depth_m`, from the tip line inwards to the foot of the lid.
-    pub fn aft_layer_to_foot(&self, depth_m: f64) -> Profile {
+    /// `path` with the wing's and the annulus' surface at depth `depth_m`, from the tip line inwards to the foot of the lid.
+    pub fn aft_layer_to_foot(&self, path: Profile, depth_m: f64) -> Profile {
         let foot_r_m = self.lid_foot_r_m(depth_m);
         let x_m = self.attached_structure_x_m;
         let start = self.on_tip_line(self.forebody.shoulder_radius_m - depth_m);
@@ -133,18 +127,16 @@ impl Outline {
             x_m: x_m - depth_m,
             r_m: self.annulus_outer_r_m(depth_m),
         };
-        Profile {
-            segments: vec![Segment::Line { start, end: corner }],
-        }
-        .line_to(Point {
-            x_m: x_m - depth_m,
-            r_m: foot_r_m,
-        })
-        .line_to(Point { x_m, r_m: foot_r_m })
+        path.and(Segment::Line { start, end: corner })
+            .line_to(Point {
+                x_m: x_m - depth_m,
+                r_m: foot_r_m,
+            })
+            .line_to(Point { x_m, r_m: foot_r_m })
     }
 
     /// The lid's surface at depth `depth_m`, from its foot to the axis.
-    pub fn lid(&self, depth_m: f64) -> Profile {
+    pub fn lid(&self, depth_m: f64) -> Segment {
         let center = Point::on_axis(self.lid_center_x_m);
         let radius_m = self.lid_radius_m - depth_m;
         let start = Point {
@@ -153,15 +145,13 @@ impl Outline {
         };
         let start_angle_rad = atan2(start.r_m, start.x_m - center.x_m);
         let end = Point::on_axis(center.x_m + radius_m);
-        Profile {
-            segments: vec![Segment::Arc {
-                start,
-                end,
-                center,
-                radius_m,
-                start_angle_rad,
-                sweep_rad: -start_angle_rad,
-            }],
+        Segment::Arc {
+            start,
+            end,
+            center,
+            radius_m,
+            start_angle_rad,
+            sweep_rad: -start_angle_rad,
         }
     }
 
@@ -174,7 +164,8 @@ impl Outline {
 
     /// The closed outer mould line, from the nose tip round the shoulder and over the lid.
     pub fn profile(&self) -> Profile {
-        self.fore_layer(0.0).then(&self.aft_layer(0.0)).closed()
+        let fore = self.fore_layer(Profile::default(), 0.0, 0.0);
+        self.aft_layer(fore, 0.0).closed()
     }
 
     /// Axial position of the top of the lid, m.
@@ -241,8 +232,9 @@ mod tests {
             lid_center_x_m: edge.x_m,
         };
         for depth in [0.0, 0.05, 0.12] {
-            let end = outline.fore_layer(depth).end().unwrap();
-            let start = outline.aft_layer(depth).start().unwrap();
+            let path = Profile::default;
+            let end = outline.fore_layer(path(), depth, 0.0).end().unwrap();
+            let start = outline.aft_layer(path(), depth).start().unwrap();
             let (s, c) = sin_cos(outline.wing_slope_rad);
             let center = body.shoulder_center();
             for p in [end, start] {

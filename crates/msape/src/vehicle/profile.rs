@@ -91,13 +91,28 @@ impl Profile {
         }
     }
 
-    /// This curve followed by `other`, joined by a line where there is a gap.
-    pub fn then(mut self, other: &Profile) -> Self {
-        if let Some(start) = other.start() {
-            self = self.line_to(start);
-        }
-        self.segments.extend_from_slice(&other.segments);
+    /// An empty curve in the memory of this one.
+    pub fn cleared(mut self) -> Self {
+        self.segments.clear();
         self
+    }
+
+    /// This curve followed by a segment, joined by a line where there is a gap.
+    pub fn and(self, segment: Segment) -> Self {
+        let mut path = self.line_to(segment.start());
+        path.segments.push(segment);
+        path
+    }
+
+    /// This curve followed by `other`, joined by a line where there is a gap.
+    pub fn then(self, other: &Profile) -> Self {
+        other.segments.iter().copied().fold(self, Self::and)
+    }
+
+    /// This curve followed by `other` run the other way, joined by a line where there is a gap.
+    pub fn back_along(self, other: &Profile) -> Self {
+        let backwards = other.segments.iter().rev().map(Segment::reversed);
+        backwards.fold(self, Self::and)
     }
 
     /// This curve with a line to `point` (nothing when it is already there).

@@ -169,6 +169,8 @@ impl Structure {
 pub struct Needs {
     /// Largest force in the wall, N/m.
     pub membrane_n_m: f64,
+    /// Thickness of one face of a sandwich that carries it, m; `None` for a laminate.
+    pub face_m: Option<f64>,
     /// Thickness for buckling, m.
     pub buckling_m: f64,
     /// Thickness for buckling of the spherical part, m.
@@ -180,7 +182,10 @@ pub struct Needs {
 impl Carrier {
     /// The wall at its least thickness.
     pub fn at_minimum_gauge(&self) -> Wall {
-        self.wall(&Needs::default())
+        self.wall(&Needs {
+            face_m: self.face_thickness_m(0.0),
+            ..Needs::default()
+        })
     }
 
     /// The wall at a given thickness.
@@ -191,7 +196,7 @@ impl Carrier {
         };
         Wall {
             governs: Governs::Given,
-            ..carrier.wall(&Needs::default())
+            ..carrier.at_minimum_gauge()
         }
     }
 
@@ -222,7 +227,7 @@ impl Carrier {
 
     /// The wall that meets every need.
     pub fn wall(&self, needs: &Needs) -> Wall {
-        let face = self.face_thickness_m(needs.membrane_n_m);
+        let face = needs.face_m;
         let strength_m = match face {
             None => needs.membrane_n_m / self.strength_pa,
             Some(t_f) => 2.0 * t_f,

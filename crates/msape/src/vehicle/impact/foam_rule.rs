@@ -62,6 +62,7 @@ pub struct FoamRule<'a> {
     pub equation_6_pa: f64,
     /// End of the plateau of the foam that the least thickness with the largest fraction asks for.
     plateau_strain: f64,
+    shape: Shape,
     input: &'a VehicleInput,
 }
 
@@ -69,6 +70,7 @@ impl FoamRule<'_> {
     /// The foam for the landing of a vehicle.
     pub fn new(input: &VehicleInput) -> FoamRule<'_> {
         let v = input.loads.terminal_speed_m_s;
+        let shape = Shape::of(input);
         let stroke_m = required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
         // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
         let equation_6_pa = if stroke_m > 0.0 {
@@ -88,6 +90,7 @@ impl FoamRule<'_> {
             least_thickness_m: input.rules.foam_thickness_min_m,
             equation_6_pa,
             plateau_strain: 0.0,
+            shape,
             input,
         };
         let usable = rule.largest_efficiency();
@@ -183,7 +186,7 @@ impl FoamRule<'_> {
         let supply = self.supply();
         let v = self.input.loads.terminal_speed_m_s;
         let absorber = Absorber {
-            shape: Shape::of(self.input),
+            shape: self.shape,
             thickness_m,
             law: supply.law(self.equation_6_pa),
         };

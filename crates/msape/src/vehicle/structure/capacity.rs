@@ -87,10 +87,10 @@ impl Carrier {
         }
     }
 
-    /// Thickness of a wall whose capacity is `k E tⁿ`, by the equivalent wall for a sandwich, m.
-    pub fn thickness_for(&self, demand_over_k: f64, n: f64, membrane_n_m: f64) -> f64 {
+    /// Thickness of a wall whose capacity is `k E tⁿ`, by the equivalent wall for a sandwich with faces of `face_m`, m.
+    fn thickness_for(&self, demand_over_k: f64, n: f64, face_m: Option<f64>) -> f64 {
         let e = self.elastic_modulus_pa;
-        match self.face_thickness_m(membrane_n_m) {
+        match face_m {
             None => pow(demand_over_k / e, 1.0 / n),
             // k (2 E t_f / t) tⁿ with t = √3 (h − t_f)
             Some(t_f) => {
@@ -107,10 +107,10 @@ impl Carrier {
     }
 
     /// Thickness at which a cone carries the pressure `pressure_pa`, m.
-    pub fn cone_thickness_m(&self, cone: &Cone, pressure_pa: f64, membrane_n_m: f64) -> f64 {
+    pub fn cone_thickness_m(&self, cone: &Cone, pressure_pa: f64, face_m: Option<f64>) -> f64 {
         let (l, rho) = (cone.slant_length_m, cone.curvature_radius_m);
         let over_k = pressure_pa * l * rho * rho.sqrt() / (0.92 * CONE_PRESSURE_KNOCKDOWN);
-        self.thickness_for(over_k, 2.5, membrane_n_m)
+        self.thickness_for(over_k, 2.5, face_m)
     }
 
     /// Axial load at which a cone of the half-angle `half_angle_rad` buckles, N, for an equivalent wall.
@@ -124,11 +124,11 @@ impl Carrier {
         &self,
         half_angle_rad: f64,
         load_n: f64,
-        membrane_n_m: f64,
+        face_m: Option<f64>,
     ) -> f64 {
         let cos = numerics::math::cos(half_angle_rad);
         let over_k = load_n * self.root() / (CONE_AXIAL_KNOCKDOWN * 2.0 * PI * cos * cos);
-        self.thickness_for(over_k, 2.0, membrane_n_m)
+        self.thickness_for(over_k, 2.0, face_m)
     }
 
     /// 3.2/λ² for a unit of thickness, 1/m.
@@ -147,13 +147,13 @@ impl Carrier {
     }
 
     /// Thickness at which a cap carries the pressure `pressure_pa`, m.
-    pub fn cap_thickness_m(&self, cap: &Cap, pressure_pa: f64, membrane_n_m: f64) -> f64 {
+    pub fn cap_thickness_m(&self, cap: &Cap, pressure_pa: f64, face_m: Option<f64>) -> f64 {
         let [large, over_lambda_2] = CAP_KNOCKDOWN;
         let (rise, e) = (self.cap_rise_per_m(cap), self.elastic_modulus_pa);
         let most = large + over_lambda_2 / CAP_LEAST_LAMBDA_2;
         // (0.14 + a t) E t² = q
         let q = pressure_pa * cap.radius_m * cap.radius_m * self.root() / 2.0;
-        match self.face_thickness_m(membrane_n_m) {
+        match face_m {
             None => {
                 let mut t = (q / (large * e)).sqrt();
                 // from above a convex function: Newton's steps fall towards the root and halve its digits' number
@@ -181,9 +181,9 @@ impl Carrier {
     }
 
     /// Thickness at which a cylinder carries the axial load `load_n`, m.
-    pub fn cylinder_thickness_m(&self, radius_m: f64, load_n: f64, membrane_n_m: f64) -> f64 {
+    pub fn cylinder_thickness_m(&self, radius_m: f64, load_n: f64, face_m: Option<f64>) -> f64 {
         let over_k = load_n * self.root() / (self.cylinder_knockdown(radius_m) * 2.0 * PI);
-        self.thickness_for(over_k, 2.0, membrane_n_m)
+        self.thickness_for(over_k, 2.0, face_m)
     }
 
     /// Taken at the least gauge: a thicker wall is knocked down less.
@@ -252,8 +252,8 @@ impl Carrier {
     }
 
     /// Height at which the core carries that stress, m; nought for a laminate.
-    pub fn ring_shear_thickness_m(&self, pressure_pa: f64, rho_m: f64, membrane_n_m: f64) -> f64 {
-        match (self.construction, self.face_thickness_m(membrane_n_m)) {
+    pub fn ring_shear_thickness_m(&self, pressure_pa: f64, rho_m: f64, face_m: Option<f64>) -> f64 {
+        match (self.construction, face_m) {
             (
                 Construction::Sandwich {
                     core_shear_strength_pa: tau,
@@ -305,27 +305,27 @@ mod tests {
     #[test]
     fn every_thickness_carries_exactly_what_it_was_asked_for() {
         reversed(
-            |c| c.cone_thickness_m(&CONE, 2e5, 0.0),
+            |c| c.cone_thickness_m(&CONE, 2e5, c.face_thickness_m(0.0)),
             |_, wall| Carrier::cone_pressure_pa(&CONE, wall),
             2e5,
         );
         reversed(
-            |c| c.cap_thickness_m(&NOSE, 1e5, 0.0),
+            |c| c.cap_thickness_m(&NOSE, 1e5, c.face_thickness_m(0.0)),
             |c, wall| c.cap_pressure_pa(&NOSE, wall),
             1e5,
         );
         reversed(
-            |c| c.cap_thickness_m(&NOSE, 1e8, 0.0),
+            |c| c.cap_thickness_m(&NOSE, 1e8, c.face_thickness_m(0.0)),
             |c, wall| c.cap_pressure_pa(&NOSE, wall),
             1e8,
         );
         reversed(
-            |c| c.cylinder_thickness_m(0.2, 5e4, 0.0),
+            |c| c.cylinder_thickness_m(0.2, 5e4, c.face_thickness_m(0.0)),
             |c, wall| c.cylinder_load_n(0.2, wall),
             5e4,
         );
         reversed(
-            |c| c.cone_axial_thickness_m(1.0, 5e4, 0.0),
+            |c| c.cone_axial_thickness_m(1.0, 5e4, c.face_thickness_m(0.0)),
             |c, wall| c.cone_axial_load_n(1.0, wall),
             5e4,
         );
@@ -348,10 +348,11 @@ mod tests {
     #[test]
     fn core_of_2_mpa_holds_its_ring() {
         // p 1e5, ρ 0.5 m: d = 0.5 · (1e5 / 2e6)² / √0.91 = 1.3103 mm
-        let t = sandwich().ring_shear_thickness_m(1e5, 0.5, 0.0);
+        let face = sandwich().face_thickness_m(0.0);
+        let t = sandwich().ring_shear_thickness_m(1e5, 0.5, face);
         assert!((t - 0.0005 - 0.001_310_3).abs() < 1e-7, "{t}");
         assert!((sandwich().ring_shear_pa(1e5, 0.5, t - 0.0005) / 2e6 - 1.0).abs() < 1e-12);
-        assert_eq!(solid().ring_shear_thickness_m(1e5, 0.5, 0.0), 0.0);
+        assert_eq!(solid().ring_shear_thickness_m(1e5, 0.5, None), 0.0);
     }
 
     #[test]

@@ -93,23 +93,18 @@ impl Carrier {
     pub fn pressure_wall(&self, shell: &PressureShell) -> Wall {
         let p = shell.pressure_pa;
         let membrane_n_m = p.max(shell.launch_pressure_pa) * shell.membrane_radius_m();
+        let face_m = self.face_thickness_m(membrane_n_m);
         let cone = shell.cone.map_or(0.0, |cone| {
-            let axial = self.cone_axial_thickness_m(
-                cone.half_angle_rad,
-                shell.launch_axial_n,
-                membrane_n_m,
-            );
-            self.cone_thickness_m(&cone, p, membrane_n_m).max(axial)
+            let axial_n = shell.launch_axial_n;
+            let axial = self.cone_axial_thickness_m(cone.half_angle_rad, axial_n, face_m);
+            self.cone_thickness_m(&cone, p, face_m).max(axial)
         });
         self.wall(&Needs {
             membrane_n_m,
+            face_m,
             buckling_m: cone,
-            cap_buckling_m: self.cap_thickness_m(&shell.cap, p, membrane_n_m),
-            core_shear_m: self.ring_shear_thickness_m(
-                p,
-                shell.ring_curvature_radius_m,
-                membrane_n_m,
-            ),
+            cap_buckling_m: self.cap_thickness_m(&shell.cap, p, face_m),
+            core_shear_m: self.ring_shear_thickness_m(p, shell.ring_curvature_radius_m, face_m),
         })
     }
 
@@ -117,9 +112,11 @@ impl Carrier {
     pub fn axial_wall(&self, loads: &AxialLoads) -> Wall {
         let load_n = loads.largest_n();
         let membrane_n_m = load_n / (2.0 * PI * loads.radius_m);
+        let face_m = self.face_thickness_m(membrane_n_m);
         self.wall(&Needs {
             membrane_n_m,
-            buckling_m: self.cylinder_thickness_m(loads.radius_m, load_n, membrane_n_m),
+            face_m,
+            buckling_m: self.cylinder_thickness_m(loads.radius_m, load_n, face_m),
             ..Needs::default()
         })
     }
@@ -132,13 +129,7 @@ pub fn loads(
     components: &[Component],
     mass: &MassProperties,
 ) -> WallLoads {
-    let parts = components.iter().map(|c| (c.kind, c.mass_with_margin_kg));
-    let masses = Masses {
-        parts: parts.collect(),
-        mass_kg: mass.mass_kg,
-        cg_x_m: mass.cg_x_m,
-    };
-    loads_of(input, layout, &masses)
+    loads_of(input, layout, &Masses::of(components, mass))
 }
 
 /// The same from masses alone.
@@ -157,13 +148,10 @@ pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoa
         layout.primary_outer_r_m(),
         forebody.shoulder_tangent(0.0).r_m,
     );
-    let of = |kinds: &[ComponentKind]| -> f64 {
-        let those = mass.parts.iter().filter(|(kind, _)| kinds.contains(kind));
-        those.map(|(_, kg)| kg).sum()
-    };
     use ComponentKind::{AftbodyCarrier, AftbodyTps, Bond, ForebodyCarrier, ForebodyTps};
-    let forebody_kg = of(&[ForebodyTps, Bond, ForebodyCarrier]);
-    let aftbody_kg = of(&[AftbodyTps, AftbodyCarrier]);
+    let of_forebody = |kind| matches!(kind, ForebodyTps | Bond | ForebodyCarrier);
+    let forebody_kg = mass.sum_kg(of_forebody);
+    let aftbody_kg = mass.sum_kg(|kind| matches!(kind, AftbodyTps | AftbodyCarrier));
     let axial_g = load
         .launch
         .iter()
@@ -206,12 +194,7 @@ pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoa
         launch_axial_n: 0.0,
     };
     // in entry the forebody carries itself; the rest hangs on the primary structure
-    let carried_kg: f64 = mass
-        .parts
-        .iter()
-        .filter(|(kind, _)| !matches!(kind, ForebodyTps | Bond | ForebodyCarrier))
-        .map(|(_, kg)| kg)
-        .sum();
+    let carried_kg = mass.sum_kg(|kind| !of_forebody(kind));
     let radius_m = layout.primary_inner_r_m();
     let arm_m = (mass.cg_x_m - outline.attached_structure_x_m).abs();
     // N = P / 2πR + M / πR²: as of the axial load P + 2 M / R
