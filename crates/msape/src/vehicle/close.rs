@@ -26,12 +26,11 @@ use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::{Concept, Foam};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit, Trial};
-use crate::vehicle::mass::{
-    Component, Densities, MassProperties, Masses, components, masses, total,
-};
-use crate::vehicle::structure::{Structure, Wall, size};
+use crate::vehicle::mass::{Component, Densities, Masses, components, masses, total};
+use crate::vehicle::structure::{Structure, size};
 use crate::vehicle::{msr, non_msr};
 use numerics::root;
+use numerics::scalar::Single;
 
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
@@ -40,8 +39,6 @@ pub struct Closed {
     pub layout: Layout,
     /// Components.
     pub components: Vec<Component>,
-    /// Their sum.
-    pub mass: MassProperties,
     /// Walls.
     pub structure: Structure,
     /// Geometries laid out.
@@ -119,8 +116,7 @@ impl Attempt {
         Ok(Closed {
             layout,
             components,
-            mass,
-            structure: sized_labels(structure, sized),
+            structure: structure.with_reasons(sized),
             iterations: self.iterations,
         })
     }
@@ -166,12 +162,7 @@ impl<'a> Search<'a> {
             foam: self.foam,
             least_foam,
             memory: &mut self.memory,
-            forebody: Forebody {
-                diameter_m,
-                nose_radius_m: input.nose_radius_ratio * radius_m,
-                shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-                cone_half_angle_rad: input.cone_half_angle_rad,
-            },
+            forebody: Forebody::new(input, diameter_m),
             payload_radius_m,
             structure: least_walls(input),
             layouts: 0,
@@ -196,6 +187,14 @@ fn least_walls(input: &VehicleInput) -> Structure {
     }
 }
 
+/// Lays a vehicle out.
+pub fn lay_out<S: Single>(concept: Concept, frame: &Frame<S>) -> Trial<S> {
+    match concept {
+        Concept::Msr => msr::layout(frame),
+        Concept::NonMsr => non_msr::layout(frame),
+    }
+}
+
 /// A diameter being tried.
 struct Candidate<'a> {
     input: &'a VehicleInput,
@@ -212,26 +211,15 @@ struct Candidate<'a> {
 
 impl Candidate<'_> {
     fn lay_out(&self, cg_x_m: f64) -> Trial {
-        let (input, structure) = (self.input, &self.structure);
         let frame = Frame {
             forebody: self.forebody,
-            depths: Depths {
-                forebody_tps_m: input.forebody.tps_thickness_m,
-                bond_m: input.forebody.bond_thickness_m,
-                forebody_carrier_m: structure.forebody.thickness_m,
-                aftbody_tps_m: input.aftbody_tps_thickness_m,
-                aftbody_carrier_m: structure.aftbody.thickness_m,
-                primary_m: structure.primary.thickness_m,
-            },
+            depths: Depths::new(self.input, &self.structure),
             payload_radius_m: self.payload_radius_m,
             foam_thickness_m: self.foam.least_thickness_m,
             cg_x_m,
-            rules: &input.rules,
+            rules: &self.input.rules,
         };
-        match input.concept {
-            Concept::Msr => msr::layout(&frame),
-            Concept::NonMsr => non_msr::layout(&frame),
-        }
+        lay_out(self.input.concept, &frame)
     }
 
     /// Width within which centre of gravity and walls are found, m.
@@ -369,19 +357,4 @@ fn largest_move_m(old: &Structure, new: &Structure) -> f64 {
         height + (new.face_thickness_m - old.face_thickness_m).abs()
     });
     moves.iter().sum()
-}
-
-/// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
-fn sized_labels(used: Structure, sized: Structure) -> Structure {
-    let label = |used: Wall, sized: Wall| Wall {
-        thickness_m: used.thickness_m,
-        face_thickness_m: used.face_thickness_m,
-        density_kg_m3: used.density_kg_m3,
-        ..sized
-    };
-    Structure {
-        forebody: label(used.forebody, sized.forebody),
-        aftbody: label(used.aftbody, sized.aftbody),
-        primary: label(used.primary, sized.primary),
-    }
 }

@@ -21,10 +21,9 @@ use crate::vehicle::kinds::Foam;
 use crate::vehicle::layout::Layout;
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::profile::{Profile, SolidProperties};
-use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::shapes::{draw, profiles};
 use crate::vehicle::structure::Structure;
-use crate::vehicle::{msr, non_msr};
-use numerics::math::PI;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// One part: closed profiles, density, mass.
@@ -62,189 +61,122 @@ pub struct Component {
 
 /// Mass, centre of gravity and inertia of the whole, margin included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct MassProperties {
+pub struct MassProperties<S = f64> {
     /// Mass, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Mass without any margin, kg.
-    pub mass_without_margin_kg: f64,
+    pub mass_without_margin_kg: S,
     /// Axial position of the centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
     /// Moment of inertia about the axis, kg m².
-    pub ixx_kg_m2: f64,
+    pub ixx_kg_m2: S,
     /// Moment of inertia about a transverse axis through the centre of gravity, kg m².
-    pub iyy_kg_m2: f64,
+    pub iyy_kg_m2: S,
     /// The same about the other transverse axis, kg m².
-    pub izz_kg_m2: f64,
+    pub izz_kg_m2: S,
     /// Volume of all components, m³.
-    pub volume_m3: f64,
-}
-
-/// Draws every component, in the order in which they are summed.
-fn draw(concept: Concept, layout: &Layout, draft: &mut Draft) {
-    let (d, outline) = (&layout.depths, &layout.outline);
-    draft.layers(
-        [
-            ComponentKind::ForebodyTps,
-            ComponentKind::Bond,
-            ComponentKind::ForebodyCarrier,
-        ],
-        [d.forebody_tps_m, d.forebody_tps_m + d.bond_m, d.fore_m()],
-        |path, depth_m| outline.fore_layer(path, depth_m, 0.0),
-    );
-    draft.layers(
-        [ComponentKind::AftbodyTps, ComponentKind::AftbodyCarrier],
-        [d.aftbody_tps_m, d.aft_m()],
-        |path, depth_m| outline.aft_layer(path, depth_m),
-    );
-    draft.part(ComponentKind::PrimaryStructure, |path| {
-        if d.primary_m > 0.0 {
-            primary(path, layout)
-        } else {
-            path
-        }
-    });
-    draft.part(ComponentKind::WingInsulation, |path| wing(path, layout));
-    match concept {
-        Concept::Msr => msr::filling(layout, draft),
-        Concept::NonMsr => non_msr::filling(layout, draft),
-    }
-    draft.part(ComponentKind::Payload, |path| {
-        let center = Point::on_axis(layout.payload_x_m);
-        path.and(Segment::arc(center, layout.payload_radius_m, PI, -PI))
-    });
-}
-
-/// The profiles of every component, in the order in which they are summed.
-pub fn profiles(concept: Concept, layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    let mut all: Vec<(ComponentKind, Vec<Profile>)> = Vec::with_capacity(ComponentKind::COUNT);
-    let mut keep = |kind, profile: &Profile| {
-        if all.last().is_none_or(|(last, _)| *last != kind) {
-            all.push((kind, Vec::new()));
-        }
-        if let Some((_, profiles)) = all.last_mut()
-            && !profile.segments.is_empty()
-        {
-            profiles.push(profile.clone());
-        }
-    };
-    let mut memory = Memory::default();
-    draw(concept, layout, &mut Draft::new(&mut memory, &mut keep));
-    all
-}
-
-fn primary(path: Profile, layout: &Layout) -> Profile {
-    let (inner, outer) = (layout.primary_inner_r_m(), layout.primary_outer_r_m());
-    let x_m = layout.outline.attached_structure_x_m - layout.depths.aft_m();
-    let forebody = &layout.outline.forebody;
-    let foot = forebody.between(path, layout.depths.fore_m(), [inner, outer]);
-    foot.line_to(Point { x_m, r_m: outer })
-        .line_to(Point { x_m, r_m: inner })
-}
-
-fn wing(path: Profile, layout: &Layout) -> Profile {
-    let (fore, aft) = (layout.depths.fore_m(), layout.depths.aft_m());
-    let outline = &layout.outline;
-    let wall_r = layout.primary_outer_r_m();
-    let x_m = outline.attached_structure_x_m - aft;
-    outline
-        .fore_layer(path, fore, wall_r)
-        .line_to(outline.on_tip_line(outline.forebody.shoulder_radius_m - aft))
-        .line_to(Point {
-            x_m,
-            r_m: outline.annulus_outer_r_m(aft),
-        })
-        .line_to(Point { x_m, r_m: wall_r })
+    pub volume_m3: S,
 }
 
 /// Densities that are found and not given.
 #[derive(Clone, Copy, Debug)]
-pub struct Densities<'a> {
+pub struct Densities<'a, S = f64> {
     /// Walls.
-    pub structure: &'a Structure,
+    pub structure: &'a Structure<S>,
     /// Impact foam.
-    pub foam: Foam,
+    pub foam: Foam<S>,
 }
 
 /// Mass and centre of gravity alone, margin included.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Masses {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Masses<S = f64> {
     /// Each component, with margin, kg: zero where the concept does not have it.
-    parts_kg: [f64; ComponentKind::COUNT],
+    parts_kg: [S; ComponentKind::COUNT],
     /// Their sum, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Axial position of the centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
 }
 
-impl Masses {
-    /// Those of components and of their sum.
-    pub fn of(components: &[Component], mass: &MassProperties) -> Self {
-        let mut all = Self {
+impl<S: Single> Masses<S> {
+    /// Those of parts and of their sum.
+    pub fn of(
+        parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
+        mass: &MassProperties<S>,
+    ) -> Self {
+        let mut parts_kg = [S::constant(0.0); ComponentKind::COUNT];
+        for (kind, part) in parts {
+            parts_kg[kind as usize] = part.mass_with_margin_kg;
+        }
+        Self {
+            parts_kg,
             mass_kg: mass.mass_kg,
             cg_x_m: mass.cg_x_m,
-            ..Self::default()
-        };
-        for component in components {
-            all.parts_kg[component.kind as usize] = component.mass_with_margin_kg;
         }
-        all
     }
 
     /// Sum over the components of some kinds, with margin, kg.
-    pub fn sum_kg(&self, of: impl Fn(ComponentKind) -> bool) -> f64 {
+    pub fn sum_kg(&self, of: impl Fn(ComponentKind) -> bool) -> S {
         let those = ComponentKind::ALL.iter().filter(|kind| of(**kind));
-        those.map(|kind| self.parts_kg[*kind as usize]).sum()
+        let each_kg = those.map(|kind| self.parts_kg[*kind as usize]);
+        each_kg.fold(S::constant(0.0), |sum, kg| sum + kg)
     }
 }
 
 /// The factor of the margin on a component.
-fn margin_factor(kind: ComponentKind, input: &VehicleInput) -> f64 {
+fn margin_factor<S: Single>(kind: ComponentKind, input: &VehicleInput<S>) -> S {
     match kind {
-        ComponentKind::Payload => 1.0,
-        _ => 1.0 + input.mass_margin,
+        ComponentKind::Payload => S::constant(1.0),
+        _ => input.mass_margin + 1.0,
     }
 }
 
-/// What the closing loop reads of [`components`] and [`total`], with the same bits.
-pub fn masses(
-    input: &VehicleInput,
-    layout: &Layout,
-    found: &Densities,
-    memory: &mut Memory,
-) -> Masses {
-    let mut volumes = [(0.0, 0.0); ComponentKind::COUNT];
-    let mut measure = |kind: ComponentKind, profile: &Profile| {
+/// What the closing loop reads of [`parts`] and [`total`], with the same bits.
+pub fn masses<S: Single>(
+    input: &VehicleInput<S>,
+    layout: &Layout<S>,
+    found: &Densities<S>,
+    memory: &mut Memory<S>,
+) -> Masses<S> {
+    let none = S::constant(0.0);
+    let mut volumes = [(none, none); ComponentKind::COUNT];
+    let mut measure = |kind: ComponentKind, profile: &Profile<S>| {
         let (volume_m3, moment_m4) = profile.volume_and_moment();
         let sum = &mut volumes[kind as usize];
         *sum = (sum.0 + volume_m3, sum.1 + moment_m4);
     };
     draw(input.concept, layout, &mut Draft::new(memory, &mut measure));
-    let mut all = Masses::default();
-    let mut moment = 0.0;
+    let (mut parts_kg, mut sum_kg, mut moment) = ([none; ComponentKind::COUNT], none, none);
     for (kind, (volume_m3, volume_moment_m4)) in ComponentKind::ALL.into_iter().zip(volumes) {
         let mass_kg = density_kg_m3(kind, input, found, volume_m3) * volume_m3;
         let with_margin_kg = margin_factor(kind, input) * mass_kg;
-        if volume_m3 > 0.0 {
-            moment += with_margin_kg * (volume_moment_m4 / volume_m3);
+        if volume_m3.value() > 0.0 {
+            moment = moment + with_margin_kg * (volume_moment_m4 / volume_m3);
         }
-        all.mass_kg += with_margin_kg;
-        all.parts_kg[kind as usize] = with_margin_kg;
+        sum_kg = sum_kg + with_margin_kg;
+        parts_kg[kind as usize] = with_margin_kg;
     }
-    if all.mass_kg > 0.0 {
-        all.cg_x_m = moment / all.mass_kg;
+    let cg_x_m = if sum_kg.value() > 0.0 {
+        moment / sum_kg
+    } else {
+        none
+    };
+    Masses {
+        parts_kg,
+        mass_kg: sum_kg,
+        cg_x_m,
     }
-    all
 }
 
 /// Density of a component of a volume, m³; that of the mass that the user gives, where one is given.
-fn density_kg_m3(
+fn density_kg_m3<S: Single>(
     kind: ComponentKind,
-    input: &VehicleInput,
-    found: &Densities,
-    volume_m3: f64,
-) -> f64 {
+    input: &VehicleInput<S>,
+    found: &Densities<S>,
+    volume_m3: S,
+) -> S {
     if let Some(mass_kg) = input.given_mass_kg(kind)
-        && volume_m3 > 0.0
+        && volume_m3.value() > 0.0
     {
         return mass_kg / volume_m3;
     }
@@ -261,11 +193,50 @@ fn density_kg_m3(
         ComponentKind::ImpactShell => d.impact_shell_kg_m3,
         ComponentKind::BodyFoam => d.body_foam_kg_m3,
         ComponentKind::LidInsulation => d.lid_insulation_kg_m3,
-        ComponentKind::Payload => {
-            let diameter = input.payload_diameter_m();
-            input.payload_mass_kg / (PI / 6.0 * diameter * diameter * diameter)
-        }
+        ComponentKind::Payload => input.payload_density_kg_m3(),
     }
+}
+
+/// A component of this shape.
+fn part<S: Single>(
+    kind: ComponentKind,
+    input: &VehicleInput<S>,
+    found: &Densities<S>,
+    solid: &SolidProperties<S>,
+) -> Part<S> {
+    let density_kg_m3 = density_kg_m3(kind, input, found, solid.volume_m3);
+    let factor = margin_factor(kind, input);
+    let (mass_kg, cg_x_m) = (density_kg_m3 * solid.volume_m3, solid.centroid_x_m());
+    let about_apex = factor * density_kg_m3 * solid.transverse_second_moment_m5;
+    Part {
+        volume_m3: solid.volume_m3,
+        density_kg_m3,
+        mass_kg,
+        mass_with_margin_kg: factor * mass_kg,
+        cg_x_m,
+        ixx_kg_m2: factor * density_kg_m3 * solid.axial_second_moment_m5,
+        iyy_kg_m2: about_apex - factor * mass_kg * cg_x_m * cg_x_m,
+    }
+}
+
+/// Every component as a number of numbers: those that the concept does not have are empty.
+pub fn parts<S: Single>(
+    input: &VehicleInput<S>,
+    layout: &Layout<S>,
+    found: &Densities<S>,
+) -> [(ComponentKind, Part<S>); ComponentKind::COUNT] {
+    let mut solids = [SolidProperties::empty(); ComponentKind::COUNT];
+    let mut measure = |kind: ComponentKind, profile: &Profile<S>| {
+        let sum = &mut solids[kind as usize];
+        *sum = sum.plus(profile.solid());
+    };
+    let mut memory = Memory::default();
+    draw(
+        input.concept,
+        layout,
+        &mut Draft::new(&mut memory, &mut measure),
+    );
+    ComponentKind::ALL.map(|kind| (kind, part(kind, input, found, &solids[kind as usize])))
 }
 
 /// Area swept by closed profiles, and by those of their segments that are part of the outer mould line, m².
@@ -290,18 +261,14 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
         .map(|(kind, profiles)| {
             let areas = areas_m2(&profiles, &outside);
             let material = input.materials.of(kind, &foam_material);
-            let solid = profiles
-                .iter()
-                .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
-            let density = density_kg_m3(kind, input, found, solid.volume_m3);
-            let factor = margin_factor(kind, input);
-            let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
-            let about_apex = factor * density * solid.transverse_second_moment_m5;
+            let solids = profiles.iter().map(Profile::solid);
+            let solid = solids.fold(SolidProperties::empty(), SolidProperties::plus);
+            let part = part(kind, input, found, &solid);
             Component {
                 kind,
                 profiles,
-                volume_m3: solid.volume_m3,
-                density_kg_m3: density,
+                volume_m3: part.volume_m3,
+                density_kg_m3: part.density_kg_m3,
                 material: material.name.clone(),
                 density_basis: match input.given_mass_kg(kind) {
                     Some(_) => DensityBasis::Given,
@@ -309,11 +276,11 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
                 },
                 surface_area_m2: areas[0],
                 wetted_area_m2: areas[1],
-                mass_kg,
-                mass_with_margin_kg: factor * mass_kg,
-                cg_x_m,
-                ixx_kg_m2: factor * density * solid.axial_second_moment_m5,
-                iyy_kg_m2: about_apex - factor * mass_kg * cg_x_m * cg_x_m,
+                mass_kg: part.mass_kg,
+                mass_with_margin_kg: part.mass_with_margin_kg,
+                cg_x_m: part.cg_x_m,
+                ixx_kg_m2: part.ixx_kg_m2,
+                iyy_kg_m2: part.iyy_kg_m2,
                 solid,
             }
         })
@@ -322,54 +289,74 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
 
 /// What the sum reads of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct Part<S = f64> {
     /// Volume, m³.
-    pub volume_m3: f64,
+    pub volume_m3: S,
+    /// Density, kg/m³.
+    pub density_kg_m3: S,
     /// Mass without margin, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Mass with margin, kg.
-    pub mass_with_margin_kg: f64,
+    pub mass_with_margin_kg: S,
     /// Axial position of its centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
     /// Moment of inertia about the axis, with margin, kg m².
-    pub ixx_kg_m2: f64,
+    pub ixx_kg_m2: S,
     /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
-    pub iyy_kg_m2: f64,
+    pub iyy_kg_m2: S,
 }
 
 impl Component {
     /// What the sum reads of it.
-    pub fn part(&self) -> Part {
-        Part {
+    pub fn part(&self) -> (ComponentKind, Part) {
+        let part = Part {
             volume_m3: self.volume_m3,
+            density_kg_m3: self.density_kg_m3,
             mass_kg: self.mass_kg,
             mass_with_margin_kg: self.mass_with_margin_kg,
             cg_x_m: self.cg_x_m,
             ixx_kg_m2: self.ixx_kg_m2,
             iyy_kg_m2: self.iyy_kg_m2,
-        }
+        };
+        (self.kind, part)
     }
 }
 
 /// The sum of all components.
-pub fn total(parts: impl Iterator<Item = Part>) -> MassProperties {
-    let mut sum = MassProperties::default();
-    let mut moment = 0.0;
-    let mut about_apex = 0.0;
-    for c in parts {
-        sum.mass_kg += c.mass_with_margin_kg;
-        sum.mass_without_margin_kg += c.mass_kg;
-        sum.volume_m3 += c.volume_m3;
-        sum.ixx_kg_m2 += c.ixx_kg_m2;
-        moment += c.mass_with_margin_kg * c.cg_x_m;
-        about_apex += c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m;
+pub fn total<S: Single>(
+    parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
+) -> MassProperties<S> {
+    let none = S::constant(0.0);
+    let [
+        mut mass_kg,
+        mut without_margin_kg,
+        mut volume_m3,
+        mut ixx_kg_m2,
+    ] = [none; 4];
+    let [mut moment, mut about_apex] = [none; 2];
+    for (_, c) in parts {
+        mass_kg = mass_kg + c.mass_with_margin_kg;
+        without_margin_kg = without_margin_kg + c.mass_kg;
+        volume_m3 = volume_m3 + c.volume_m3;
+        ixx_kg_m2 = ixx_kg_m2 + c.ixx_kg_m2;
+        moment = moment + c.mass_with_margin_kg * c.cg_x_m;
+        about_apex = about_apex + (c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m);
     }
-    if sum.mass_kg > 0.0 {
-        sum.cg_x_m = moment / sum.mass_kg;
+    let cg_x_m = if mass_kg.value() > 0.0 {
+        moment / mass_kg
+    } else {
+        none
+    };
+    let iyy_kg_m2 = about_apex - mass_kg * cg_x_m * cg_x_m;
+    MassProperties {
+        mass_kg,
+        mass_without_margin_kg: without_margin_kg,
+        cg_x_m,
+        ixx_kg_m2,
+        iyy_kg_m2,
+        izz_kg_m2: iyy_kg_m2,
+        volume_m3,
     }
-    sum.iyy_kg_m2 = about_apex - sum.mass_kg * sum.cg_x_m * sum.cg_x_m;
-    sum.izz_kg_m2 = sum.iyy_kg_m2;
-    sum
 }
 
 /// Impact foam of a density: the grade, or the two between which it lies, and the panels in it.

@@ -1,6 +1,7 @@
 //! Whole vehicles: conservation of volume, closing over the trade space, the report's cases.
 
 mod closing;
+mod derivatives;
 mod landing;
 mod trade_space;
 
