@@ -11,8 +11,10 @@
 //! - [`planets`], [`atmosphere_tables`]: each with its own gas, atmosphere, figure and depth.
 //! - [`robustness`]: cases that once gave nonsense, or took minutes.
 //! - [`hostile`]: files, cases and vehicles by the thousand, and any number more on request.
+//! - [`allocations`]: memory that a vehicle and a design ask for.
 //! - [`landings`]: load limit of the payload, equations 3 and 5.
 
+mod allocations;
 mod atmosphere_tables;
 mod coupling;
 mod designs;

@@ -47,8 +47,11 @@ const NO_EQUATION: [&str; 19] = [
     "tps.rs",
     "tps/fit_space.rs",
     "tps/material.rs",
+    "vehicle/draft.rs",
+    "vehicle/figures.rs",
     "vehicle/input.rs",
     "vehicle/kinds.rs",
+    "vehicle/lift.rs",
     "vehicle/remarks.rs",
     "vehicle/rules.rs",
 ];

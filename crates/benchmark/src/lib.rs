@@ -77,7 +77,7 @@ jobs! {
     "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
     "half-section: profiles, volumes, moments (MSR)" => |bench| {
         let layout = &bench.msr_layout;
-        let parts = vehicle::mass::profiles(vehicle::Concept::Msr, layout);
+        let parts = vehicle::shapes::profiles(vehicle::Concept::Msr, layout);
         let profiles = parts.iter().flat_map(|(_, profiles)| profiles);
         let volume: f64 = profiles.map(|p| p.solid().volume_m3).sum();
         black_box(volume);

@@ -27,7 +27,7 @@ use crate::finding::{Finding, Severity};
 use crate::heating::PER_CM2;
 use crate::quantity::input;
 use crate::vehicle::Concept;
-use numerics::math;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 const MODEL: &str = "soak correlation";
@@ -88,17 +88,17 @@ struct Valid {
 
 /// What the correlation asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SoakInput {
+pub struct SoakInput<S = f64> {
     /// Peak stagnation heat flux, cold wall, with margins, W/m².
-    pub peak_heat_flux_w_m2: f64,
+    pub peak_heat_flux_w_m2: S,
     /// Stagnation heat load, cold wall, with margins, J/m².
-    pub heat_load_j_m2: f64,
+    pub heat_load_j_m2: S,
     /// Vehicle diameter, m.
-    pub diameter_m: f64,
+    pub diameter_m: S,
     /// Concept of the vehicle.
     pub concept: Concept,
     /// Thickness of the forebody's heat shield, m.
-    pub forebody_tps_thickness_m: f64,
+    pub forebody_tps_thickness_m: S,
 }
 
 impl SoakCorrelation {
@@ -113,22 +113,23 @@ impl SoakCorrelation {
     }
 
     /// Peak temperature of the payload container, K.
-    pub fn peak_temperature_k(&self, input: &SoakInput) -> f64 {
+    pub fn peak_temperature_k<S: Single>(&self, input: &SoakInput<S>) -> S {
         let Self { a, b, c, .. } = *self;
         // below the vertex the parabola would turn up
-        let x = self.x(input).max(self.vertex());
+        let x = self.x(input).max(S::constant(self.vertex()));
         // T = a X² + b X + c
-        (a * x + b) * x + c + ZERO_CELSIUS_K
+        (x * a + b) * x + c + ZERO_CELSIUS_K
     }
 
-    fn x(&self, input: &SoakInput) -> f64 {
+    fn x<S: Single>(&self, input: &SoakInput<S>) -> S {
         let Self { d, e, f, g, .. } = *self;
         let (q, hl) = (
             input.peak_heat_flux_w_m2 / PER_CM2,
             input.heat_load_j_m2 / PER_CM2,
         );
         // X = d q̇^e HL^f D^g
-        d * math::pow(q, e) * math::pow(hl, f) * math::pow(input.diameter_m, g)
+        let [e, f, g] = [e, f, g].map(S::constant);
+        q.pow(e) * d * hl.pow(f) * input.diameter_m.pow(g)
     }
 
     fn vertex(&self) -> f64 {

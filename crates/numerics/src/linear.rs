@@ -1,8 +1,10 @@
-//! Linear algebra of structures: symmetric matrices stored under their skyline, and their lowest eigenvalue.
+//! Linear algebra of structures: symmetric matrices stored under their skyline, and their lowest eigenvalue; a few equations.
 //!
+//! - [`dense`]: a few equations with several right-hand sides.
 //! - [`skyline`]: storage by columns, LDLᵀ, solutions.
 //! - [`lanczos`]: the lowest eigenvalue of K x = λ M x.
 
+pub mod dense;
 pub mod lanczos;
 pub mod skyline;
 

@@ -21,6 +21,8 @@
     reason = "more digits than a double holds, so that it is the nearest one"
 )]
 
+use crate::scalar::Single;
+
 /// Weight of the middle of five points, 128/225.
 const MIDDLE_5: f64 = 128.0 / 225.0;
 /// ξᵢ, wᵢ.
@@ -47,15 +49,15 @@ pub enum Rule {
 impl Rule {
     /// Integral of `f` over `interval`, in one panel.
     #[inline]
-    pub fn integral(self, mut f: impl FnMut(f64) -> f64, [a, b]: [f64; 2]) -> f64 {
-        let (m, half) = (0.5 * (a + b), 0.5 * (b - a));
+    pub fn integral<S: Single>(self, mut f: impl FnMut(S) -> S, [a, b]: [S; 2]) -> S {
+        let (m, half) = ((a + b) * 0.5, (b - a) * 0.5);
         let (mut sum, pairs) = match self {
-            Self::Gauss5 => (MIDDLE_5 * f(m), PAIRS_5.as_slice()),
-            Self::Gauss8 => (0.0, PAIRS_8.as_slice()),
+            Self::Gauss5 => (f(m) * MIDDLE_5, PAIRS_5.as_slice()),
+            Self::Gauss8 => (S::constant(0.0), PAIRS_8.as_slice()),
         };
-        for [xi, w] in pairs {
-            let d = xi * half;
-            sum += w * (f(m - d) + f(m + d));
+        for &[xi, w] in pairs {
+            let d = half * xi;
+            sum = sum + (f(m - d) + f(m + d)) * w;
         }
         sum * half
     }
@@ -75,7 +77,7 @@ impl Rule {
     }
 
     /// Integral of `f` over `interval`, in `panels` equal panels (at least one).
-    pub fn composite(self, mut f: impl FnMut(f64) -> f64, [a, b]: [f64; 2], panels: u32) -> f64 {
+    pub fn composite<S: Single>(self, mut f: impl FnMut(S) -> S, [a, b]: [S; 2], panels: u32) -> S {
         let panels = panels.max(1);
         let end = |n: u32| {
             if n == panels {
@@ -86,7 +88,7 @@ impl Rule {
         };
         (0..panels)
             .map(|n| self.integral(&mut f, [end(n), end(n + 1)]))
-            .sum()
+            .fold(S::constant(0.0), |sum, panel| sum + panel)
     }
 }
 

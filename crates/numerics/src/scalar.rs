@@ -17,6 +17,7 @@
 //! ```
 
 mod dual;
+pub mod functions;
 mod lanes;
 
 use crate::math;
@@ -129,6 +130,13 @@ pub trait Single:
     /// g(t, p) = 0  →  dt/dp = −(∂g/∂p) / (∂g/∂t)
     /// ```
     fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self;
+
+    /// The same for as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
+    fn roots<const K: usize>(
+        at: [f64; K],
+        residual: impl FnOnce() -> [Self; K],
+        rates: impl FnOnce() -> [[f64; K]; K],
+    ) -> [Self; K];
 }
 
 /// The outcome of a comparison: one truth value a lane.
@@ -284,6 +292,14 @@ impl Scalar for f64 {
 impl Single for f64 {
     #[inline]
     fn root(at: f64, _residual: impl FnOnce() -> f64, _rate: impl FnOnce() -> f64) -> f64 {
+        at
+    }
+    #[inline]
+    fn roots<const K: usize>(
+        at: [f64; K],
+        _residual: impl FnOnce() -> [f64; K],
+        _rates: impl FnOnce() -> [[f64; K]; K],
+    ) -> [f64; K] {
         at
     }
 }

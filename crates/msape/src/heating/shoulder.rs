@@ -19,7 +19,7 @@ use crate::data::Data;
 use crate::finding::range::{Check, Range};
 use crate::finding::{Finding, Severity};
 use crate::quantity::input;
-use numerics::math;
+use numerics::scalar::Single;
 use serde::Deserialize;
 
 /// The power law, from `heating/shoulder.toml`.
@@ -54,9 +54,9 @@ impl Shoulder {
     }
 
     /// Heat flux on the shoulder over that at the stagnation point.
-    pub fn ratio(&self, shoulder_radius_ratio: f64) -> f64 {
+    pub fn ratio<S: Single>(&self, shoulder_radius_ratio: S) -> S {
         // q̇ₛ/q̇₀ = C (Rₛ/R_b)^m
-        self.c * math::pow(shoulder_radius_ratio, self.m)
+        shoulder_radius_ratio.pow(S::constant(self.m)) * self.c
     }
 
     /// What a reader must know: where the law comes from, and whether it is used outside its points.

@@ -25,6 +25,7 @@ use super::element::{ArealMass, GAUSS_3, station};
 use super::mesh::{Meridian, Mesh, length_m};
 use super::model::{Model, Wall};
 use super::section::{Build, Section};
+use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::Segment;
 use crate::vehicle::structure::{Carrier, Construction};
 use crate::vehicle::{ComponentKind, Vehicle, VehicleInput};
@@ -149,10 +150,13 @@ impl CarrierModel {
                 last,
             })
         };
-        let nose = forebody.between(fore_depth, 0.0, joint_r).segments;
-        let cone = outline.fore_layer_beyond(fore_depth, joint_r).segments;
-        let wing = outline.aft_layer_to_foot(aft_depth).segments;
-        let lid = outline.lid(aft_depth).segments;
+        let path = Profile::default;
+        let nose = forebody
+            .between(path(), fore_depth, [0.0, joint_r])
+            .segments;
+        let cone = outline.fore_layer(path(), fore_depth, joint_r).segments;
+        let wing = outline.aft_layer_to_foot(path(), aft_depth).segments;
+        let lid = [outline.lid(aft_depth)];
         let [_, joint] = add(Part::Nose, &nose, None, None)?;
         let line = |start, end| Segment::Line { start, end };
         let primary = [line(nose.last()?.end(), lid.first()?.start())];

@@ -26,18 +26,26 @@ use crate::heating::afterbody::Afterbody;
 pub use crate::quantity::choice::JudgedAt;
 use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 impl JudgedAt {
     /// What the forebody's heat shield is judged by, from the stagnation point and the hottest point off it.
-    pub fn environment(self, stagnation: &Environment, off: &OffStagnation) -> Environment {
+    pub fn environment<S: Single>(
+        self,
+        stagnation: &Environment<S>,
+        off: &OffStagnation<S>,
+    ) -> Environment<S> {
         match self {
-            Self::HottestPoint if off.heat_flux_ratio > 1.0 || off.heat_load_ratio > 1.0 => {
+            Self::HottestPoint
+                if off.heat_flux_ratio.value() > 1.0 || off.heat_load_ratio.value() > 1.0 =>
+            {
+                let least = S::constant(1.0);
                 Environment {
                     point: off.point,
                     peak_heat_flux_w_m2: stagnation.peak_heat_flux_w_m2
-                        * off.heat_flux_ratio.max(1.0),
-                    heat_load_j_m2: stagnation.heat_load_j_m2 * off.heat_load_ratio.max(1.0),
+                        * off.heat_flux_ratio.max(least),
+                    heat_load_j_m2: stagnation.heat_load_j_m2 * off.heat_load_ratio.max(least),
                     ..*stagnation
                 }
             }
@@ -48,18 +56,18 @@ impl JudgedAt {
 
 /// The hottest point off the stagnation point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OffStagnation {
+pub struct OffStagnation<S = f64> {
     /// Which.
     pub point: Point,
     /// Peak heat flux over that of the stagnation point.
-    pub heat_flux_ratio: f64,
+    pub heat_flux_ratio: S,
     /// Heat load over that of the stagnation point.
-    pub heat_load_ratio: f64,
+    pub heat_load_ratio: S,
 }
 
-impl OffStagnation {
+impl<S: Copy> OffStagnation<S> {
     /// The shoulder, with the factor of its heat flux on its heat load too.
-    pub fn shoulder(factor: f64) -> Self {
+    pub fn shoulder(factor: S) -> Self {
         Self {
             point: Point::Shoulder,
             heat_flux_ratio: factor,
@@ -130,21 +138,35 @@ impl Point {
 
 /// What a heat shield goes through, at its own place: an aftbody's values are already those of the aftbody.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Environment {
+pub struct Environment<S = f64> {
     /// Where it is.
     pub point: Point,
     /// Peak total heat flux, cold wall, with margins, W/m².
-    pub peak_heat_flux_w_m2: f64,
+    pub peak_heat_flux_w_m2: S,
     /// Total heat load, cold wall, with margins, J/m².
-    pub heat_load_j_m2: f64,
+    pub heat_load_j_m2: S,
     /// Peak pressure, Pa.
-    pub peak_pressure_pa: f64,
+    pub peak_pressure_pa: S,
     /// Entry speed, m/s.
-    pub entry_speed_m_s: f64,
+    pub entry_speed_m_s: S,
     /// Entry flight-path angle against the horizon, negative down, rad.
-    pub entry_flight_path_angle_rad: f64,
+    pub entry_flight_path_angle_rad: S,
     /// Time for which the heat flux is above the material's limit, s; unknown is `None`.
-    pub time_above_limit_s: Option<f64>,
+    pub time_above_limit_s: Option<S>,
+}
+
+impl<S: Single> Environment<S> {
+    /// What the aftbody goes through when the stagnation point goes through this.
+    pub fn aftbody(&self, fractions: &Afterbody) -> Self {
+        Self {
+            point: Point::Aftbody,
+            peak_heat_flux_w_m2: self.peak_heat_flux_w_m2 * fractions.heat_flux_fraction,
+            heat_load_j_m2: self.heat_load_j_m2 * fractions.heat_load_fraction,
+            peak_pressure_pa: self.peak_pressure_pa * fractions.pressure_fraction,
+            time_above_limit_s: None,
+            ..*self
+        }
+    }
 }
 
 impl Environment {
@@ -156,18 +178,6 @@ impl Environment {
     /// Entry angle below the horizon, deg.
     pub fn entry_depth_deg(&self) -> f64 {
         -self.entry_flight_path_angle_rad / RADIANS_PER_DEGREE
-    }
-
-    /// What the aftbody goes through when the stagnation point goes through this.
-    pub fn aftbody(&self, fractions: &Afterbody) -> Self {
-        Self {
-            point: Point::Aftbody,
-            peak_heat_flux_w_m2: self.peak_heat_flux_w_m2 * fractions.heat_flux_fraction,
-            heat_load_j_m2: self.heat_load_j_m2 * fractions.heat_load_fraction,
-            peak_pressure_pa: self.peak_pressure_pa * fractions.pressure_fraction,
-            time_above_limit_s: None,
-            ..*self
-        }
     }
 
     /// Which choice judged the forebody's heat shield, and where.

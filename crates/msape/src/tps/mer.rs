@@ -20,7 +20,7 @@
 use super::Environment;
 use super::material::{Limits, TpsMaterial};
 use crate::heating::PER_CM2;
-use numerics::math;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// A relation with its coefficients as printed.
@@ -76,19 +76,19 @@ pub enum Governed {
 
 /// A heat shield sized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Sizing {
+pub struct Sizing<S = f64> {
     /// Thickness to use, m.
-    pub thickness_m: f64,
+    pub thickness_m: S,
     /// Thickness that relation and making ask for, m.
-    pub asked_m: f64,
+    pub asked_m: S,
     /// Thickness of the relation, m.
-    pub relation_thickness_m: f64,
+    pub relation_thickness_m: S,
     /// One standard deviation of the relation, m.
-    pub standard_deviation_m: f64,
+    pub standard_deviation_m: S,
     /// Thickness where the relation under-predicts the most, m.
-    pub largest_thickness_m: f64,
+    pub largest_thickness_m: S,
     /// Heat load over squared entry speed, J/cm² per (km/s)².
-    pub x: f64,
+    pub x: S,
     /// What sets the thickness.
     pub governed_by: Governed,
     /// Whether the relation gives less than the least thickness it was fitted to.
@@ -101,9 +101,9 @@ pub struct Sizing {
 
 impl Mer {
     /// Thickness, cm, from x = HL/V² and the heat flux in W/cm².
-    pub fn thickness_cm(&self, x: f64, heat_flux_w_cm2: f64) -> f64 {
+    pub fn thickness_cm<S: Single>(&self, x: S, heat_flux_w_cm2: S) -> S {
         match *self {
-            Self::Power { a, b } => a * math::pow(x, b),
+            Self::Power { a, b } => x.pow(S::constant(b)) * a,
             Self::Quadratic { p2, p1, p0 } => quadratic(x, [p2, p1, p0]),
             Self::TwoBranch {
                 switch_heat_flux_w_cm2,
@@ -114,8 +114,8 @@ impl Mer {
                 p0,
                 ..
             } => {
-                if heat_flux_w_cm2 <= switch_heat_flux_w_cm2 {
-                    a * math::pow(x, b)
+                if heat_flux_w_cm2.value() <= switch_heat_flux_w_cm2 {
+                    x.pow(S::constant(b)) * a
                 } else {
                     quadratic(x, [p2, p1, p0])
                 }
@@ -125,14 +125,18 @@ impl Mer {
 }
 
 /// p₂ x² + p₁ x + p₀, held at its peak where it would fall.
-fn quadratic(x: f64, [p2, p1, p0]: [f64; 3]) -> f64 {
-    let x = if p2 < 0.0 { x.min(-p1 / (2.0 * p2)) } else { x };
-    (p2 * x + p1) * x + p0
+fn quadratic<S: Single>(x: S, [p2, p1, p0]: [f64; 3]) -> S {
+    let x = if p2 < 0.0 {
+        x.min(S::constant(-p1 / (2.0 * p2)))
+    } else {
+        x
+    };
+    (x * p2 + p1) * x + p0
 }
 
-impl Sizing {
+impl<S> Sizing<S> {
     /// With the thickness that the user gives, m, where one is given.
-    pub fn or_given(self, thickness_m: Option<f64>) -> Sizing {
+    pub fn or_given(self, thickness_m: Option<S>) -> Self {
         match thickness_m {
             None => self,
             Some(thickness_m) => Sizing {
@@ -145,7 +149,7 @@ impl Sizing {
 }
 
 /// Thickness of `material` for `environment`.
-pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
+pub fn size<S: Single>(material: &TpsMaterial, environment: &Environment<S>) -> Sizing<S> {
     let Environment {
         peak_heat_flux_w_m2,
         heat_load_j_m2,
@@ -158,9 +162,9 @@ pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
     } = material.limits;
     let fit = material.fit;
     let v = entry_speed_m_s / 1000.0;
-    let x = (heat_load_j_m2 / PER_CM2).max(0.0) / (v * v);
+    let x = (heat_load_j_m2 / PER_CM2).max(S::constant(0.0)) / (v * v);
     let t = material.mer.thickness_cm(x, peak_heat_flux_w_m2 / PER_CM2);
-    let asked_m = t.max(minimum_thickness_cm) / 100.0;
+    let asked_m = t.max(S::constant(minimum_thickness_cm)) / 100.0;
     Sizing {
         thickness_m: asked_m,
         asked_m,
@@ -169,12 +173,12 @@ pub fn size(material: &TpsMaterial, environment: &Environment) -> Sizing {
         // t = (1 − u) of the ablation code's thickness
         largest_thickness_m: t / 100.0 / (1.0 - fit.largest_underprediction_percent / 100.0),
         x,
-        governed_by: if t < minimum_thickness_cm {
+        governed_by: if t.value() < minimum_thickness_cm {
             Governed::MinimumThickness
         } else {
             Governed::Relation
         },
-        below_fit: t < fit.minimum_thickness_cm,
+        below_fit: t.value() < fit.minimum_thickness_cm,
         least_recession_m: fit.recession_cm.and_then(|range| Some(range.min? / 100.0)),
         largest_recession_m: fit.recession_cm.and_then(|range| Some(range.max? / 100.0)),
     }

@@ -20,11 +20,13 @@
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::Layout;
-use crate::vehicle::mass::{Component, MassProperties, Part, total};
+use crate::vehicle::mass::{MassProperties, Part, total};
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, asin, sin_cos};
+use numerics::math::{FRAC_PI_2, PI};
 use numerics::quadrature::Rule;
+use numerics::scalar::Single;
+use numerics::scalar::functions::{asin, sin_cos};
 
 /// Largest stroke over foam thickness.
 const MOST_STROKE: f64 = 0.95;
@@ -32,36 +34,39 @@ const MOST_STROKE: f64 = 0.95;
 const PANELS: u32 = 8;
 
 /// Mass properties with the payload moved forward by `stroke_m` into the foam.
-pub fn crushed(
+pub fn crushed<S: Single>(
     concept: Concept,
-    layout: &Layout,
-    components: &[Component],
-    stroke_m: f64,
-) -> MassProperties {
-    let stroke_m = stroke_m.min(MOST_STROKE * layout.foam_thickness_m);
-    total(components.iter().map(|component| match component.kind {
-        ComponentKind::Payload => Part {
-            cg_x_m: component.cg_x_m - stroke_m,
-            ..component.part()
-        },
-        ComponentKind::ImpactFoam => foam(concept, layout, component.part(), stroke_m),
-        _ => component.part(),
+    layout: &Layout<S>,
+    parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
+    stroke_m: S,
+) -> MassProperties<S> {
+    let stroke_m = stroke_m.min(layout.foam_thickness_m * MOST_STROKE);
+    total(parts.map(|(kind, part)| {
+        let after = match kind {
+            ComponentKind::Payload => Part {
+                cg_x_m: part.cg_x_m - stroke_m,
+                ..part
+            },
+            ComponentKind::ImpactFoam => foam(concept, layout, part, stroke_m),
+            _ => part,
+        };
+        (kind, after)
     }))
 }
 
 /// The foam with the columns ahead of the payload compressed.
-fn foam(concept: Concept, layout: &Layout, part: Part, stroke_m: f64) -> Part {
+fn foam<S: Single>(concept: Concept, layout: &Layout<S>, part: Part<S>, stroke_m: S) -> Part<S> {
     let mass_kg = part.mass_with_margin_kg;
     let density = mass_kg / part.volume_m3;
     let columns_m3 = columns(concept, layout).solid().volume_m3;
-    let shift = 0.5 * density * columns_m3 * stroke_m;
+    let shift = density * 0.5 * columns_m3 * stroke_m;
     let cg_x_m = part.cg_x_m - shift / mass_kg;
     let about_apex = part.iyy_kg_m2
         + mass_kg * part.cg_x_m * part.cg_x_m
         + density * second_moment_change_m5(concept, layout, stroke_m);
     let radius = layout.payload_radius_m;
     Part {
-        volume_m3: part.volume_m3 - PI * radius * radius * stroke_m,
+        volume_m3: part.volume_m3 - radius * PI * radius * stroke_m,
         cg_x_m,
         iyy_kg_m2: about_apex - mass_kg * cg_x_m * cg_x_m,
         ..part
@@ -69,68 +74,74 @@ fn foam(concept: Concept, layout: &Layout, part: Part, stroke_m: f64) -> Part {
 }
 
 /// The foam ahead of the payload, within its radius.
-fn columns(concept: Concept, layout: &Layout) -> Profile {
+fn columns<S: Single>(concept: Concept, layout: &Layout<S>) -> Profile<S> {
     let radius_m = layout.payload_radius_m;
     let center = Point::on_axis(layout.payload_x_m);
+    let [axis, quarter, half] = [0.0, FRAC_PI_2, PI].map(S::constant);
     let front = match concept {
         Concept::Msr => {
             let outer_m = radius_m + layout.foam_thickness_m;
             let sweep_rad = -asin(radius_m / outer_m);
-            Profile {
-                segments: vec![Segment::arc(center, outer_m, PI, sweep_rad)],
-            }
+            Profile::default().and(Segment::arc(center, outer_m, half, sweep_rad))
         }
         Concept::NonMsr => {
             let forebody = &layout.outline.forebody;
-            forebody.between(layout.depths.fore_m(), 0.0, radius_m)
+            forebody.between(Profile::default(), layout.depths.fore_m(), [axis, radius_m])
         }
     };
-    let payload = Segment::arc(center, radius_m, FRAC_PI_2, FRAC_PI_2);
     front
-        .then(&Profile {
-            segments: vec![payload],
-        })
+        .and(Segment::arc(center, radius_m, quarter, quarter))
         .closed()
 }
 
 /// Change of ∫ x² dV, each volume weighed by what it was before, m⁵.
-fn second_moment_change_m5(concept: Concept, layout: &Layout, stroke_m: f64) -> f64 {
+fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stroke_m: S) -> S {
     let radius = layout.payload_radius_m;
     let forebody = &layout.outline.forebody;
     let fore_m = layout.depths.fore_m();
     let outer = radius + layout.foam_thickness_m;
-    let floor_x_m = |r: f64| match concept {
+    let floor_x_m = |r: S| match concept {
         Concept::Msr => layout.payload_x_m - (outer * outer - r * r).sqrt(),
         Concept::NonMsr => forebody.depth_x_m(fore_m, r),
     };
     // r = Rₚ sin u: the payload's surface is smooth in u
-    let along = |u: f64| {
+    let along = |u: S| {
         let (s, c) = sin_cos(u);
         let (a, b) = (floor_x_m(radius * s), layout.payload_x_m - radius * c);
         let b_new = b - stroke_m;
         let change = a * (b_new - b) + b_new * b_new - b * b;
-        2.0 * PI * radius * s * radius * c * (b - a) * change / 3.0
+        radius * (2.0 * PI) * s * radius * c * (b - a) * change / 3.0
     };
     // the nose goes over into the cone with a kink in the curvature
+    let [axis, equator] = [0.0, FRAC_PI_2].map(S::constant);
     let kink = match concept {
-        Concept::Msr => FRAC_PI_2,
-        Concept::NonMsr => asin((forebody.nose_tangent(fore_m).r_m / radius).clamp(0.0, 1.0)),
+        Concept::Msr => equator,
+        Concept::NonMsr => {
+            let part = forebody.nose_tangent(fore_m).r_m / radius;
+            asin(part.max(axis).min(S::constant(1.0)))
+        }
     };
-    Rule::Gauss8.composite(along, [0.0, kink], PANELS)
-        + Rule::Gauss8.composite(along, [kink, FRAC_PI_2], PANELS)
+    Rule::Gauss8.composite(along, [axis, kink], PANELS)
+        + Rule::Gauss8.composite(along, [kink, equator], PANELS)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::vehicle::build;
+    use crate::vehicle::mass::Component;
     use crate::vehicle::tests::{galahad, msr};
 
     #[test]
     fn without_stroke_nothing_moves() {
         for input in [msr(), galahad()] {
             let vehicle = build(&input).unwrap();
-            let same = crushed(input.concept, &vehicle.layout, &vehicle.components, 0.0);
+            let same = crushed(
+                input.concept,
+                &vehicle.layout,
+                vehicle.components.iter().map(Component::part),
+                0.0,
+            );
             let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
             close(same.mass_kg, vehicle.mass.mass_kg);
             close(same.cg_x_m, vehicle.mass.cg_x_m);
@@ -145,7 +156,12 @@ mod tests {
             let vehicle = build(&input).unwrap();
             let (layout, mass) = (&vehicle.layout, vehicle.mass);
             let stroke = 0.4 * layout.foam_thickness_m;
-            let after = crushed(input.concept, layout, &vehicle.components, stroke);
+            let after = crushed(
+                input.concept,
+                layout,
+                vehicle.components.iter().map(Component::part),
+                stroke,
+            );
             let r = layout.payload_radius_m;
             assert!((mass.volume_m3 - after.volume_m3 - PI * r * r * stroke).abs() < 1e-12);
             assert_eq!(after.mass_without_margin_kg, mass.mass_without_margin_kg);
@@ -191,7 +207,14 @@ mod tests {
     #[test]
     fn a_stroke_beyond_the_foam_is_cut() {
         let vehicle = build(&msr()).unwrap();
-        let at = |stroke| crushed(Concept::Msr, &vehicle.layout, &vehicle.components, stroke);
+        let at = |stroke| {
+            crushed(
+                Concept::Msr,
+                &vehicle.layout,
+                vehicle.components.iter().map(Component::part),
+                stroke,
+            )
+        };
         assert_eq!(at(10.0), at(MOST_STROKE * vehicle.layout.foam_thickness_m));
         assert!(at(10.0).iyy_kg_m2.is_finite());
     }

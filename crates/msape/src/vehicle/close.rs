@@ -20,17 +20,17 @@
 //! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it). Its loop, geometry about the last centre of gravity
 //!   over and over, is replaced by the bracketed root: it need not settle where a vehicle closes.
 
+use crate::vehicle::draft::Memory;
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
-use crate::vehicle::kinds::Concept;
+use crate::vehicle::kinds::{Concept, Foam};
 use crate::vehicle::layout::{Depths, Frame, Layout, Misfit, Trial};
-use crate::vehicle::mass::{
-    Component, Densities, MassProperties, Masses, components, masses, total,
-};
-use crate::vehicle::structure::{Structure, Wall, size};
+use crate::vehicle::mass::{Component, Densities, Masses, components, masses, total};
+use crate::vehicle::structure::{Structure, size};
 use crate::vehicle::{msr, non_msr};
 use numerics::root;
+use numerics::scalar::Single;
 
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
@@ -39,8 +39,6 @@ pub struct Closed {
     pub layout: Layout,
     /// Components.
     pub components: Vec<Component>,
-    /// Their sum.
-    pub mass: MassProperties,
     /// Walls.
     pub structure: Structure,
     /// Geometries laid out.
@@ -118,47 +116,64 @@ impl Attempt {
         Ok(Closed {
             layout,
             components,
-            mass,
-            structure: sized_labels(structure, sized),
+            structure: structure.with_reasons(sized),
             iterations: self.iterations,
         })
     }
 }
 
-/// The vehicle at the diameter `diameter_m`, with the impact foam that `foam` asks for or more of it.
-pub fn close(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Closed, Misfit> {
-    attempt(input, diameter_m, foam)?.closed(input, foam)
+/// Lays a vehicle out at one diameter after the other, with the impact foam that the landing asks for or more of it.
+pub struct Search<'a> {
+    input: &'a VehicleInput,
+    foam: &'a FoamRule<'a>,
+    payload_radius_m: f64,
+    memory: Memory,
 }
 
-/// Lays the vehicle out at a diameter.
-pub fn attempt(input: &VehicleInput, diameter_m: f64, foam: &FoamRule) -> Result<Attempt, Misfit> {
-    let radius_m = diameter_m / 2.0;
-    let payload_radius_m = input.payload_diameter_m() / 2.0;
-    if payload_radius_m >= radius_m {
-        return Err(Misfit::PayloadWiderThanVehicle {
-            payload_radius_m,
-            vehicle_radius_m: radius_m,
-        });
+impl<'a> Search<'a> {
+    /// For the vehicle of an input, whose landing asks for `foam`.
+    pub fn new(input: &'a VehicleInput, foam: &'a FoamRule<'a>) -> Self {
+        Self {
+            input,
+            foam,
+            payload_radius_m: input.payload_diameter_m() / 2.0,
+            memory: Memory::default(),
+        }
     }
-    let mut candidate = Candidate {
-        input,
-        foam,
-        forebody: Forebody {
-            diameter_m,
-            nose_radius_m: input.nose_radius_ratio * radius_m,
-            shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-            cone_half_angle_rad: input.cone_half_angle_rad,
-        },
-        payload_radius_m,
-        structure: least_walls(input),
-        layouts: 0,
-    };
-    let trial = candidate.trial()?;
-    Ok(Attempt {
-        trial,
-        structure: candidate.structure,
-        iterations: candidate.layouts,
-    })
+
+    /// The vehicle at a diameter, when it closes there.
+    pub fn close(&mut self, diameter_m: f64) -> Result<Closed, Misfit> {
+        self.attempt(diameter_m)?.closed(self.input, self.foam)
+    }
+
+    /// The vehicle at a diameter, whether it closes or not.
+    pub fn attempt(&mut self, diameter_m: f64) -> Result<Attempt, Misfit> {
+        let (input, radius_m, payload_radius_m) =
+            (self.input, diameter_m / 2.0, self.payload_radius_m);
+        if payload_radius_m >= radius_m {
+            return Err(Misfit::PayloadWiderThanVehicle {
+                payload_radius_m,
+                vehicle_radius_m: radius_m,
+            });
+        }
+        let least_foam = self.foam.at(self.foam.least_thickness_m);
+        let mut candidate = Candidate {
+            input,
+            foam: self.foam,
+            least_foam,
+            memory: &mut self.memory,
+            forebody: Forebody::new(input, diameter_m),
+            payload_radius_m,
+            structure: least_walls(input),
+            layouts: 0,
+        };
+        let trial = candidate.trial()?;
+        Ok(Attempt {
+            trial,
+            structure: candidate.structure,
+            iterations: candidate.layouts,
+        })
+    }
 }
 
 fn least_walls(input: &VehicleInput) -> Structure {
@@ -172,10 +187,21 @@ fn least_walls(input: &VehicleInput) -> Structure {
     }
 }
 
+/// Lays a vehicle out.
+pub fn lay_out<S: Single>(concept: Concept, frame: &Frame<S>) -> Trial<S> {
+    match concept {
+        Concept::Msr => msr::layout(frame),
+        Concept::NonMsr => non_msr::layout(frame),
+    }
+}
+
 /// A diameter being tried.
 struct Candidate<'a> {
     input: &'a VehicleInput,
     foam: &'a FoamRule<'a>,
+    /// Foam of the least thickness.
+    least_foam: Foam,
+    memory: &'a mut Memory,
     forebody: Forebody,
     payload_radius_m: f64,
     /// Walls of the last turn.
@@ -185,26 +211,15 @@ struct Candidate<'a> {
 
 impl Candidate<'_> {
     fn lay_out(&self, cg_x_m: f64) -> Trial {
-        let (input, structure) = (self.input, &self.structure);
         let frame = Frame {
             forebody: self.forebody,
-            depths: Depths {
-                forebody_tps_m: input.forebody.tps_thickness_m,
-                bond_m: input.forebody.bond_thickness_m,
-                forebody_carrier_m: structure.forebody.thickness_m,
-                aftbody_tps_m: input.aftbody_tps_thickness_m,
-                aftbody_carrier_m: structure.aftbody.thickness_m,
-                primary_m: structure.primary.thickness_m,
-            },
+            depths: Depths::new(self.input, &self.structure),
             payload_radius_m: self.payload_radius_m,
             foam_thickness_m: self.foam.least_thickness_m,
             cg_x_m,
-            rules: &input.rules,
+            rules: &self.input.rules,
         };
-        match input.concept {
-            Concept::Msr => msr::layout(&frame),
-            Concept::NonMsr => non_msr::layout(&frame),
-        }
+        lay_out(self.input.concept, &frame)
     }
 
     /// Width within which centre of gravity and walls are found, m.
@@ -212,12 +227,16 @@ impl Candidate<'_> {
         PRECISION * self.input.rules.convergence_m
     }
 
-    fn masses(&self, trial: &Trial) -> Masses {
-        let densities = Densities {
-            structure: &self.structure,
-            foam: self.foam.at(trial.layout.foam_thickness_m),
+    fn masses(&mut self, trial: &Trial) -> Masses {
+        let thickness_m = trial.layout.foam_thickness_m;
+        let foam = if thickness_m == self.least_foam.thickness_m {
+            self.least_foam
+        } else {
+            self.foam.at(thickness_m)
         };
-        masses(self.input, &trial.layout, &densities)
+        let structure = &self.structure;
+        let densities = Densities { structure, foam };
+        masses(self.input, &trial.layout, &densities, self.memory)
     }
 
     /// The layout with walls that carry it, and how far its centre of gravity lies from the place that it is laid out about, m.
@@ -338,19 +357,4 @@ fn largest_move_m(old: &Structure, new: &Structure) -> f64 {
         height + (new.face_thickness_m - old.face_thickness_m).abs()
     });
     moves.iter().sum()
-}
-
-/// The walls that the masses were computed with, with the reasons found in the last turn (they differ by less than the convergence).
-fn sized_labels(used: Structure, sized: Structure) -> Structure {
-    let label = |used: Wall, sized: Wall| Wall {
-        thickness_m: used.thickness_m,
-        face_thickness_m: used.face_thickness_m,
-        density_kg_m3: used.density_kg_m3,
-        ..sized
-    };
-    Structure {
-        forebody: label(used.forebody, sized.forebody),
-        aftbody: label(used.aftbody, sized.aftbody),
-        primary: label(used.primary, sized.primary),
-    }
 }

@@ -14,42 +14,56 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4, Figures 14-17 (coordinate system at the virtual apex).
 
+use crate::vehicle::input::VehicleInput;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, sin_cos};
+use numerics::math::{FRAC_PI_2, PI};
+use numerics::scalar::Single;
+use numerics::scalar::functions::sin_cos;
 use serde::{Deserialize, Serialize};
 
 /// The forebody's outer mould line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Forebody {
+pub struct Forebody<S = f64> {
     /// Largest diameter, m.
-    pub diameter_m: f64,
+    pub diameter_m: S,
     /// Radius of the nose sphere, m.
-    pub nose_radius_m: f64,
+    pub nose_radius_m: S,
     /// Radius of the shoulder arc, m.
-    pub shoulder_radius_m: f64,
+    pub shoulder_radius_m: S,
     /// Angle between the axis and the cone, rad.
-    pub cone_half_angle_rad: f64,
+    pub cone_half_angle_rad: S,
 }
 
-impl Forebody {
+impl<S: Single> Forebody<S> {
+    /// That of an input at a diameter.
+    pub fn new(input: &VehicleInput<S>, diameter_m: S) -> Self {
+        let radius_m = diameter_m / 2.0;
+        Self {
+            diameter_m,
+            nose_radius_m: input.nose_radius_ratio * radius_m,
+            shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+            cone_half_angle_rad: input.cone_half_angle_rad,
+        }
+    }
+
     /// Sine and cosine of the cone half-angle.
-    pub fn sin_cos(&self) -> (f64, f64) {
+    pub fn sin_cos(&self) -> (S, S) {
         sin_cos(self.cone_half_angle_rad)
     }
 
     /// Axial position of the centre of the nose sphere, m.
-    pub fn nose_center_x_m(&self) -> f64 {
+    pub fn nose_center_x_m(&self) -> S {
         self.nose_radius_m / self.sin_cos().0
     }
 
     /// Axial position of the nose tip: distance of the virtual apex ahead of it, m.
-    pub fn nose_tip_x_m(&self) -> f64 {
+    pub fn nose_tip_x_m(&self) -> S {
         self.nose_center_x_m() - self.nose_radius_m
     }
 
     /// Centre of the shoulder arc; its x is that of the largest diameter.
-    pub fn shoulder_center(&self) -> Point {
+    pub fn shoulder_center(&self) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let Self {
             shoulder_radius_m: r_s,
@@ -63,10 +77,10 @@ impl Forebody {
     }
 
     /// Point at depth `depth_m` where the nose sphere goes over into the cone; on the axis when the sphere is used up.
-    pub fn nose_tangent(&self, depth_m: f64) -> Point {
+    pub fn nose_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let radius = self.nose_radius_m - depth_m;
-        if radius > 0.0 {
+        if radius.value() > 0.0 {
             Point {
                 x_m: self.nose_center_x_m() - radius * sin,
                 r_m: radius * cos,
@@ -77,7 +91,7 @@ impl Forebody {
     }
 
     /// Point at depth `depth_m`, less than the shoulder radius, where the cone goes over into the shoulder arc.
-    pub fn shoulder_tangent(&self, depth_m: f64) -> Point {
+    pub fn shoulder_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let (center, radius) = (self.shoulder_center(), self.shoulder_radius_m - depth_m);
         Point {
@@ -87,17 +101,18 @@ impl Forebody {
     }
 
     /// Distance from the axis, m, at a part of the length along the surface from the nose tip to the largest diameter.
-    pub fn radius_along_m(&self, part: f64) -> f64 {
-        let (nose, tangent) = (self.nose_tangent(0.0), self.shoulder_tangent(0.0));
+    pub fn radius_along_m(&self, part: S) -> S {
+        let zero = S::constant(0.0);
+        let (nose, tangent) = (self.nose_tangent(zero), self.shoulder_tangent(zero));
         let (sin, _) = self.sin_cos();
         let theta = self.cone_half_angle_rad;
-        let on_nose_m = self.nose_radius_m * (FRAC_PI_2 - theta);
+        let on_nose_m = self.nose_radius_m * (-theta + FRAC_PI_2);
         let on_cone_m = (tangent.r_m - nose.r_m) / sin;
         let s_m = part * (on_nose_m + on_cone_m + self.shoulder_radius_m * theta);
         let beyond_m = s_m - on_nose_m - on_cone_m;
-        if s_m < on_nose_m {
+        if s_m.less(on_nose_m) {
             self.nose_radius_m * sin_cos(s_m / self.nose_radius_m).0
-        } else if beyond_m < 0.0 {
+        } else if beyond_m.value() < 0.0 {
             nose.r_m + (s_m - on_nose_m) * sin
         } else {
             let turned_rad = theta - beyond_m / self.shoulder_radius_m;
@@ -106,10 +121,10 @@ impl Forebody {
     }
 
     /// Axial position of the surface at depth `depth_m` (nose or cone) at the distance `r_m` from the axis, m.
-    pub fn depth_x_m(&self, depth_m: f64, r_m: f64) -> f64 {
+    pub fn depth_x_m(&self, depth_m: S, r_m: S) -> S {
         let (sin, cos) = self.sin_cos();
         let radius = self.nose_radius_m - depth_m;
-        if r_m < radius * cos {
+        if r_m.less(radius * cos) {
             self.nose_center_x_m() - (radius * radius - r_m * r_m).sqrt()
         } else {
             r_m * cos / sin + depth_m / sin
@@ -117,16 +132,16 @@ impl Forebody {
     }
 
     /// Nose arc and the start of the cone at depth `depth_m`, from the axis outwards.
-    pub fn nose(&self, depth_m: f64) -> Profile {
+    pub fn nose(&self, depth_m: S) -> Profile<S> {
         let radius = self.nose_radius_m - depth_m;
-        if radius > 0.0 {
+        if radius.value() > 0.0 {
             let center = Point::on_axis(self.nose_center_x_m());
             Profile {
                 segments: vec![Segment::arc(
                     center,
                     radius,
-                    PI,
-                    -(FRAC_PI_2 - self.cone_half_angle_rad),
+                    S::constant(PI),
+                    -(-self.cone_half_angle_rad + FRAC_PI_2),
                 )],
             }
         } else {
@@ -134,26 +149,31 @@ impl Forebody {
         }
     }
 
-    /// The surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
-    pub fn between(&self, depth_m: f64, inner_r_m: f64, outer_r_m: f64) -> Profile {
+    /// `path` with the surface at depth `depth_m` (nose and cone) between two distances from the axis, outwards.
+    pub fn between(
+        &self,
+        path: Profile<S>,
+        depth_m: S,
+        [inner_r_m, outer_r_m]: [S; 2],
+    ) -> Profile<S> {
         let radius = self.nose_radius_m - depth_m;
-        let at = |r_m: f64| Point {
+        let at = |r_m: S| Point {
             x_m: self.depth_x_m(depth_m, r_m),
             r_m,
         };
         let tangent = self.nose_tangent(depth_m);
-        let mut segments = Vec::with_capacity(2);
+        let mut path = path;
         let mut from = at(inner_r_m);
-        if radius > 0.0 && inner_r_m < tangent.r_m {
+        if radius.value() > 0.0 && inner_r_m.less(tangent.r_m) {
             let center = Point::on_axis(self.nose_center_x_m());
-            let angle = |p: Point| numerics::math::atan2(p.r_m, p.x_m - center.x_m);
-            let to = if outer_r_m < tangent.r_m {
+            let angle = |p: Point<S>| p.r_m.atan2(p.x_m - center.x_m);
+            let to = if outer_r_m.less(tangent.r_m) {
                 at(outer_r_m)
             } else {
                 tangent
             };
             let start_angle_rad = angle(from);
-            segments.push(Segment::Arc {
+            path = path.and(Segment::Arc {
                 start: from,
                 end: to,
                 center,
@@ -163,19 +183,19 @@ impl Forebody {
             });
             from = to;
         }
-        if outer_r_m > from.r_m {
-            segments.push(Segment::Line {
+        if from.r_m.less(outer_r_m) {
+            path = path.and(Segment::Line {
                 start: from,
                 end: at(outer_r_m),
             });
         }
-        Profile { segments }
+        path
     }
 
     /// Axial position of the centre of a ball of radius `radius_m` that rests on the surface at depth `depth_m`, m.
-    pub fn resting_ball_x_m(&self, depth_m: f64, radius_m: f64) -> f64 {
+    pub fn resting_ball_x_m(&self, depth_m: S, radius_m: S) -> S {
         let nose = self.nose_radius_m - depth_m;
-        if radius_m < nose {
+        if radius_m.less(nose) {
             self.nose_center_x_m() - nose + radius_m
         } else {
             (radius_m + depth_m) / self.sin_cos().0
@@ -183,17 +203,15 @@ impl Forebody {
     }
 
     /// Nose, cone and shoulder up to the largest diameter.
-    pub fn profile(&self) -> Profile {
+    pub fn profile(&self) -> Profile<S> {
         let theta = self.cone_half_angle_rad;
         let shoulder = Segment::arc(
             self.shoulder_center(),
             self.shoulder_radius_m,
-            FRAC_PI_2 + theta,
+            theta + FRAC_PI_2,
             -theta,
         );
-        self.nose(0.0).then(&Profile {
-            segments: vec![shoulder],
-        })
+        self.nose(S::constant(0.0)).and(shoulder)
     }
 }
 

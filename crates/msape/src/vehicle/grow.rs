@@ -15,7 +15,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.2: the diameter is increased until the smallest vehicle is found.
 
-use crate::vehicle::close::{Closed, attempt, close};
+use crate::vehicle::close::{Closed, Search};
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::{PayloadSize, VehicleInput};
 use crate::vehicle::layout::Misfit;
@@ -52,13 +52,14 @@ pub fn smallest_that_closes(
     input: &VehicleInput,
     foam: &FoamRule,
 ) -> Result<(f64, Closed), NotClosed> {
-    let at_input = match close(input, input.diameter_m, foam) {
+    let mut search = Search::new(input, foam);
+    let at_input = match search.close(input.diameter_m) {
         Ok(closed) => return Ok((input.diameter_m, closed)),
         Err(misfit) => misfit,
     };
     let largest = input.rules.diameter_max_m;
     // positive when it closes
-    let room_m = |diameter_m: f64| match attempt(input, diameter_m, foam) {
+    let room_m = |search: &mut Search, diameter_m: f64| match search.attempt(diameter_m) {
         Ok(tried) => match tried.misfit() {
             None => Ok(tried.room_m().max(f64::MIN_POSITIVE)),
             Some(misfit) => Err((misfit, tried.room_m())),
@@ -71,7 +72,7 @@ pub fn smallest_that_closes(
     let growth = largest_growth(input);
     let mut low = input.diameter_m;
     let mut at_largest = at_input;
-    let mut tried = room_m(low);
+    let mut tried = room_m(&mut search, low);
     while let Err((misfit, room)) = tried {
         at_largest = misfit;
         if low >= largest {
@@ -83,9 +84,9 @@ pub fn smallest_that_closes(
             BLIND_STEP * low
         };
         let high = (low + step).min(largest);
-        tried = room_m(high);
+        tried = room_m(&mut search, high);
         if tried.is_ok() {
-            let signed = |diameter_m| match room_m(diameter_m) {
+            let signed = |diameter_m| match room_m(&mut search, diameter_m) {
                 Ok(room) => room,
                 Err((_, room)) => room.min(-f64::MIN_POSITIVE),
             };
@@ -93,7 +94,7 @@ pub fn smallest_that_closes(
             let found = root::bracket(signed, low, high, resolution);
             let smallest = found.map_or(high, |[one, other]| one.max(other));
             for diameter_m in [smallest, high] {
-                if let Ok(closed) = close(input, diameter_m, foam) {
+                if let Ok(closed) = search.close(diameter_m) {
                     return Ok((diameter_m, closed));
                 }
             }
@@ -132,7 +133,8 @@ fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
         let mut input = input.clone();
         input.payload_size = PayloadSize::DiameterM(payload_m);
         // a wider payload crushes more foam at once, and asks for another
-        attempt(&input, diameter_m, &FoamRule::new(&input))
+        Search::new(&input, &FoamRule::new(&input))
+            .attempt(diameter_m)
             .is_ok_and(|tried| tried.misfit().is_none())
     };
     let (mut low, mut high) = (0.0, input.payload_diameter_m());

@@ -43,45 +43,46 @@ use crate::vehicle::kinds::Concept;
 use crate::vehicle::kinds::EARTH_G_M_S2;
 use crate::vehicle::kinds::FoamStrength;
 use numerics::math::PI;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// Loads and foam of the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Impact {
+pub struct Impact<S = f64> {
     /// Load of a rigid vehicle in the chosen ground, Earth g; absent on rigid ground.
-    pub ground_penetration: Option<RigidBodyLoad>,
+    pub ground_penetration: Option<RigidBodyLoad<S>>,
     /// The constant α of equation 1; absent on other grounds.
     pub penetration_alpha: Option<f64>,
     /// Load on a rigid surface, which the foam is made for, Earth g.
-    pub crush_load_limit_earth_g: f64,
+    pub crush_load_limit_earth_g: S,
     /// Nose diameter in equation 1, m.
-    pub nose_diameter_m: f64,
+    pub nose_diameter_m: S,
     /// Stroke of the payload, m.
-    pub required_stroke_m: f64,
+    pub required_stroke_m: S,
     /// Foam thickness that gives this stroke, m.
-    pub required_foam_thickness_m: f64,
+    pub required_foam_thickness_m: S,
     /// Part of the foam's thickness that was used for it.
-    pub stroke_efficiency: f64,
+    pub stroke_efficiency: S,
     /// What the strength of the foam follows from.
     pub foam_strength_by: FoamStrength,
     /// Compressive strength asked for, Pa.
-    pub foam_strength_pa: f64,
+    pub foam_strength_pa: S,
     /// The same by equation 6, Pa.
-    pub equation_6_strength_pa: f64,
+    pub equation_6_strength_pa: S,
     /// Density of the foam, kg/m³.
-    pub foam_density_kg_m3: f64,
+    pub foam_density_kg_m3: S,
     /// Energy of the vehicle at impact, J.
-    pub impact_energy_j: f64,
+    pub impact_energy_j: S,
 }
 
 /// Peak load of ground penetration, Earth g.
-pub fn penetration_load_earth_g(
+pub fn penetration_load_earth_g<S: Single>(
     alpha: f64,
-    nose_diameter_m: f64,
-    speed_m_s: f64,
-    mass_kg: f64,
-) -> f64 {
-    alpha * nose_diameter_m * speed_m_s * speed_m_s / mass_kg
+    nose_diameter_m: S,
+    speed_m_s: S,
+    mass_kg: S,
+) -> S {
+    nose_diameter_m * alpha * speed_m_s * speed_m_s / mass_kg
 }
 
 /// Stroke over that of a constant deceleration: a triangular pulse takes twice as much.
@@ -93,19 +94,19 @@ pub fn pulse_factor(concept: Concept) -> f64 {
 }
 
 /// Stroke of the payload on a rigid surface, m.
-pub fn required_stroke_m(concept: Concept, speed_m_s: f64, design_load_earth_g: f64) -> f64 {
-    pulse_factor(concept) * speed_m_s * speed_m_s / (2.0 * design_load_earth_g * EARTH_G_M_S2)
+pub fn required_stroke_m<S: Single>(concept: Concept, speed_m_s: S, design_load_earth_g: S) -> S {
+    speed_m_s * pulse_factor(concept) * speed_m_s / (design_load_earth_g * 2.0 * EARTH_G_M_S2)
 }
 
 /// Compressive strength of the foam, Pa.
-pub fn foam_strength_pa(
-    payload_mass_kg: f64,
-    payload_diameter_m: f64,
-    speed_m_s: f64,
-    stroke_m: f64,
-) -> f64 {
-    let area_m2 = PI * payload_diameter_m * payload_diameter_m / 4.0;
-    payload_mass_kg * speed_m_s * speed_m_s / (2.0 * area_m2 * stroke_m)
+pub fn foam_strength_pa<S: Single>(
+    payload_mass_kg: S,
+    payload_diameter_m: S,
+    speed_m_s: S,
+    stroke_m: S,
+) -> S {
+    let area_m2 = payload_diameter_m * PI * payload_diameter_m / 4.0;
+    payload_mass_kg * speed_m_s * speed_m_s / (area_m2 * 2.0 * stroke_m)
 }
 
 #[cfg(test)]

@@ -9,28 +9,30 @@ use crate::vehicle::kinds::{
 use crate::vehicle::material::Materials;
 use crate::vehicle::rules::Rules;
 use crate::vehicle::structure::{Carrier, StructureLoads};
-use numerics::math::{PI, cbrt};
+use numerics::math::PI;
+use numerics::scalar::Single;
+use numerics::scalar::functions::cbrt;
 use serde::{Deserialize, Serialize};
 
 /// How the size of the payload, a ball, is given.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum PayloadSize {
+pub enum PayloadSize<S = f64> {
     /// Mean density, kg/m³.
-    DensityKgM3(f64),
+    DensityKgM3(S),
     /// Diameter, m.
-    DiameterM(f64),
+    DiameterM(S),
     /// Diameter as a fraction of the vehicle diameter asked for.
-    DiameterRatio(f64),
+    DiameterRatio(S),
 }
 
 /// What the landing is designed for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ImpactInput {
+pub struct ImpactInput<S = f64> {
     /// Design load of the payload, Earth g.
-    pub crush_load_limit_earth_g: f64,
+    pub crush_load_limit_earth_g: S,
     /// Usable fraction of the foam's thickness; `None` takes the end of the plateau of the foam in use.
-    pub stroke_efficiency: Option<f64>,
+    pub stroke_efficiency: Option<S>,
     /// The ground.
     pub ground: Ground,
     /// What its strength follows from.
@@ -43,82 +45,82 @@ pub struct ImpactInput {
 
 /// Heat shield, bond and carrier of the forebody.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LayerStack {
+pub struct LayerStack<S = f64> {
     /// Thickness of the heat shield, m.
-    pub tps_thickness_m: f64,
+    pub tps_thickness_m: S,
     /// Density of the heat shield, kg/m³.
-    pub tps_density_kg_m3: f64,
+    pub tps_density_kg_m3: S,
     /// Thickness of the bond, m.
-    pub bond_thickness_m: f64,
+    pub bond_thickness_m: S,
     /// Density of the bond, kg/m³.
-    pub bond_density_kg_m3: f64,
+    pub bond_density_kg_m3: S,
     /// Thickness of the carrier structure, m; `None` has it sized by the structural rules.
-    pub carrier_thickness_m: Option<f64>,
+    pub carrier_thickness_m: Option<S>,
     /// Material and build of the carrier structure.
-    pub carrier: Carrier,
+    pub carrier: Carrier<S>,
 }
 
 /// What the flight says about loads.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Loads {
+pub struct Loads<S = f64> {
     /// Peak deceleration in flight, Earth g.
-    pub entry_load_earth_g: f64,
+    pub entry_load_earth_g: S,
     /// Peak stagnation pressure, Pa.
-    pub peak_stagnation_pressure_pa: f64,
+    pub peak_stagnation_pressure_pa: S,
     /// Speed at impact, m/s.
-    pub terminal_speed_m_s: f64,
+    pub terminal_speed_m_s: S,
 }
 
 /// Everything that determines a vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct VehicleInput {
+pub struct VehicleInput<S = f64> {
     /// Concept.
     pub concept: Concept,
     /// Diameter asked for, m.
-    pub diameter_m: f64,
+    pub diameter_m: S,
     /// Nose radius over vehicle radius.
-    pub nose_radius_ratio: f64,
+    pub nose_radius_ratio: S,
     /// Shoulder radius over vehicle radius.
-    pub shoulder_radius_ratio: f64,
+    pub shoulder_radius_ratio: S,
     /// Angle between axis and cone, rad.
-    pub cone_half_angle_rad: f64,
+    pub cone_half_angle_rad: S,
     /// Mass of the payload, kg.
-    pub payload_mass_kg: f64,
+    pub payload_mass_kg: S,
     /// Size of the payload.
-    pub payload_size: PayloadSize,
+    pub payload_size: PayloadSize<S>,
     /// Margin on the mass of everything but the payload, as a fraction.
-    pub mass_margin: f64,
+    pub mass_margin: S,
     /// Layers of the forebody.
-    pub forebody: LayerStack,
+    pub forebody: LayerStack<S>,
     /// Thickness of the aftbody's heat shield, m.
-    pub aftbody_tps_thickness_m: f64,
+    pub aftbody_tps_thickness_m: S,
     /// Density of the aftbody's heat shield, kg/m³.
-    pub aftbody_tps_density_kg_m3: f64,
+    pub aftbody_tps_density_kg_m3: S,
     /// Material and build of the aftbody's carrier structure.
-    pub aftbody_carrier: Carrier,
+    pub aftbody_carrier: Carrier<S>,
     /// Material and build of the primary structure.
-    pub primary_carrier: Carrier,
+    pub primary_carrier: Carrier<S>,
     /// Densities of the fillings.
-    pub densities: ComponentDensities,
+    pub densities: ComponentDensities<S>,
     /// Masses of components that the user gives, kg, before the margin.
-    pub given_masses: Vec<(ComponentKind, f64)>,
+    pub given_masses: Vec<(ComponentKind, S)>,
     /// What each component is made of, and where its density comes from.
     pub materials: Materials,
     /// Loads of flight and landing.
-    pub loads: Loads,
+    pub loads: Loads<S>,
     /// Factors of the structural rules.
-    pub structure_loads: StructureLoads,
+    pub structure_loads: StructureLoads<S>,
     /// Crush load limit, stroke efficiency, ground.
-    pub impact: ImpactInput,
+    pub impact: ImpactInput<S>,
     /// Foam grades by rising density, for judging the strength asked for.
     pub foam_grades: Vec<FoamGrade>,
     /// Constants of the geometry.
     pub rules: Rules,
 }
 
-impl VehicleInput {
+impl<S: Single> VehicleInput<S> {
     /// Mass of a component that the user gives, kg, before the margin.
-    pub fn given_mass_kg(&self, kind: ComponentKind) -> Option<f64> {
+    pub fn given_mass_kg(&self, kind: ComponentKind) -> Option<S> {
         let mut given = self.given_masses.iter();
         given
             .find(|(of, _)| *of == kind)
@@ -126,14 +128,22 @@ impl VehicleInput {
     }
 
     /// Diameter of the payload, m.
-    pub fn payload_diameter_m(&self) -> f64 {
+    pub fn payload_diameter_m(&self) -> S {
         match self.payload_size {
-            PayloadSize::DensityKgM3(density) => cbrt(6.0 * self.payload_mass_kg / (PI * density)),
+            PayloadSize::DensityKgM3(density) => cbrt(self.payload_mass_kg * 6.0 / (density * PI)),
             PayloadSize::DiameterM(diameter_m) => diameter_m,
             PayloadSize::DiameterRatio(ratio) => ratio * self.diameter_m,
         }
     }
 
+    /// Density of the payload, a ball, kg/m³.
+    pub fn payload_density_kg_m3(&self) -> S {
+        let diameter = self.payload_diameter_m();
+        self.payload_mass_kg / (diameter * (PI / 6.0) * diameter * diameter)
+    }
+}
+
+impl VehicleInput {
     /// What is wrong with the numbers, as one sentence; `None` when a vehicle can be tried.
     pub fn fault(&self) -> Option<String> {
         let positive = [

@@ -58,6 +58,25 @@ pub enum ComponentKind {
 }
 
 impl ComponentKind {
+    /// How many.
+    pub const COUNT: usize = 12;
+
+    /// All, in the order in which they are summed.
+    pub const ALL: [ComponentKind; Self::COUNT] = [
+        Self::ForebodyTps,
+        Self::Bond,
+        Self::ForebodyCarrier,
+        Self::AftbodyTps,
+        Self::AftbodyCarrier,
+        Self::PrimaryStructure,
+        Self::WingInsulation,
+        Self::ImpactFoam,
+        Self::ImpactShell,
+        Self::BodyFoam,
+        Self::LidInsulation,
+        Self::Payload,
+    ];
+
     /// All whose mass the user may give instead of a density.
     pub const MADE: [ComponentKind; 11] = [
         Self::ForebodyTps,
@@ -156,13 +175,13 @@ impl WallPlace {
 
 /// Impact foam as the landing asks for it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Foam {
+pub struct Foam<S = f64> {
     /// Thickness, m.
-    pub thickness_m: f64,
+    pub thickness_m: S,
     /// Density, kg/m³.
-    pub density_kg_m3: f64,
+    pub density_kg_m3: S,
     /// Compressive strength asked for, Pa.
-    pub strength_pa: f64,
+    pub strength_pa: S,
 }
 
 /// A foam and its strength.
@@ -181,17 +200,17 @@ pub struct FoamGrade {
 
 /// Densities of what fills the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ComponentDensities {
+pub struct ComponentDensities<S = f64> {
     /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength asked for, and adds the panels.
-    pub impact_foam_kg_m3: Option<f64>,
+    pub impact_foam_kg_m3: Option<S>,
     /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
-    pub impact_panels_kg_m3: f64,
+    pub impact_panels_kg_m3: S,
     /// Impact shell, kg/m³.
-    pub impact_shell_kg_m3: f64,
+    pub impact_shell_kg_m3: S,
     /// Body foam, kg/m³.
-    pub body_foam_kg_m3: f64,
+    pub body_foam_kg_m3: S,
     /// Lid insulation, kg/m³.
-    pub lid_insulation_kg_m3: f64,
+    pub lid_insulation_kg_m3: S,
     /// Wing insulation, kg/m³.
-    pub wing_insulation_kg_m3: f64,
+    pub wing_insulation_kg_m3: S,
 }

@@ -15,79 +15,96 @@
 //! - \[samareh-2014\] section 3.1.2.
 
 use crate::vehicle::forebody::Forebody;
+use crate::vehicle::input::VehicleInput;
+use crate::vehicle::lid::Lid;
 use crate::vehicle::outline::{Outline, smallest_shoulder_radius_m, wing_slope_rad};
 use crate::vehicle::rules::Rules;
 use crate::vehicle::segment::Point;
+use crate::vehicle::structure::Structure;
 use crate::vehicle::wing::Wing;
-use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE, sin_cos};
+use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::{implicit, sin_cos};
 use serde::{Deserialize, Serialize};
 
 /// Depths of the layers under the outer mould line and thickness of the inner walls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Depths {
+pub struct Depths<S = f64> {
     /// Forebody heat shield, m.
-    pub forebody_tps_m: f64,
+    pub forebody_tps_m: S,
     /// Bond under it, m.
-    pub bond_m: f64,
+    pub bond_m: S,
     /// Forebody carrier structure, m.
-    pub forebody_carrier_m: f64,
+    pub forebody_carrier_m: S,
     /// Aftbody heat shield, m.
-    pub aftbody_tps_m: f64,
+    pub aftbody_tps_m: S,
     /// Aftbody carrier structure, m.
-    pub aftbody_carrier_m: f64,
+    pub aftbody_carrier_m: S,
     /// Primary structure, m.
-    pub primary_m: f64,
+    pub primary_m: S,
 }
 
-impl Depths {
+impl<S: Single> Depths<S> {
+    /// Those of an input with its walls.
+    pub fn new(input: &VehicleInput<S>, structure: &Structure<S>) -> Self {
+        Self {
+            forebody_tps_m: input.forebody.tps_thickness_m,
+            bond_m: input.forebody.bond_thickness_m,
+            forebody_carrier_m: structure.forebody.thickness_m,
+            aftbody_tps_m: input.aftbody_tps_thickness_m,
+            aftbody_carrier_m: structure.aftbody.thickness_m,
+            primary_m: structure.primary.thickness_m,
+        }
+    }
+
     /// All layers of the forebody, m.
-    pub fn fore_m(&self) -> f64 {
+    pub fn fore_m(&self) -> S {
         self.forebody_tps_m + self.bond_m + self.forebody_carrier_m
     }
 
     /// All layers of the aftbody, m.
-    pub fn aft_m(&self) -> f64 {
+    pub fn aft_m(&self) -> S {
         self.aftbody_tps_m + self.aftbody_carrier_m
     }
 }
 
 /// What a concept is laid out from.
 #[derive(Clone, Copy, Debug)]
-pub struct Frame<'a> {
+pub struct Frame<'a, S = f64> {
     /// Forebody with the shoulder radius asked for.
-    pub forebody: Forebody,
+    pub forebody: Forebody<S>,
     /// Layers.
-    pub depths: Depths,
+    pub depths: Depths<S>,
     /// Radius of the payload, m.
-    pub payload_radius_m: f64,
+    pub payload_radius_m: S,
     /// Impact foam that the stroke asks for, m.
-    pub foam_thickness_m: f64,
+    pub foam_thickness_m: S,
     /// Centre of gravity, the lid's centre of curvature in the non-MSR concept, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
     /// Constants.
     pub rules: &'a Rules,
 }
 
 /// Where everything stands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Layout {
+pub struct Layout<S = f64> {
     /// Outer mould line.
-    pub outline: Outline,
+    pub outline: Outline<S>,
     /// Layers.
-    pub depths: Depths,
+    pub depths: Depths<S>,
     /// Axial position of the payload's centre, m.
-    pub payload_x_m: f64,
+    pub payload_x_m: S,
     /// Radius of the payload, m.
-    pub payload_radius_m: f64,
+    pub payload_radius_m: S,
     /// Impact foam, m.
-    pub foam_thickness_m: f64,
+    pub foam_thickness_m: S,
     /// Impact shell, m; zero without one.
-    pub impact_shell_thickness_m: f64,
+    pub impact_shell_thickness_m: S,
     /// Body foam above the impact sphere on the axis, m; zero in the non-MSR concept.
-    pub body_foam_thickness_m: f64,
+    pub body_foam_thickness_m: S,
     /// Lid insulation on the axis, m.
-    pub lid_insulation_thickness_m: f64,
+    pub lid_insulation_thickness_m: S,
 }
 
 /// Why a vehicle does not fit at a diameter.
@@ -193,39 +210,38 @@ pub const LID_TOLERANCE_M: f64 = 1e-14;
 
 /// A layout, whether it closes or not.
 #[derive(Clone, Copy, Debug)]
-pub struct Trial {
+pub struct Trial<S = f64> {
     /// Where everything stands.
-    pub layout: Layout,
+    pub layout: Layout<S>,
     /// By how much the wing keeps its least slope, measured at the edge of the annulus; negative when it does not, m.
-    pub room_m: f64,
+    pub room_m: S,
     /// Why it does not close.
     pub misfit: Option<Misfit>,
 }
 
-impl Frame<'_> {
+impl<S: Single> Frame<'_, S> {
     /// Steepest slope of the wing: the rule's, and never steeper than the forebody, rad.
-    pub fn steepest_rad(&self) -> f64 {
-        self.rules
-            .wing_slope_max_rad
-            .min(FRAC_PI_2 - self.forebody.cone_half_angle_rad)
+    pub fn steepest_rad(&self) -> S {
+        let forebody_rad = -self.forebody.cone_half_angle_rad + FRAC_PI_2;
+        S::constant(self.rules.wing_slope_max_rad).min(forebody_rad)
     }
 
     /// Least slope of the wing: the rule's, or the steepest where that is less, rad.
-    pub fn shallowest_rad(&self) -> f64 {
-        self.rules.wing_slope_min_rad.min(self.steepest_rad())
+    pub fn shallowest_rad(&self) -> S {
+        S::constant(self.rules.wing_slope_min_rad).min(self.steepest_rad())
     }
 
     /// Smallest shoulder radius for the layers when the wing slopes `slope_rad`, m.
-    fn shoulder_floor_m(&self, slope_rad: f64) -> f64 {
+    fn shoulder_floor_m(&self, slope_rad: S) -> S {
         let theta = self.forebody.cone_half_angle_rad;
         smallest_shoulder_radius_m(self.depths.fore_m(), self.depths.aft_m(), theta, slope_rad)
     }
 
     /// The layout with the shoulder radius asked for or, when the layers have no room in it, with the smallest in which they
     /// have. `lay_out` is given a floor for the radius; the room needed depends on the slope of the wing, and so on the radius.
-    pub fn with_room_for_layers(&self, lay_out: impl Fn(f64) -> Trial) -> Trial {
+    pub fn with_room_for_layers(&self, lay_out: impl Fn(S) -> Trial<S>) -> Trial<S> {
         let (least, most) = (self.shallowest_rad(), self.steepest_rad());
-        let lack_m = |trial: &Trial| {
+        let lack_m = |trial: &Trial<S>| {
             let outline = &trial.layout.outline;
             // shallower than allowed it asks for more than any slope that is allowed
             let slope_rad = outline
@@ -237,25 +253,28 @@ impl Frame<'_> {
         let (low_m, high_m) = (floors[0].min(floors[1]), floors[0].max(floors[1]));
         let tolerance_m = ROUNDING_M * SHOULDER_PRECISION;
         let trial = lay_out(low_m);
-        if lack_m(&trial) <= tolerance_m {
+        if lack_m(&trial).value() <= tolerance_m {
             return trial;
         }
-        let lack_at_m = |floor_m| lack_m(&lay_out(floor_m));
-        let mut found = root::bracket(lack_at_m, low_m, high_m, tolerance_m);
-        let mut trial = lay_out(found.map_or(high_m, |[one, other]| one.max(other)));
-        if found.is_none() && trial.room_m > NEARLY_M {
+        let lack_with_m = |floor_m: S| lack_m(&lay_out(floor_m));
+        let lack_at_m = |floor_m: f64| lack_with_m(S::constant(floor_m)).value();
+        let widest = |[one, other]: [f64; 2]| implicit(one.max(other), one, lack_with_m);
+        let mut found = root::bracket(lack_at_m, low_m.value(), high_m.value(), tolerance_m);
+        let mut trial = lay_out(found.map_or(high_m, widest));
+        if found.is_none() && trial.room_m.value() > NEARLY_M {
             // a larger shoulder may want the lid raised: then a radius between the two may be enough where the larger is not
+            let (low_m, high_m) = (low_m.value(), high_m.value());
             let (radius_m, spare_m) = root::maximum(|r| -lack_at_m(r), low_m, high_m, NEAR_M);
             if spare_m > 0.0 {
                 found = root::bracket(lack_at_m, low_m, radius_m, tolerance_m);
-                trial = lay_out(found.map_or(radius_m, |[one, other]| one.max(other)));
+                trial = lay_out(found.map_or(S::constant(radius_m), widest));
             }
         }
         trial
     }
 
     /// The forebody with another shoulder radius.
-    fn with_shoulder(&self, shoulder_radius_m: f64) -> Forebody {
+    fn with_shoulder(&self, shoulder_radius_m: S) -> Forebody<S> {
         Forebody {
             shoulder_radius_m,
             ..self.forebody
@@ -263,7 +282,7 @@ impl Frame<'_> {
     }
 
     /// The limits that a shoulder sets to the annulus.
-    fn wing(&self, shoulder_radius_m: f64) -> Wing {
+    fn wing(&self, shoulder_radius_m: S) -> Wing<S> {
         Wing {
             center: self.with_shoulder(shoulder_radius_m).shoulder_center(),
             radius_m: shoulder_radius_m,
@@ -274,51 +293,57 @@ impl Frame<'_> {
 
     /// The limits at the largest shoulder radius, from the one asked for down to `floor_m`, at which an annulus edge has room;
     /// at the floor when it has at none.
-    pub fn wing_for(&self, edge: Point, floor_m: f64) -> Wing {
+    pub fn wing_for(&self, edge: Point<S>, floor_m: S) -> Wing<S> {
         let asked_m = self.forebody.shoulder_radius_m.max(floor_m);
         let asked = self.wing(asked_m);
-        if asked.clearance_m(edge) >= 0.0 {
+        if asked.clearance_m(edge).value() >= 0.0 {
             return asked;
         }
-        let clearance_m = |radius_m| self.wing(radius_m).clearance_m(edge);
-        let found = root::bracket(clearance_m, floor_m, asked_m, LID_TOLERANCE_M);
-        self.wing(found.map_or(floor_m, |[one, other]| one.min(other)))
+        let clearance = |radius_m: S| self.wing(radius_m).clearance_m(edge);
+        let clearance_m = |radius_m: f64| clearance(S::constant(radius_m)).value();
+        let (low_m, high_m) = (floor_m.value(), asked_m.value());
+        let found = root::bracket(clearance_m, low_m, high_m, LID_TOLERANCE_M);
+        self.wing(found.map_or(floor_m, |[one, other]| {
+            implicit(one.min(other), one, clearance)
+        }))
     }
 
     /// Finishes a layout: the slope of the wing, and whether the layers fit everywhere.
-    pub fn outline(&self, lid: Lid, wing: &Wing) -> (Outline, f64, Option<Misfit>) {
+    pub fn outline(&self, lid: Lid<S>, wing: &Wing<S>) -> (Outline<S>, S, Option<Misfit>) {
         let forebody = self.with_shoulder(wing.radius_m);
         let edge = lid.edge(self.rules.annulus_width_m);
         let slope = wing_slope_rad(&forebody, edge);
         let outline = Outline {
             forebody,
-            wing_slope_rad: slope.unwrap_or_default().min(self.steepest_rad()),
+            wing_slope_rad: slope.unwrap_or(S::constant(0.0)).min(self.steepest_rad()),
             attached_structure_x_m: lid.foot_x_m,
-            annulus_width_m: self.rules.annulus_width_m,
+            annulus_width_m: S::constant(self.rules.annulus_width_m),
             lid_radius_m: lid.radius_m,
             lid_center_x_m: lid.center_x_m,
         };
-        let room_m = wing.room_m(edge);
-        let too_steep = wing.clearance_m(edge) < -ROUNDING_M && room_m >= 0.0;
+        let room = wing.room_m(edge);
+        let room_m = room.value();
+        let too_steep = wing.clearance_m(edge).value() < -ROUNDING_M && room_m >= 0.0;
         let misfit = if too_steep {
             Some(Misfit::WingTooSteep)
         } else {
-            self.misfit(&outline, edge, slope, room_m)
+            self.misfit(&outline, edge, slope.map(S::value), room_m)
         };
-        (outline, room_m, misfit)
+        (outline, room, misfit)
     }
 
     fn misfit(
         &self,
-        outline: &Outline,
-        edge: Point,
+        outline: &Outline<S>,
+        edge: Point<S>,
         slope: Option<f64>,
         room_m: f64,
     ) -> Option<Misfit> {
         let forebody = &outline.forebody;
+        let surface = S::constant(0.0);
         let (nose_r_m, shoulder_r_m) = (
-            forebody.nose_tangent(0.0).r_m,
-            forebody.shoulder_tangent(0.0).r_m,
+            forebody.nose_tangent(surface).r_m.value(),
+            forebody.shoulder_tangent(surface).r_m.value(),
         );
         if nose_r_m >= shoulder_r_m {
             return Some(Misfit::NoseWiderThanShoulder {
@@ -327,13 +352,13 @@ impl Frame<'_> {
             });
         }
         let too_wide = Misfit::LidWiderThanShoulder {
-            annulus_r_m: edge.r_m,
-            shoulder_r_m: forebody.shoulder_center().r_m,
+            annulus_r_m: edge.r_m.value(),
+            shoulder_r_m: forebody.shoulder_center().r_m.value(),
         };
         let Some(slope_rad) = slope else {
             return Some(too_wide);
         };
-        if room_m < 0.0 && slope_rad >= self.shallowest_rad() {
+        if room_m < 0.0 && slope_rad >= self.shallowest_rad().value() {
             return Some(too_wide);
         }
         if room_m < 0.0 {
@@ -345,54 +370,29 @@ impl Frame<'_> {
         let (fore, aft) = (self.depths.fore_m(), self.depths.aft_m());
         let corner_r = outline.annulus_outer_r_m(aft);
         let wall_r = outline.lid_foot_r_m(aft) + self.depths.primary_m;
-        let crossed = wall_r >= corner_r
-            || forebody.depth_x_m(fore, corner_r)
-                > outline.attached_structure_x_m - aft + ROUNDING_M
-            || aft >= outline.lid_radius_m;
+        let floor_m = outline.attached_structure_x_m - aft + ROUNDING_M;
+        let crossed = wall_r.value() >= corner_r.value()
+            || floor_m.less(forebody.depth_x_m(fore, corner_r))
+            || aft.value() >= outline.lid_radius_m.value();
         crossed.then_some(Misfit::NoRoomForLayers {
-            layers_m: fore + aft,
+            layers_m: (fore + aft).value(),
         })
     }
 }
 
-/// A lid: a spherical cap that stands on the plane of the annulus.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lid {
-    /// Axial position of its centre, m.
-    pub center_x_m: f64,
-    /// Outer radius, m.
-    pub radius_m: f64,
-    /// Axial position of its foot, m.
-    pub foot_x_m: f64,
-}
-
-impl Lid {
-    /// Outer edge of the annulus around it.
-    pub fn edge(&self, annulus_width_m: f64) -> Point {
-        let height = self.foot_x_m - self.center_x_m;
-        let foot_r_m = (self.radius_m * self.radius_m - height * height)
-            .max(0.0)
-            .sqrt();
-        Point {
-            x_m: self.foot_x_m,
-            r_m: foot_r_m + annulus_width_m,
-        }
-    }
-}
-
-impl Layout {
+impl<S: Single> Layout<S> {
     /// Inner radius of the primary structure, which stands under the foot of the lid, m.
-    pub fn primary_inner_r_m(&self) -> f64 {
+    pub fn primary_inner_r_m(&self) -> S {
         self.outline.lid_foot_r_m(self.depths.aft_m())
     }
 
     /// Outer radius of the primary structure, m.
-    pub fn primary_outer_r_m(&self) -> f64 {
+    pub fn primary_outer_r_m(&self) -> S {
         self.primary_inner_r_m() + self.depths.primary_m
     }
 
     /// Radius of payload and impact foam, with the shell where there is one, m.
-    pub fn impact_sphere_radius_m(&self) -> f64 {
+    pub fn impact_sphere_radius_m(&self) -> S {
         self.payload_radius_m + self.foam_thickness_m + self.impact_shell_thickness_m
     }
 }

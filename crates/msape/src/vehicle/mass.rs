@@ -13,6 +13,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
 
+use crate::vehicle::draft::{Draft, Memory};
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::kinds::Concept;
@@ -20,10 +21,9 @@ use crate::vehicle::kinds::Foam;
 use crate::vehicle::layout::Layout;
 use crate::vehicle::material::{DensityBasis, Material};
 use crate::vehicle::profile::{Profile, SolidProperties};
-use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::shapes::{draw, profiles};
 use crate::vehicle::structure::Structure;
-use crate::vehicle::{msr, non_msr};
-use numerics::math::PI;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// One part: closed profiles, density, mass.
@@ -61,172 +61,122 @@ pub struct Component {
 
 /// Mass, centre of gravity and inertia of the whole, margin included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct MassProperties {
+pub struct MassProperties<S = f64> {
     /// Mass, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Mass without any margin, kg.
-    pub mass_without_margin_kg: f64,
+    pub mass_without_margin_kg: S,
     /// Axial position of the centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
     /// Moment of inertia about the axis, kg m².
-    pub ixx_kg_m2: f64,
+    pub ixx_kg_m2: S,
     /// Moment of inertia about a transverse axis through the centre of gravity, kg m².
-    pub iyy_kg_m2: f64,
+    pub iyy_kg_m2: S,
     /// The same about the other transverse axis, kg m².
-    pub izz_kg_m2: f64,
+    pub izz_kg_m2: S,
     /// Volume of all components, m³.
-    pub volume_m3: f64,
-}
-
-/// The profiles of every component, in the order in which they are summed.
-pub fn profiles(concept: Concept, layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    let d = &layout.depths;
-    let fore = [
-        0.0,
-        d.forebody_tps_m,
-        d.forebody_tps_m + d.bond_m,
-        d.fore_m(),
-    ]
-    .map(|t| layout.outline.fore_layer(t));
-    let aft = [0.0, d.aftbody_tps_m, d.aft_m()].map(|t| layout.outline.aft_layer(t));
-    let [fore_0, fore_1, fore_2, fore_3] = &fore;
-    let [aft_0, aft_1, aft_2] = &aft;
-    // a layer of no thickness is no body
-    let layer = |outer: &Profile, inner: &Profile| match outer == inner {
-        true => Vec::new(),
-        false => vec![outer.clone().then(&inner.reversed()).closed()],
-    };
-    let mut all = vec![
-        (ComponentKind::ForebodyTps, layer(fore_0, fore_1)),
-        (ComponentKind::Bond, layer(fore_1, fore_2)),
-        (ComponentKind::ForebodyCarrier, layer(fore_2, fore_3)),
-        (ComponentKind::AftbodyTps, layer(aft_0, aft_1)),
-        (ComponentKind::AftbodyCarrier, layer(aft_1, aft_2)),
-        (
-            ComponentKind::PrimaryStructure,
-            if d.primary_m > 0.0 {
-                vec![primary(layout)]
-            } else {
-                Vec::new()
-            },
-        ),
-        (ComponentKind::WingInsulation, vec![wing(layout)]),
-    ];
-    all.extend(match concept {
-        Concept::Msr => msr::filling(layout),
-        Concept::NonMsr => non_msr::filling(layout),
-    });
-    let ball = Segment::arc(
-        Point::on_axis(layout.payload_x_m),
-        layout.payload_radius_m,
-        PI,
-        -PI,
-    );
-    all.push((
-        ComponentKind::Payload,
-        vec![
-            Profile {
-                segments: vec![ball],
-            }
-            .closed(),
-        ],
-    ));
-    all
-}
-
-fn primary(layout: &Layout) -> Profile {
-    let (inner, outer) = (layout.primary_inner_r_m(), layout.primary_outer_r_m());
-    let x_m = layout.outline.attached_structure_x_m - layout.depths.aft_m();
-    let foot = layout
-        .outline
-        .forebody
-        .between(layout.depths.fore_m(), inner, outer);
-    foot.line_to(Point { x_m, r_m: outer })
-        .line_to(Point { x_m, r_m: inner })
-        .closed()
-}
-
-fn wing(layout: &Layout) -> Profile {
-    let (fore, aft) = (layout.depths.fore_m(), layout.depths.aft_m());
-    let outline = &layout.outline;
-    let wall_r = layout.primary_outer_r_m();
-    let x_m = outline.attached_structure_x_m - aft;
-    outline
-        .fore_layer_beyond(fore, wall_r)
-        .line_to(outline.on_tip_line(outline.forebody.shoulder_radius_m - aft))
-        .line_to(Point {
-            x_m,
-            r_m: outline.annulus_outer_r_m(aft),
-        })
-        .line_to(Point { x_m, r_m: wall_r })
-        .closed()
+    pub volume_m3: S,
 }
 
 /// Densities that are found and not given.
 #[derive(Clone, Copy, Debug)]
-pub struct Densities<'a> {
+pub struct Densities<'a, S = f64> {
     /// Walls.
-    pub structure: &'a Structure,
+    pub structure: &'a Structure<S>,
     /// Impact foam.
-    pub foam: Foam,
+    pub foam: Foam<S>,
 }
 
-/// A component's kind and its mass with margin, kg.
-pub type PartMass = (ComponentKind, f64);
-
 /// Mass and centre of gravity alone, margin included.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Masses {
-    /// Each component, in the order in which they are summed.
-    pub parts: Vec<PartMass>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Masses<S = f64> {
+    /// Each component, with margin, kg: zero where the concept does not have it.
+    parts_kg: [S; ComponentKind::COUNT],
     /// Their sum, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Axial position of the centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
+}
+
+impl<S: Single> Masses<S> {
+    /// Those of parts and of their sum.
+    pub fn of(
+        parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
+        mass: &MassProperties<S>,
+    ) -> Self {
+        let mut parts_kg = [S::constant(0.0); ComponentKind::COUNT];
+        for (kind, part) in parts {
+            parts_kg[kind as usize] = part.mass_with_margin_kg;
+        }
+        Self {
+            parts_kg,
+            mass_kg: mass.mass_kg,
+            cg_x_m: mass.cg_x_m,
+        }
+    }
+
+    /// Sum over the components of some kinds, with margin, kg.
+    pub fn sum_kg(&self, of: impl Fn(ComponentKind) -> bool) -> S {
+        let those = ComponentKind::ALL.iter().filter(|kind| of(**kind));
+        let each_kg = those.map(|kind| self.parts_kg[*kind as usize]);
+        each_kg.fold(S::constant(0.0), |sum, kg| sum + kg)
+    }
 }
 
 /// The factor of the margin on a component.
-fn margin_factor(kind: ComponentKind, input: &VehicleInput) -> f64 {
+fn margin_factor<S: Single>(kind: ComponentKind, input: &VehicleInput<S>) -> S {
     match kind {
-        ComponentKind::Payload => 1.0,
-        _ => 1.0 + input.mass_margin,
+        ComponentKind::Payload => S::constant(1.0),
+        _ => input.mass_margin + 1.0,
     }
 }
 
-/// What the closing loop reads of [`components`] and [`total`], with the same bits.
-pub fn masses(input: &VehicleInput, layout: &Layout, found: &Densities) -> Masses {
-    let mut all = Masses::default();
-    let mut moment = 0.0;
-    for (kind, profiles) in profiles(input.concept, layout) {
-        let (mut volume_m3, mut volume_moment_m4) = (0.0, 0.0);
-        for profile in &profiles {
-            let (volume, of_volume) = profile.volume_and_moment();
-            volume_m3 += volume;
-            volume_moment_m4 += of_volume;
-        }
+/// What the closing loop reads of [`parts`] and [`total`], with the same bits.
+pub fn masses<S: Single>(
+    input: &VehicleInput<S>,
+    layout: &Layout<S>,
+    found: &Densities<S>,
+    memory: &mut Memory<S>,
+) -> Masses<S> {
+    let none = S::constant(0.0);
+    let mut volumes = [(none, none); ComponentKind::COUNT];
+    let mut measure = |kind: ComponentKind, profile: &Profile<S>| {
+        let (volume_m3, moment_m4) = profile.volume_and_moment();
+        let sum = &mut volumes[kind as usize];
+        *sum = (sum.0 + volume_m3, sum.1 + moment_m4);
+    };
+    draw(input.concept, layout, &mut Draft::new(memory, &mut measure));
+    let (mut parts_kg, mut sum_kg, mut moment) = ([none; ComponentKind::COUNT], none, none);
+    for (kind, (volume_m3, volume_moment_m4)) in ComponentKind::ALL.into_iter().zip(volumes) {
         let mass_kg = density_kg_m3(kind, input, found, volume_m3) * volume_m3;
         let with_margin_kg = margin_factor(kind, input) * mass_kg;
-        if volume_m3 > 0.0 {
-            moment += with_margin_kg * (volume_moment_m4 / volume_m3);
+        if volume_m3.value() > 0.0 {
+            moment = moment + with_margin_kg * (volume_moment_m4 / volume_m3);
         }
-        all.mass_kg += with_margin_kg;
-        all.parts.push((kind, with_margin_kg));
+        sum_kg = sum_kg + with_margin_kg;
+        parts_kg[kind as usize] = with_margin_kg;
     }
-    if all.mass_kg > 0.0 {
-        all.cg_x_m = moment / all.mass_kg;
+    let cg_x_m = if sum_kg.value() > 0.0 {
+        moment / sum_kg
+    } else {
+        none
+    };
+    Masses {
+        parts_kg,
+        mass_kg: sum_kg,
+        cg_x_m,
     }
-    all
 }
 
 /// Density of a component of a volume, m³; that of the mass that the user gives, where one is given.
-fn density_kg_m3(
+fn density_kg_m3<S: Single>(
     kind: ComponentKind,
-    input: &VehicleInput,
-    found: &Densities,
-    volume_m3: f64,
-) -> f64 {
+    input: &VehicleInput<S>,
+    found: &Densities<S>,
+    volume_m3: S,
+) -> S {
     if let Some(mass_kg) = input.given_mass_kg(kind)
-        && volume_m3 > 0.0
+        && volume_m3.value() > 0.0
     {
         return mass_kg / volume_m3;
     }
@@ -243,11 +193,50 @@ fn density_kg_m3(
         ComponentKind::ImpactShell => d.impact_shell_kg_m3,
         ComponentKind::BodyFoam => d.body_foam_kg_m3,
         ComponentKind::LidInsulation => d.lid_insulation_kg_m3,
-        ComponentKind::Payload => {
-            let diameter = input.payload_diameter_m();
-            input.payload_mass_kg / (PI / 6.0 * diameter * diameter * diameter)
-        }
+        ComponentKind::Payload => input.payload_density_kg_m3(),
     }
+}
+
+/// A component of this shape.
+fn part<S: Single>(
+    kind: ComponentKind,
+    input: &VehicleInput<S>,
+    found: &Densities<S>,
+    solid: &SolidProperties<S>,
+) -> Part<S> {
+    let density_kg_m3 = density_kg_m3(kind, input, found, solid.volume_m3);
+    let factor = margin_factor(kind, input);
+    let (mass_kg, cg_x_m) = (density_kg_m3 * solid.volume_m3, solid.centroid_x_m());
+    let about_apex = factor * density_kg_m3 * solid.transverse_second_moment_m5;
+    Part {
+        volume_m3: solid.volume_m3,
+        density_kg_m3,
+        mass_kg,
+        mass_with_margin_kg: factor * mass_kg,
+        cg_x_m,
+        ixx_kg_m2: factor * density_kg_m3 * solid.axial_second_moment_m5,
+        iyy_kg_m2: about_apex - factor * mass_kg * cg_x_m * cg_x_m,
+    }
+}
+
+/// Every component as a number of numbers: those that the concept does not have are empty.
+pub fn parts<S: Single>(
+    input: &VehicleInput<S>,
+    layout: &Layout<S>,
+    found: &Densities<S>,
+) -> [(ComponentKind, Part<S>); ComponentKind::COUNT] {
+    let mut solids = [SolidProperties::empty(); ComponentKind::COUNT];
+    let mut measure = |kind: ComponentKind, profile: &Profile<S>| {
+        let sum = &mut solids[kind as usize];
+        *sum = sum.plus(profile.solid());
+    };
+    let mut memory = Memory::default();
+    draw(
+        input.concept,
+        layout,
+        &mut Draft::new(&mut memory, &mut measure),
+    );
+    ComponentKind::ALL.map(|kind| (kind, part(kind, input, found, &solids[kind as usize])))
 }
 
 /// Area swept by closed profiles, and by those of their segments that are part of the outer mould line, m².
@@ -272,18 +261,14 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
         .map(|(kind, profiles)| {
             let areas = areas_m2(&profiles, &outside);
             let material = input.materials.of(kind, &foam_material);
-            let solid = profiles
-                .iter()
-                .fold(SolidProperties::default(), |sum, p| sum.plus(p.solid()));
-            let density = density_kg_m3(kind, input, found, solid.volume_m3);
-            let factor = margin_factor(kind, input);
-            let (mass_kg, cg_x_m) = (density * solid.volume_m3, solid.centroid_x_m());
-            let about_apex = factor * density * solid.transverse_second_moment_m5;
+            let solids = profiles.iter().map(Profile::solid);
+            let solid = solids.fold(SolidProperties::empty(), SolidProperties::plus);
+            let part = part(kind, input, found, &solid);
             Component {
                 kind,
                 profiles,
-                volume_m3: solid.volume_m3,
-                density_kg_m3: density,
+                volume_m3: part.volume_m3,
+                density_kg_m3: part.density_kg_m3,
                 material: material.name.clone(),
                 density_basis: match input.given_mass_kg(kind) {
                     Some(_) => DensityBasis::Given,
@@ -291,11 +276,11 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
                 },
                 surface_area_m2: areas[0],
                 wetted_area_m2: areas[1],
-                mass_kg,
-                mass_with_margin_kg: factor * mass_kg,
-                cg_x_m,
-                ixx_kg_m2: factor * density * solid.axial_second_moment_m5,
-                iyy_kg_m2: about_apex - factor * mass_kg * cg_x_m * cg_x_m,
+                mass_kg: part.mass_kg,
+                mass_with_margin_kg: part.mass_with_margin_kg,
+                cg_x_m: part.cg_x_m,
+                ixx_kg_m2: part.ixx_kg_m2,
+                iyy_kg_m2: part.iyy_kg_m2,
                 solid,
             }
         })
@@ -304,54 +289,74 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
 
 /// What the sum reads of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct Part<S = f64> {
     /// Volume, m³.
-    pub volume_m3: f64,
+    pub volume_m3: S,
+    /// Density, kg/m³.
+    pub density_kg_m3: S,
     /// Mass without margin, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Mass with margin, kg.
-    pub mass_with_margin_kg: f64,
+    pub mass_with_margin_kg: S,
     /// Axial position of its centre of gravity from the virtual apex, m.
-    pub cg_x_m: f64,
+    pub cg_x_m: S,
     /// Moment of inertia about the axis, with margin, kg m².
-    pub ixx_kg_m2: f64,
+    pub ixx_kg_m2: S,
     /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
-    pub iyy_kg_m2: f64,
+    pub iyy_kg_m2: S,
 }
 
 impl Component {
     /// What the sum reads of it.
-    pub fn part(&self) -> Part {
-        Part {
+    pub fn part(&self) -> (ComponentKind, Part) {
+        let part = Part {
             volume_m3: self.volume_m3,
+            density_kg_m3: self.density_kg_m3,
             mass_kg: self.mass_kg,
             mass_with_margin_kg: self.mass_with_margin_kg,
             cg_x_m: self.cg_x_m,
             ixx_kg_m2: self.ixx_kg_m2,
             iyy_kg_m2: self.iyy_kg_m2,
-        }
+        };
+        (self.kind, part)
     }
 }
 
 /// The sum of all components.
-pub fn total(parts: impl Iterator<Item = Part>) -> MassProperties {
-    let mut sum = MassProperties::default();
-    let mut moment = 0.0;
-    let mut about_apex = 0.0;
-    for c in parts {
-        sum.mass_kg += c.mass_with_margin_kg;
-        sum.mass_without_margin_kg += c.mass_kg;
-        sum.volume_m3 += c.volume_m3;
-        sum.ixx_kg_m2 += c.ixx_kg_m2;
-        moment += c.mass_with_margin_kg * c.cg_x_m;
-        about_apex += c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m;
+pub fn total<S: Single>(
+    parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
+) -> MassProperties<S> {
+    let none = S::constant(0.0);
+    let [
+        mut mass_kg,
+        mut without_margin_kg,
+        mut volume_m3,
+        mut ixx_kg_m2,
+    ] = [none; 4];
+    let [mut moment, mut about_apex] = [none; 2];
+    for (_, c) in parts {
+        mass_kg = mass_kg + c.mass_with_margin_kg;
+        without_margin_kg = without_margin_kg + c.mass_kg;
+        volume_m3 = volume_m3 + c.volume_m3;
+        ixx_kg_m2 = ixx_kg_m2 + c.ixx_kg_m2;
+        moment = moment + c.mass_with_margin_kg * c.cg_x_m;
+        about_apex = about_apex + (c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m);
     }
-    if sum.mass_kg > 0.0 {
-        sum.cg_x_m = moment / sum.mass_kg;
+    let cg_x_m = if mass_kg.value() > 0.0 {
+        moment / mass_kg
+    } else {
+        none
+    };
+    let iyy_kg_m2 = about_apex - mass_kg * cg_x_m * cg_x_m;
+    MassProperties {
+        mass_kg,
+        mass_without_margin_kg: without_margin_kg,
+        cg_x_m,
+        ixx_kg_m2,
+        iyy_kg_m2,
+        izz_kg_m2: iyy_kg_m2,
+        volume_m3,
     }
-    sum.iyy_kg_m2 = about_apex - sum.mass_kg * sum.cg_x_m * sum.cg_x_m;
-    sum.izz_kg_m2 = sum.iyy_kg_m2;
-    sum
 }
 
 /// Impact foam of a density: the grade, or the two between which it lies, and the panels in it.

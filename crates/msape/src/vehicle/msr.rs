@@ -18,15 +18,19 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
 //!   rules makes a lid of 0.276 m whose wing root closes at 30 deg for a shoulder ratio of 0.067.
 
+use crate::vehicle::draft::Draft;
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Misfit, Trial};
+use crate::vehicle::lid::Lid;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, sin_cos};
+use numerics::math::{FRAC_PI_2, PI};
 use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::{implicit, sin_cos};
 
-impl Frame<'_> {
-    fn msr_lid(&self, foam_m: f64, gap_m: f64) -> Lid {
+impl<S: Single> Frame<'_, S> {
+    fn msr_lid(&self, foam_m: S, gap_m: S) -> Lid<S> {
         let sphere = self.payload_radius_m + foam_m + self.rules.impact_shell_thickness_m;
         let x_m = self.forebody.resting_ball_x_m(self.depths.fore_m(), sphere);
         Lid {
@@ -39,7 +43,7 @@ impl Frame<'_> {
     /// Impact foam to add for an edge that stands `lack_m` ahead of the steepest wing, m.
     ///
     /// Foam that is thicker by 1 m moves the edge outwards by as much and aft by 1 m on the nose, by 1 / sin θ m in the cone.
-    fn foam_to_add_m(&self, lack_m: f64) -> f64 {
+    fn foam_to_add_m(&self, lack_m: S) -> S {
         let (s, c) = sin_cos(self.steepest_rad());
         let sin_theta = self.forebody.sin_cos().0;
         let sphere =
@@ -47,8 +51,8 @@ impl Frame<'_> {
         let nose = self.forebody.nose_radius_m - self.depths.fore_m();
         let on_nose = lack_m / (c - s);
         // until it leaves the nose, then in the cone
-        let left = (nose - sphere).max(0.0);
-        if on_nose <= left {
+        let left = (nose - sphere).max(S::constant(0.0));
+        if on_nose.value() <= left.value() {
             on_nose
         } else {
             left + (lack_m - left * (c - s)) / (c / sin_theta - s)
@@ -60,25 +64,29 @@ impl Frame<'_> {
 const MOST_ADDED_FOAM_M: f64 = 0.5;
 
 /// Lays the concept out at the diameter of the frame.
-pub fn layout(frame: &Frame) -> Trial {
+pub fn layout<S: Single>(frame: &Frame<S>) -> Trial<S> {
     frame.with_room_for_layers(|floor_m| at(frame, floor_m))
 }
 
 /// The layout with a shoulder radius of at least `floor_m`.
-fn at(frame: &Frame, floor_m: f64) -> Trial {
+fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     let rules = frame.rules;
-    let (least_gap, width) = (rules.lid_gap_min_m, rules.annulus_width_m);
-    let most_gap = (rules.body_foam_gap_m + rules.lid_insulation_gap_m).max(least_gap);
-    let narrowest = |foam_m| frame.msr_lid(foam_m, least_gap).edge(width);
+    let width = rules.annulus_width_m;
+    let wanted_gap = rules.body_foam_gap_m + rules.lid_insulation_gap_m;
+    let [least_gap, most_gap] =
+        [rules.lid_gap_min_m, wanted_gap.max(rules.lid_gap_min_m)].map(S::constant);
+    let narrowest = |foam_m: S| frame.msr_lid(foam_m, least_gap).edge(width);
     let mut foam = frame.foam_thickness_m;
     let wing = frame.wing_for(narrowest(foam), floor_m);
-    let clearance = |foam_m| wing.clearance_m(narrowest(foam_m));
-    if clearance(foam) < -LID_TOLERANCE_M {
+    let clearance = |foam_m: S| wing.clearance_m(narrowest(foam_m));
+    if clearance(foam).value() < -LID_TOLERANCE_M {
         // on the steepest wing, unless the shoulder lets a wider edge stand further forward
         let lack_m = -wing.behind_steepest_m(narrowest(foam));
-        let most = foam + frame.foam_to_add_m(lack_m.max(0.0));
+        let most = foam + frame.foam_to_add_m(lack_m.max(S::constant(0.0)));
         foam = if wing.is_aft_of_steepest(narrowest(most)) {
-            root::brent(clearance, foam, most, LID_TOLERANCE_M).unwrap_or(most)
+            let clearance_m = |foam_m: f64| clearance(S::constant(foam_m)).value();
+            let found = root::brent(clearance_m, foam.value(), most.value(), LID_TOLERANCE_M);
+            found.map_or(most, |foam_m| implicit(foam_m, foam_m, clearance))
         } else {
             most
         };
@@ -86,9 +94,8 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     // a wider gap moves the edge straight outwards
     let gap = (least_gap + clearance(foam)).max(least_gap).min(most_gap);
     let (outline, room_m, misfit) = frame.outline(frame.msr_lid(foam, gap), &wing);
-    let too_thick = foam - frame.foam_thickness_m > MOST_ADDED_FOAM_M;
-    let body_foam =
-        gap * rules.body_foam_gap_m / (rules.body_foam_gap_m + rules.lid_insulation_gap_m);
+    let too_thick = (foam - frame.foam_thickness_m).value() > MOST_ADDED_FOAM_M;
+    let body_foam = gap * rules.body_foam_gap_m / wanted_gap;
     Trial {
         layout: Layout {
             outline,
@@ -96,7 +103,7 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
             payload_x_m: outline.lid_center_x_m,
             payload_radius_m: frame.payload_radius_m,
             foam_thickness_m: foam,
-            impact_shell_thickness_m: rules.impact_shell_thickness_m,
+            impact_shell_thickness_m: S::constant(rules.impact_shell_thickness_m),
             body_foam_thickness_m: body_foam,
             lid_insulation_thickness_m: gap - body_foam,
         },
@@ -109,8 +116,8 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     }
 }
 
-/// What is inside the primary structure and under the lid.
-pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
+/// Draws what is inside the primary structure and under the lid.
+pub fn filling<S: Single>(layout: &Layout<S>, draft: &mut Draft<S>) {
     let Layout {
         payload_radius_m: payload,
         foam_thickness_m: foam,
@@ -118,82 +125,57 @@ pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
     } = *layout;
     let center = Point::on_axis(layout.payload_x_m);
     let sphere = layout.impact_sphere_radius_m();
-    let shell = |inner: f64, outer: f64| vec![half_ring(center, inner, outer)];
-    vec![
-        (ComponentKind::ImpactFoam, shell(payload, payload + foam)),
-        (ComponentKind::ImpactShell, shell(payload + foam, sphere)),
-        (ComponentKind::BodyFoam, body_foam(layout, center, sphere)),
-        (
-            ComponentKind::LidInsulation,
-            vec![lid_insulation(layout, center, sphere)],
-        ),
-    ]
-}
-
-fn half_ring(center: Point, inner: f64, outer: f64) -> Profile {
-    let outside = Profile {
-        segments: vec![Segment::arc(center, outer, PI, -PI)],
+    let [zero, quarter, half] = [0.0, FRAC_PI_2, PI].map(S::constant);
+    let half_ring = |path: Profile<S>, inner, outer| {
+        path.and(Segment::arc(center, outer, half, -half))
+            .and(Segment::arc(center, inner, zero, half))
     };
-    let inside = Profile {
-        segments: vec![Segment::arc(center, inner, 0.0, PI)],
-    };
-    outside.then(&inside).closed()
+    draft.part(ComponentKind::ImpactFoam, |path| {
+        half_ring(path, payload, payload + foam)
+    });
+    draft.part(ComponentKind::ImpactShell, |path| {
+        half_ring(path, payload + foam, sphere)
+    });
+    body_foam(layout, center, sphere, draft);
+    draft.part(ComponentKind::LidInsulation, |path| {
+        let inner_m = sphere + layout.body_foam_thickness_m;
+        path.and(layout.outline.lid(layout.depths.aft_m()))
+            .and(Segment::arc(center, inner_m, zero, quarter))
+    });
 }
 
 /// Around the sphere inside the primary structure and in a dome above it; ahead of it, too, where it rests in the cone.
-fn body_foam(layout: &Layout, center: Point, sphere: f64) -> Vec<Profile> {
+fn body_foam<S: Single>(layout: &Layout<S>, center: Point<S>, sphere: S, draft: &mut Draft<S>) {
+    let [zero, quarter, half] = [0.0, FRAC_PI_2, PI].map(S::constant);
     let forebody = &layout.outline.forebody;
     let fore = layout.depths.fore_m();
     let theta = forebody.cone_half_angle_rad;
     let wall_r = layout.primary_inner_r_m();
     let dome_r = sphere + layout.body_foam_thickness_m;
-    let dome = Segment::arc(center, dome_r, FRAC_PI_2, -FRAC_PI_2);
-    let in_nose = sphere < forebody.nose_radius_m - fore;
+    let dome = Segment::arc(center, dome_r, quarter, -quarter);
+    let in_nose = sphere.less(forebody.nose_radius_m - fore);
     // direction from the sphere's centre to where it touches
-    let touch = if in_nose { PI } else { FRAC_PI_2 + theta };
+    let touch = if in_nose { half } else { theta + FRAC_PI_2 };
     let touch_r = if in_nose {
-        0.0
+        zero
     } else {
         sphere * sin_cos(touch).0
     };
-    let around = forebody
-        .between(fore, touch_r, wall_r)
-        .line_to(Point {
-            x_m: center.x_m,
-            r_m: wall_r,
-        })
-        .then(&Profile {
-            segments: vec![dome],
-        })
-        .then(&Profile {
-            segments: vec![Segment::arc(center, sphere, 0.0, touch)],
-        })
-        .closed();
-    let mut profiles = vec![around];
-    if !in_nose {
-        let ahead = forebody
-            .between(fore, 0.0, touch_r)
-            .then(&Profile {
-                segments: vec![Segment::arc(center, sphere, touch, PI - touch)],
+    draft.part(ComponentKind::BodyFoam, |path| {
+        forebody
+            .between(path, fore, [touch_r, wall_r])
+            .line_to(Point {
+                x_m: center.x_m,
+                r_m: wall_r,
             })
-            .closed();
-        profiles.push(ahead);
+            .and(dome)
+            .and(Segment::arc(center, sphere, zero, touch))
+    });
+    if !in_nose {
+        draft.part(ComponentKind::BodyFoam, |path| {
+            forebody
+                .between(path, fore, [zero, touch_r])
+                .and(Segment::arc(center, sphere, touch, half - touch))
+        });
     }
-    profiles
-}
-
-fn lid_insulation(layout: &Layout, center: Point, sphere: f64) -> Profile {
-    let inner = Segment::arc(
-        center,
-        sphere + layout.body_foam_thickness_m,
-        0.0,
-        FRAC_PI_2,
-    );
-    layout
-        .outline
-        .lid(layout.depths.aft_m())
-        .then(&Profile {
-            segments: vec![inner],
-        })
-        .closed()
 }

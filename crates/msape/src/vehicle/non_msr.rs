@@ -21,22 +21,26 @@
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested, and that the lid is raised where 50 mm leave no room
 //!   for the wing, are choices of ours.
 
+use crate::vehicle::draft::Draft;
 use crate::vehicle::kinds::ComponentKind;
-use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Lid, Misfit, Trial};
+use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Misfit, Trial};
+use crate::vehicle::lid::Lid;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use crate::vehicle::wing::Wing;
-use numerics::math::{FRAC_PI_2, PI, atan2};
+use numerics::math::{FRAC_PI_2, PI};
 use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::implicit;
 
-impl Frame<'_> {
-    fn payload_x_m(&self) -> f64 {
+impl<S: Single> Frame<'_, S> {
+    fn payload_x_m(&self) -> S {
         let radius_m = self.payload_radius_m + self.foam_thickness_m;
         self.forebody
             .resting_ball_x_m(self.depths.fore_m(), radius_m)
     }
 
-    fn lid_at(&self, radius_m: f64, foot_x_m: f64) -> Lid {
+    fn lid_at(&self, radius_m: S, foot_x_m: S) -> Lid<S> {
         Lid {
             center_x_m: self.cg_x_m,
             radius_m,
@@ -45,16 +49,18 @@ impl Frame<'_> {
     }
 
     /// The lid with the highest foot through which the payload passes.
-    fn narrowest_lid(&self, radius_m: f64) -> Lid {
+    fn narrowest_lid(&self, radius_m: S) -> Lid<S> {
         let inner = radius_m - self.depths.aft_m();
         let passage = self.payload_radius_m + self.rules.payload_wall_gap_min_m;
-        let height = (inner * inner - passage * passage).max(0.0).sqrt();
+        let height = (inner * inner - passage * passage)
+            .max(S::constant(0.0))
+            .sqrt();
         self.lid_at(radius_m, self.cg_x_m + height)
     }
 }
 
 /// Lays the concept out at the diameter and the centre of gravity of the frame.
-pub fn layout(frame: &Frame) -> Trial {
+pub fn layout<S: Single>(frame: &Frame<S>) -> Trial<S> {
     frame.with_room_for_layers(|floor_m| at(frame, floor_m))
 }
 
@@ -62,7 +68,7 @@ pub fn layout(frame: &Frame) -> Trial {
 const MOST_RAISED_M: f64 = 1.0;
 
 /// The layout with a shoulder radius of at least `floor_m`.
-fn at(frame: &Frame, floor_m: f64) -> Trial {
+fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     let (rules, width) = (frame.rules, frame.rules.annulus_width_m);
     let aft = frame.depths.aft_m();
     let payload_x_m = frame.payload_x_m();
@@ -72,10 +78,12 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
     let radius = (payload_top + rules.payload_lid_gap_m - frame.cg_x_m).max(passage) + aft;
     let narrowest = frame.narrowest_lid(radius);
     let wing = frame.wing_for(narrowest.edge(width), floor_m);
-    let clearance = |radius| wing.clearance_m(frame.narrowest_lid(radius).edge(width));
-    let lid = if clearance(radius) < -LID_TOLERANCE_M {
-        let raised = root::brent(clearance, radius, radius + MOST_RAISED_M, LID_TOLERANCE_M);
-        raised.map(|radius| frame.narrowest_lid(radius))
+    let clearance = |radius: S| wing.clearance_m(frame.narrowest_lid(radius).edge(width));
+    let lid = if clearance(radius).value() < -LID_TOLERANCE_M {
+        let clearance_m = |radius_m: f64| clearance(S::constant(radius_m)).value();
+        let (low, high) = (radius.value(), radius.value() + MOST_RAISED_M);
+        let raised = root::brent(clearance_m, low, high, LID_TOLERANCE_M);
+        raised.map(|radius_m| frame.narrowest_lid(implicit(radius_m, radius_m, clearance)))
     } else {
         Some(lowest_lid(frame, &wing, narrowest))
     };
@@ -87,8 +95,8 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
             payload_x_m,
             payload_radius_m: frame.payload_radius_m,
             foam_thickness_m: frame.foam_thickness_m,
-            impact_shell_thickness_m: 0.0,
-            body_foam_thickness_m: 0.0,
+            impact_shell_thickness_m: S::constant(0.0),
+            body_foam_thickness_m: S::constant(0.0),
             lid_insulation_thickness_m: outline.lid_top_x_m() - aft - payload_top,
         },
         room_m,
@@ -100,37 +108,43 @@ fn at(frame: &Frame, floor_m: f64) -> Trial {
 }
 
 /// The lid with the lowest foot, at or above its centre, at which the wing is not too steep; it is at `narrowest`.
-fn lowest_lid(frame: &Frame, wing: &Wing, narrowest: Lid) -> Lid {
+fn lowest_lid<S: Single>(frame: &Frame<S>, wing: &Wing<S>, narrowest: Lid<S>) -> Lid<S> {
     let width = frame.rules.annulus_width_m;
-    let at = |foot_x_m| frame.lid_at(narrowest.radius_m, foot_x_m);
+    let at = |foot_x_m: S| frame.lid_at(narrowest.radius_m, foot_x_m);
     let hemisphere = at(frame.cg_x_m);
     let edge = hemisphere.edge(width);
-    if wing.clearance_m(edge) >= 0.0 {
+    if wing.clearance_m(edge).value() >= 0.0 {
         return hemisphere;
     }
     // behind the steepest wing by −K + R sin(β − φ) at the angle β above the hemisphere's foot: zero at β = φ + arcsin(K/R)
     let (s, c) = wing.steepest;
     let k = -wing.behind_steepest_m(edge) / narrowest.radius_m - s;
-    let sin_angle = (s * (1.0 - k * k).max(0.0).sqrt() + c * k).max(0.0);
+    let sin_angle = s * (-(k * k) + 1.0).max(S::constant(0.0)).sqrt() + c * k;
+    let sin_angle = sin_angle.max(S::constant(0.0));
     let lid = at(frame.cg_x_m + narrowest.radius_m * sin_angle);
     if !wing.is_aft_of_steepest(lid.edge(width)) {
         return lid;
     }
     // a higher foot is narrower: once clear it stays so
-    let clearance = |foot_x_m| wing.clearance_m(at(foot_x_m).edge(width));
-    root::brent(clearance, frame.cg_x_m, narrowest.foot_x_m, LID_TOLERANCE_M).map_or(narrowest, at)
+    let clearance = |foot_x_m: S| wing.clearance_m(at(foot_x_m).edge(width));
+    let clearance_m = |foot_x_m: f64| clearance(S::constant(foot_x_m)).value();
+    let (low, high) = (frame.cg_x_m.value(), narrowest.foot_x_m.value());
+    let found = root::brent(clearance_m, low, high, LID_TOLERANCE_M);
+    found.map_or(narrowest, |foot_x_m| {
+        at(implicit(foot_x_m, high - low, clearance))
+    })
 }
 
-/// What is inside the primary structure and under the lid.
-pub fn filling(layout: &Layout) -> Vec<(ComponentKind, Vec<Profile>)> {
-    vec![
-        (ComponentKind::ImpactFoam, vec![impact_foam(layout)]),
-        (ComponentKind::LidInsulation, vec![lid_insulation(layout)]),
-    ]
+/// Draws what is inside the primary structure and under the lid.
+pub fn filling<S: Single>(layout: &Layout<S>, draft: &mut Draft<S>) {
+    draft.part(ComponentKind::ImpactFoam, |path| impact_foam(path, layout));
+    draft.part(ComponentKind::LidInsulation, |path| {
+        lid_insulation(path, layout)
+    });
 }
 
 /// Top of the impact foam, m.
-fn nest_x_m(layout: &Layout) -> f64 {
+fn nest_x_m<S: Single>(layout: &Layout<S>) -> S {
     let payload_top = layout.payload_x_m + layout.payload_radius_m;
     layout
         .outline
@@ -140,92 +154,94 @@ fn nest_x_m(layout: &Layout) -> f64 {
 }
 
 /// The lid's inner surface from the axial position `from_x_m` (at its foot when below it) to the axis.
-fn lid_above(layout: &Layout, from_x_m: f64) -> Profile {
+fn lid_above<S: Single>(layout: &Layout<S>, from_x_m: S) -> Segment<S> {
     let aft = layout.depths.aft_m();
     let outline = &layout.outline;
+    if from_x_m.value() <= outline.attached_structure_x_m.value() {
+        return outline.lid(aft);
+    }
     let (radius_m, center) = (
         outline.lid_radius_m - aft,
         Point::on_axis(outline.lid_center_x_m),
     );
     let start = lid_inner_angle_rad(layout, from_x_m);
-    if from_x_m <= outline.attached_structure_x_m {
-        outline.lid(aft)
-    } else {
-        Profile {
-            segments: vec![Segment::arc(center, radius_m, start, -start)],
-        }
-    }
+    Segment::arc(center, radius_m, start, -start)
 }
 
-fn lid_inner_angle_rad(layout: &Layout, x_m: f64) -> f64 {
+/// Half the chord of a circle at a distance from its centre, m; zero outside of it.
+fn half_chord<S: Single>(radius: S, along: S) -> S {
+    let square = radius * radius - along * along;
+    square.max(S::constant(0.0)).sqrt()
+}
+
+fn lid_inner_angle_rad<S: Single>(layout: &Layout<S>, x_m: S) -> S {
     let radius = layout.outline.lid_radius_m - layout.depths.aft_m();
     let along = x_m - layout.outline.lid_center_x_m;
-    atan2((radius * radius - along * along).max(0.0).sqrt(), along)
+    half_chord(radius, along).atan2(along)
 }
 
 /// Direction from the payload's centre to where the top of the foam meets it, rad.
-fn payload_angle_rad(layout: &Layout) -> f64 {
+fn payload_angle_rad<S: Single>(layout: &Layout<S>) -> S {
     let (radius, along) = (
         layout.payload_radius_m,
         nest_x_m(layout) - layout.payload_x_m,
     );
-    if along <= 0.0 {
-        FRAC_PI_2
+    if along.value() <= 0.0 {
+        S::constant(FRAC_PI_2)
     } else {
-        atan2((radius * radius - along * along).max(0.0).sqrt(), along)
+        half_chord(radius, along).atan2(along)
     }
 }
 
-fn impact_foam(layout: &Layout) -> Profile {
+fn impact_foam<S: Single>(path: Profile<S>, layout: &Layout<S>) -> Profile<S> {
     let outline = &layout.outline;
     let fore = layout.depths.fore_m();
     let wall_r = layout.primary_inner_r_m();
     let (nest, foot) = (nest_x_m(layout), outline.attached_structure_x_m);
-    let mut path = outline.forebody.between(fore, 0.0, wall_r).line_to(Point {
-        x_m: foot.min(nest),
-        r_m: wall_r,
-    });
-    if nest > foot {
+    let mut path = outline
+        .forebody
+        .between(path, fore, [S::constant(0.0), wall_r])
+        .line_to(Point {
+            x_m: foot.min(nest),
+            r_m: wall_r,
+        });
+    if foot.less(nest) {
         let (from, to) = (
             lid_inner_angle_rad(layout, foot),
             lid_inner_angle_rad(layout, nest),
         );
         let center = Point::on_axis(outline.lid_center_x_m);
         let radius = outline.lid_radius_m - layout.depths.aft_m();
-        path = path.then(&Profile {
-            segments: vec![Segment::arc(center, radius, from, to - from)],
-        });
+        path = path.and(Segment::arc(center, radius, from, to - from));
     }
-    path.then(&payload_arc(layout, payload_angle_rad(layout), PI))
-        .closed()
+    path.and(payload_arc(
+        layout,
+        payload_angle_rad(layout),
+        S::constant(PI),
+    ))
 }
 
-fn lid_insulation(layout: &Layout) -> Profile {
+fn lid_insulation<S: Single>(path: Profile<S>, layout: &Layout<S>) -> Profile<S> {
     let (nest, foot) = (nest_x_m(layout), layout.outline.attached_structure_x_m);
     let (angle, wall_r) = (payload_angle_rad(layout), layout.primary_inner_r_m());
-    let mut path = lid_above(layout, nest);
-    path = if angle > 0.0 {
-        path.then(&payload_arc(layout, 0.0, angle))
+    let lid = path.and(lid_above(layout, nest));
+    let path = if angle.value() > 0.0 {
+        lid.and(payload_arc(layout, S::constant(0.0), angle))
     } else {
-        path.line_to(Point::on_axis(nest))
+        lid.line_to(Point::on_axis(nest))
     };
-    if nest < foot {
-        path = path.line_to(Point {
+    if nest.less(foot) {
+        path.line_to(Point {
             x_m: nest,
             r_m: wall_r,
-        });
+        })
+    } else {
+        path
     }
-    path.closed()
 }
 
-fn payload_arc(layout: &Layout, from_rad: f64, to_rad: f64) -> Profile {
+fn payload_arc<S: Single>(layout: &Layout<S>, from_rad: S, to_rad: S) -> Segment<S> {
     let center = Point::on_axis(layout.payload_x_m);
-    Profile {
-        segments: vec![Segment::arc(
-            center,
-            layout.payload_radius_m,
-            from_rad,
-            to_rad - from_rad,
-        )],
-    }
+    let radius_m = layout.payload_radius_m;
+    Segment::arc(center, radius_m, from_rad, to_rad - from_rad)
 }

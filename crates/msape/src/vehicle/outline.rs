@@ -21,55 +21,59 @@
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, asin, atan2, hypot, sin, sin_cos};
+use numerics::math::FRAC_PI_2;
+use numerics::scalar::Single;
+use numerics::scalar::functions::{asin, hypot, sin_cos};
 use serde::{Deserialize, Serialize};
 
 /// The whole outer mould line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Outline {
+pub struct Outline<S = f64> {
     /// Nose, cone and shoulder.
-    pub forebody: Forebody,
+    pub forebody: Forebody<S>,
     /// Slope of the wing's aft side against the plane normal to the axis, rad.
-    pub wing_slope_rad: f64,
+    pub wing_slope_rad: S,
     /// Axial position of the annulus, to whose inside the primary structure is attached, m.
-    pub attached_structure_x_m: f64,
+    pub attached_structure_x_m: S,
     /// Width of the annulus, m.
-    pub annulus_width_m: f64,
+    pub annulus_width_m: S,
     /// Outer radius of the lid, m.
-    pub lid_radius_m: f64,
+    pub lid_radius_m: S,
     /// Axial position of the lid's centre of curvature, m.
-    pub lid_center_x_m: f64,
+    pub lid_center_x_m: S,
 }
 
 /// Slope of the line from the annulus edge `edge` that touches the aft side of the shoulder, rad; `None` when there is none.
-pub fn wing_slope_rad(forebody: &Forebody, edge: Point) -> Option<f64> {
+pub fn wing_slope_rad<S: Single>(forebody: &Forebody<S>, edge: Point<S>) -> Option<S> {
     let center = forebody.shoulder_center();
     let (dx, dr) = (edge.x_m - center.x_m, center.r_m - edge.r_m);
     let (distance, radius) = (hypot(dx, dr), forebody.shoulder_radius_m);
-    (dr > 0.0 && distance > radius).then(|| asin(radius / distance) - atan2(dx, dr))
+    (dr.value() > 0.0 && radius.less(distance)).then(|| asin(radius / distance) - dx.atan2(dr))
 }
 
 /// Smallest shoulder radius into which layers of `fore_m` and `aft_m` fit at the wing slope `slope_rad`, m.
-pub fn smallest_shoulder_radius_m(
-    fore_m: f64,
-    aft_m: f64,
-    cone_half_angle_rad: f64,
-    slope_rad: f64,
-) -> f64 {
-    let cos_delta = sin(cone_half_angle_rad + slope_rad);
-    (fore_m + aft_m * cos_delta) / (1.0 + cos_delta)
+pub fn smallest_shoulder_radius_m<S: Single>(
+    fore_m: S,
+    aft_m: S,
+    cone_half_angle_rad: S,
+    slope_rad: S,
+) -> S {
+    let cos_delta = (cone_half_angle_rad + slope_rad).sin();
+    (fore_m + aft_m * cos_delta) / (cos_delta + 1.0)
 }
 
-impl Outline {
+impl<S: Single> Outline<S> {
     /// Radius of the lid's surface at depth `depth_m` where it meets the plane of the annulus, m.
-    pub fn lid_foot_r_m(&self, depth_m: f64) -> f64 {
+    pub fn lid_foot_r_m(&self, depth_m: S) -> S {
         let height = self.attached_structure_x_m - self.lid_center_x_m;
         let radius = self.lid_radius_m - depth_m;
-        (radius * radius - height * height).max(0.0).sqrt()
+        (radius * radius - height * height)
+            .max(S::constant(0.0))
+            .sqrt()
     }
 
     /// Point on the tip line, `aft_m` behind the centre of the shoulder.
-    pub fn on_tip_line(&self, aft_m: f64) -> Point {
+    pub fn on_tip_line(&self, aft_m: S) -> Point<S> {
         let (center, (s, c)) = (
             self.forebody.shoulder_center(),
             sin_cos(self.wing_slope_rad),
@@ -80,52 +84,48 @@ impl Outline {
         }
     }
 
-    /// The forebody's surface at depth `depth_m`, from the axis outwards and round the shoulder to the tip line.
-    pub fn fore_layer(&self, depth_m: f64) -> Profile {
-        self.fore_layer_beyond(depth_m, 0.0)
-    }
-
-    /// The same from the distance `inner_r_m` off the axis.
-    pub fn fore_layer_beyond(&self, depth_m: f64, inner_r_m: f64) -> Profile {
+    /// `path` with the forebody's surface at depth `depth_m`, from the distance `inner_r_m` off the axis outwards and round the
+    /// shoulder to the tip line.
+    pub fn fore_layer(&self, path: Profile<S>, depth_m: S, inner_r_m: S) -> Profile<S> {
         let cone_end = self.cone_end(depth_m);
         let path = self
             .forebody
-            .between(depth_m, inner_r_m, cone_end.r_m)
+            .between(path, depth_m, [inner_r_m, cone_end.r_m])
             .line_to(cone_end);
         let radius = self.forebody.shoulder_radius_m - depth_m;
-        if radius > 0.0 {
-            let start = FRAC_PI_2 + self.forebody.cone_half_angle_rad;
+        if radius.value() > 0.0 {
+            let start = self.forebody.cone_half_angle_rad + FRAC_PI_2;
             let arc = Segment::arc(
                 self.forebody.shoulder_center(),
                 radius,
                 start,
                 -(start + self.wing_slope_rad),
             );
-            path.then(&Profile {
-                segments: vec![arc],
-            })
+            path.and(arc)
         } else {
             path
         }
     }
 
     /// Where the cone at depth `depth_m` ends: at the shoulder arc, or on the tip line where the arc is used up.
-    fn cone_end(&self, depth_m: f64) -> Point {
+    fn cone_end(&self, depth_m: S) -> Point<S> {
         let below = depth_m - self.forebody.shoulder_radius_m;
-        if below < 0.0 {
+        if below.value() < 0.0 {
             self.forebody.shoulder_tangent(depth_m)
         } else {
-            self.on_tip_line(below / sin(self.forebody.cone_half_angle_rad + self.wing_slope_rad))
+            self.on_tip_line(
+                below / (self.forebody.cone_half_angle_rad + self.wing_slope_rad).sin(),
+            )
         }
     }
 
-    /// The aftbody's surface at depth `depth_m`, from the tip line inwards to the foot of the lid and on to the axis.
-    pub fn aft_layer(&self, depth_m: f64) -> Profile {
-        self.aft_layer_to_foot(depth_m).then(&self.lid(depth_m))
+    /// `path` with the aftbody's surface at depth `depth_m`, from the tip line inwards to the foot of the lid and on to the axis.
+    pub fn aft_layer(&self, path: Profile<S>, depth_m: S) -> Profile<S> {
+        self.aft_layer_to_foot(path, depth_m).and(self.lid(depth_m))
     }
 
-    /// The wing's and the annulus' surface at depth `depth_m`, from the tip line inwards to the foot of the lid.
-    pub fn aft_layer_to_foot(&self, depth_m: f64) -> Profile {
+    /// `path` with the wing's and the annulus' surface at depth `depth_m`, from the tip line inwards to the foot of the lid.
+    pub fn aft_layer_to_foot(&self, path: Profile<S>, depth_m: S) -> Profile<S> {
         let foot_r_m = self.lid_foot_r_m(depth_m);
         let x_m = self.attached_structure_x_m;
         let start = self.on_tip_line(self.forebody.shoulder_radius_m - depth_m);
@@ -133,52 +133,50 @@ impl Outline {
             x_m: x_m - depth_m,
             r_m: self.annulus_outer_r_m(depth_m),
         };
-        Profile {
-            segments: vec![Segment::Line { start, end: corner }],
-        }
-        .line_to(Point {
-            x_m: x_m - depth_m,
-            r_m: foot_r_m,
-        })
-        .line_to(Point { x_m, r_m: foot_r_m })
+        path.and(Segment::Line { start, end: corner })
+            .line_to(Point {
+                x_m: x_m - depth_m,
+                r_m: foot_r_m,
+            })
+            .line_to(Point { x_m, r_m: foot_r_m })
     }
 
     /// The lid's surface at depth `depth_m`, from its foot to the axis.
-    pub fn lid(&self, depth_m: f64) -> Profile {
+    pub fn lid(&self, depth_m: S) -> Segment<S> {
         let center = Point::on_axis(self.lid_center_x_m);
         let radius_m = self.lid_radius_m - depth_m;
         let start = Point {
             x_m: self.attached_structure_x_m,
             r_m: self.lid_foot_r_m(depth_m),
         };
-        let start_angle_rad = atan2(start.r_m, start.x_m - center.x_m);
+        let start_angle_rad = start.r_m.atan2(start.x_m - center.x_m);
         let end = Point::on_axis(center.x_m + radius_m);
-        Profile {
-            segments: vec![Segment::Arc {
-                start,
-                end,
-                center,
-                radius_m,
-                start_angle_rad,
-                sweep_rad: -start_angle_rad,
-            }],
+        Segment::Arc {
+            start,
+            end,
+            center,
+            radius_m,
+            start_angle_rad,
+            sweep_rad: -start_angle_rad,
         }
     }
 
     /// Distance from the axis of the corner between wing and annulus at depth `depth_m`, m.
-    pub fn annulus_outer_r_m(&self, depth_m: f64) -> f64 {
+    pub fn annulus_outer_r_m(&self, depth_m: S) -> S {
         // the line at depth t runs parallel to the wing, the annulus' parallel to the annulus: they meet tan(φ/2) t further out
         let (s, c) = sin_cos(self.wing_slope_rad);
-        self.lid_foot_r_m(0.0) + self.annulus_width_m + depth_m * s / (1.0 + c)
+        self.lid_foot_r_m(S::constant(0.0)) + self.annulus_width_m + depth_m * s / (c + 1.0)
     }
 
     /// The closed outer mould line, from the nose tip round the shoulder and over the lid.
-    pub fn profile(&self) -> Profile {
-        self.fore_layer(0.0).then(&self.aft_layer(0.0)).closed()
+    pub fn profile(&self) -> Profile<S> {
+        let zero = S::constant(0.0);
+        let fore = self.fore_layer(Profile::default(), zero, zero);
+        self.aft_layer(fore, zero).closed()
     }
 
     /// Axial position of the top of the lid, m.
-    pub fn lid_top_x_m(&self) -> f64 {
+    pub fn lid_top_x_m(&self) -> S {
         self.lid_center_x_m + self.lid_radius_m
     }
 }
@@ -241,8 +239,9 @@ mod tests {
             lid_center_x_m: edge.x_m,
         };
         for depth in [0.0, 0.05, 0.12] {
-            let end = outline.fore_layer(depth).end().unwrap();
-            let start = outline.aft_layer(depth).start().unwrap();
+            let path = Profile::default;
+            let end = outline.fore_layer(path(), depth, 0.0).end().unwrap();
+            let start = outline.aft_layer(path(), depth).start().unwrap();
             let (s, c) = sin_cos(outline.wing_slope_rad);
             let center = body.shoulder_center();
             for p in [end, start] {

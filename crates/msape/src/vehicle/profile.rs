@@ -16,37 +16,58 @@
 
 use crate::vehicle::segment::{Integrals, Point, Segment};
 use numerics::math::PI;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// An open or closed chain of segments, each starting where the one before it ends.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Profile {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Profile<S = f64> {
     /// The segments, in order.
-    pub segments: Vec<Segment>,
+    pub segments: Vec<Segment<S>>,
+}
+
+impl<S> Default for Profile<S> {
+    fn default() -> Self {
+        Self {
+            segments: Vec::new(),
+        }
+    }
 }
 
 /// What a closed profile encloses when it is turned about the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SolidProperties {
+pub struct SolidProperties<S = f64> {
     /// Area of the half-section, m².
-    pub section_area_m2: f64,
+    pub section_area_m2: S,
     /// Volume, m³.
-    pub volume_m3: f64,
+    pub volume_m3: S,
     /// Volume times the axial position of its centroid, m⁴.
-    pub volume_moment_m4: f64,
+    pub volume_moment_m4: S,
     /// Second moment about the axis, ∫ (y² + z²) dV, m⁵.
-    pub axial_second_moment_m5: f64,
+    pub axial_second_moment_m5: S,
     /// Second moment about a transverse axis through x = 0, ∫ (x² + z²) dV, m⁵.
-    pub transverse_second_moment_m5: f64,
+    pub transverse_second_moment_m5: S,
 }
 
-impl SolidProperties {
+impl<S: Single> SolidProperties<S> {
+    /// An empty body.
+    pub fn empty() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            section_area_m2: zero,
+            volume_m3: zero,
+            volume_moment_m4: zero,
+            axial_second_moment_m5: zero,
+            transverse_second_moment_m5: zero,
+        }
+    }
+
     /// Axial position of the centroid, m; zero for an empty body.
-    pub fn centroid_x_m(&self) -> f64 {
-        if self.volume_m3 > 0.0 {
+    pub fn centroid_x_m(&self) -> S {
+        if self.volume_m3.value() > 0.0 {
             self.volume_moment_m4 / self.volume_m3
         } else {
-            0.0
+            S::constant(0.0)
         }
     }
 
@@ -63,25 +84,15 @@ impl SolidProperties {
     }
 }
 
-impl Profile {
+impl<S: Single> Profile<S> {
     /// The end of the last segment.
-    pub fn end(&self) -> Option<Point> {
+    pub fn end(&self) -> Option<Point<S>> {
         self.segments.last().map(Segment::end)
     }
 
     /// The start of the first segment.
-    pub fn start(&self) -> Option<Point> {
+    pub fn start(&self) -> Option<Point<S>> {
         self.segments.first().map(Segment::start)
-    }
-
-    /// Least and largest axial position, least and largest distance from the axis, of every point of it and not of its ends alone, m.
-    pub fn bounds_m(&self) -> [f64; 4] {
-        let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
-        let bounds = self.segments.iter().map(Segment::bounds_m);
-        bounds.fold(
-            [least, most, least, most],
-            |[a, b, c, d], [x0, x1, r0, r1]| [a.min(x0), b.max(x1), c.min(r0), d.max(r1)],
-        )
     }
 
     /// The same curve, run the other way.
@@ -91,17 +102,32 @@ impl Profile {
         }
     }
 
-    /// This curve followed by `other`, joined by a line where there is a gap.
-    pub fn then(mut self, other: &Profile) -> Self {
-        if let Some(start) = other.start() {
-            self = self.line_to(start);
-        }
-        self.segments.extend_from_slice(&other.segments);
+    /// An empty curve in the memory of this one.
+    pub fn cleared(mut self) -> Self {
+        self.segments.clear();
         self
     }
 
+    /// This curve followed by a segment, joined by a line where there is a gap.
+    pub fn and(self, segment: Segment<S>) -> Self {
+        let mut path = self.line_to(segment.start());
+        path.segments.push(segment);
+        path
+    }
+
+    /// This curve followed by `other`, joined by a line where there is a gap.
+    pub fn then(self, other: &Self) -> Self {
+        other.segments.iter().copied().fold(self, Self::and)
+    }
+
+    /// This curve followed by `other` run the other way, joined by a line where there is a gap.
+    pub fn back_along(self, other: &Self) -> Self {
+        let backwards = other.segments.iter().rev().map(Segment::reversed);
+        backwards.fold(self, Self::and)
+    }
+
     /// This curve with a line to `point` (nothing when it is already there).
-    pub fn line_to(mut self, point: Point) -> Self {
+    pub fn line_to(mut self, point: Point<S>) -> Self {
         match self.end() {
             Some(end) if end != point => self.segments.push(Segment::Line {
                 start: end,
@@ -121,38 +147,52 @@ impl Profile {
     }
 
     /// Area, volume and moments enclosed by the closed curve, whichever way it is run.
-    pub fn solid(&self) -> SolidProperties {
-        let mut sum = Integrals::default();
-        for segment in &self.segments {
-            sum.add(&segment.integrals());
-        }
-        let sign = if sum.r_dx > 0.0 { 1.0 } else { -1.0 };
-        let r3 = sign * sum.r4_dx / 4.0;
+    pub fn solid(&self) -> SolidProperties<S> {
+        let sum = self
+            .segments
+            .iter()
+            .fold(Integrals::zero(), |sum, s| sum.plus(&s.integrals()));
+        let sign = if sum.r_dx.value() > 0.0 { 1.0 } else { -1.0 };
+        let r3 = sum.r4_dx * sign / 4.0;
         SolidProperties {
-            section_area_m2: sign * sum.r_dx,
-            volume_m3: sign * PI * sum.r2_dx,
-            volume_moment_m4: sign * PI * sum.x_r2_dx,
-            axial_second_moment_m5: 2.0 * PI * r3,
-            transverse_second_moment_m5: PI * r3 + sign * PI * sum.x2_r2_dx,
+            section_area_m2: sum.r_dx * sign,
+            volume_m3: sum.r2_dx * (sign * PI),
+            volume_moment_m4: sum.x_r2_dx * (sign * PI),
+            axial_second_moment_m5: r3 * (2.0 * PI),
+            transverse_second_moment_m5: r3 * PI + sum.x2_r2_dx * (sign * PI),
         }
     }
 
     /// Volume and its moment about x = 0 as in [`Profile::solid`], with the same bits, m³ and m⁴.
-    pub fn volume_and_moment(&self) -> (f64, f64) {
-        let (mut r_dx, mut r2_dx, mut x_r2_dx) = (0.0, 0.0, 0.0);
+    pub fn volume_and_moment(&self) -> (S, S) {
+        let zero = S::constant(0.0);
+        let (mut r_dx, mut r2_dx, mut x_r2_dx) = (zero, zero, zero);
         for segment in &self.segments {
             let i = segment.integrals();
-            r_dx += i.r_dx;
-            r2_dx += i.r2_dx;
-            x_r2_dx += i.x_r2_dx;
+            r_dx = r_dx + i.r_dx;
+            r2_dx = r2_dx + i.r2_dx;
+            x_r2_dx = x_r2_dx + i.x_r2_dx;
         }
-        let sign = if r_dx > 0.0 { 1.0 } else { -1.0 };
-        (sign * PI * r2_dx, sign * PI * x_r2_dx)
+        let sign = if r_dx.value() > 0.0 { 1.0 } else { -1.0 };
+        (r2_dx * (sign * PI), x_r2_dx * (sign * PI))
     }
 
     /// Area swept by the curve when it is turned about the axis, m².
-    pub fn wetted_area_m2(&self) -> f64 {
-        self.segments.iter().map(Segment::swept_area_m2).sum()
+    pub fn wetted_area_m2(&self) -> S {
+        let areas = self.segments.iter().map(Segment::swept_area_m2);
+        areas.fold(S::constant(0.0), |sum, area| sum + area)
+    }
+}
+
+impl Profile {
+    /// Least and largest axial position, least and largest distance from the axis, of every point of it and not of its ends alone, m.
+    pub fn bounds_m(&self) -> [f64; 4] {
+        let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
+        let bounds = self.segments.iter().map(Segment::bounds_m);
+        bounds.fold(
+            [least, most, least, most],
+            |[a, b, c, d], [x0, x1, r0, r1]| [a.min(x0), b.max(x1), c.min(r0), d.max(r1)],
+        )
     }
 
     /// Centroid of the section (not of the body of revolution); `None` when it has no area.

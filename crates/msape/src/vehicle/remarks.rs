@@ -2,8 +2,7 @@
 
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::quantity::input;
-use crate::vehicle::close::Closed;
-use crate::vehicle::impact::Impact;
+use crate::vehicle::figures::Figures;
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::impact::remarks::strength;
 use crate::vehicle::input::VehicleInput;
@@ -83,17 +82,17 @@ pub fn adjustments(
 }
 
 /// Remarks on foam and balance.
-pub fn findings(input: &VehicleInput, impact: &Impact, closed: &Closed) -> Vec<Finding> {
+pub fn findings(input: &VehicleInput, figures: &Figures) -> Vec<Finding> {
     let mut list = Vec::new();
-    list.extend(strength(input, impact));
-    list.extend(narrow_gap(input, &closed.layout));
-    let payload_x_m = closed.layout.payload_x_m;
-    if closed.mass.cg_x_m > payload_x_m {
+    list.extend(strength(input, &figures.impact));
+    list.extend(narrow_gap(input, &figures.layout));
+    let payload_x_m = figures.layout.payload_x_m;
+    if figures.mass.cg_x_m > payload_x_m {
         list.push(Finding {
             severity: Severity::Note,
             model: "mass properties".to_owned(),
             key: "vertical_cg_location_m".to_owned(),
-            value: Some(closed.mass.cg_x_m),
+            value: Some(figures.mass.cg_x_m),
             valid: (None, Some(payload_x_m)),
             message: "The centre of gravity stands behind the payload: the heaviest part should be the foremost.".to_owned(),
             source: "general knowledge".to_owned(),

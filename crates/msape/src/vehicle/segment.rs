@@ -13,92 +13,112 @@
 //! # References
 //! - Elementary antiderivatives of powers of sine and cosine.
 
-use numerics::math::{FRAC_PI_2, PI, hypot, sin_cos};
+use numerics::math::{FRAC_PI_2, PI};
+use numerics::scalar::Single;
+use numerics::scalar::functions::{hypot, sin_cos};
 use serde::{Deserialize, Serialize};
 
 /// A point of the half-section.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Point {
+pub struct Point<S = f64> {
     /// Axial position from the virtual apex, aft positive, m.
-    pub x_m: f64,
+    pub x_m: S,
     /// Distance from the axis, m.
-    pub r_m: f64,
+    pub r_m: S,
 }
 
 /// A piece of a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Segment {
+pub enum Segment<S = f64> {
     /// A straight line.
     Line {
         /// Where it starts.
-        start: Point,
+        start: Point<S>,
         /// Where it ends.
-        end: Point,
+        end: Point<S>,
     },
     /// A circular arc.
     Arc {
         /// Where it starts.
-        start: Point,
+        start: Point<S>,
         /// Where it ends.
-        end: Point,
+        end: Point<S>,
         /// Centre of the circle.
-        center: Point,
+        center: Point<S>,
         /// Radius of the circle, m.
-        radius_m: f64,
+        radius_m: S,
         /// Direction from the centre to the start, from the x axis towards the r axis, rad.
-        start_angle_rad: f64,
+        start_angle_rad: S,
         /// Angle run through, positive from the x axis towards the r axis, rad.
-        sweep_rad: f64,
+        sweep_rad: S,
     },
 }
 
 /// Line integrals over a segment of the powers of x and r that area, volume and inertia need.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Integrals {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integrals<S = f64> {
     /// ∫ r dx, m².
-    pub r_dx: f64,
+    pub r_dx: S,
     /// ∫ x r dx, m³.
-    pub x_r_dx: f64,
+    pub x_r_dx: S,
     /// ∫ r² dx, m³.
-    pub r2_dx: f64,
+    pub r2_dx: S,
     /// ∫ x r² dx, m⁴.
-    pub x_r2_dx: f64,
+    pub x_r2_dx: S,
     /// ∫ x² r² dx, m⁵.
-    pub x2_r2_dx: f64,
+    pub x2_r2_dx: S,
     /// ∫ r⁴ dx, m⁵.
-    pub r4_dx: f64,
+    pub r4_dx: S,
 }
 
-impl Integrals {
-    /// Adds those of another segment.
-    pub fn add(&mut self, other: &Self) {
-        self.r_dx += other.r_dx;
-        self.x_r_dx += other.x_r_dx;
-        self.r2_dx += other.r2_dx;
-        self.x_r2_dx += other.x_r2_dx;
-        self.x2_r2_dx += other.x2_r2_dx;
-        self.r4_dx += other.r4_dx;
+impl<S: Single> Integrals<S> {
+    /// Those of nothing.
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            r_dx: zero,
+            x_r_dx: zero,
+            r2_dx: zero,
+            x_r2_dx: zero,
+            x2_r2_dx: zero,
+            r4_dx: zero,
+        }
+    }
+
+    /// With those of another segment.
+    pub fn plus(self, other: &Self) -> Self {
+        Self {
+            r_dx: self.r_dx + other.r_dx,
+            x_r_dx: self.x_r_dx + other.x_r_dx,
+            r2_dx: self.r2_dx + other.r2_dx,
+            x_r2_dx: self.x_r2_dx + other.x_r2_dx,
+            x2_r2_dx: self.x2_r2_dx + other.x2_r2_dx,
+            r4_dx: self.r4_dx + other.r4_dx,
+        }
     }
 }
 
-impl Point {
+impl<S: Single> Point<S> {
     /// A point on the axis.
-    pub fn on_axis(x_m: f64) -> Self {
-        Self { x_m, r_m: 0.0 }
+    pub fn on_axis(x_m: S) -> Self {
+        let r_m = S::constant(0.0);
+        Self { x_m, r_m }
     }
 }
 
-impl Segment {
+impl<S: Single> Segment<S> {
     /// The arc about `center` from `start_angle_rad` through `sweep_rad`; ends within rounding of the axis are on it.
-    pub fn arc(center: Point, radius_m: f64, start_angle_rad: f64, sweep_rad: f64) -> Self {
-        let at = |angle_rad: f64| {
+    pub fn arc(center: Point<S>, radius_m: S, start_angle_rad: S, sweep_rad: S) -> Self {
+        let at = |angle_rad: S| {
             let (s, c) = sin_cos(angle_rad);
             let r_m = center.r_m + radius_m * s;
-            let on_axis = r_m.abs() <= 4.0 * f64::EPSILON * radius_m;
-            Point {
-                x_m: center.x_m + radius_m * c,
-                r_m: if on_axis { 0.0 } else { r_m },
+            let on_axis = r_m.value().abs() <= 4.0 * f64::EPSILON * radius_m.value();
+            let x_m = center.x_m + radius_m * c;
+            if on_axis {
+                Point::on_axis(x_m)
+            } else {
+                Point { x_m, r_m }
             }
         };
         Self::Arc {
@@ -112,40 +132,16 @@ impl Segment {
     }
 
     /// Where it starts.
-    pub fn start(&self) -> Point {
+    pub fn start(&self) -> Point<S> {
         match *self {
             Self::Line { start, .. } | Self::Arc { start, .. } => start,
         }
     }
 
     /// Where it ends.
-    pub fn end(&self) -> Point {
+    pub fn end(&self) -> Point<S> {
         match *self {
             Self::Line { end, .. } | Self::Arc { end, .. } => end,
-        }
-    }
-
-    /// The point at a part of its length, 0 at the start.
-    pub fn at(&self, part: f64) -> Point {
-        match *self {
-            Self::Line { start, end } => Point {
-                x_m: start.x_m + part * (end.x_m - start.x_m),
-                r_m: start.r_m + part * (end.r_m - start.r_m),
-            },
-            Self::Arc { end, .. } if part >= 1.0 => end,
-            Self::Arc {
-                center,
-                radius_m,
-                start_angle_rad,
-                sweep_rad,
-                ..
-            } => {
-                let (s, c) = sin_cos(start_angle_rad + part * sweep_rad);
-                Point {
-                    x_m: center.x_m + radius_m * c,
-                    r_m: center.r_m + radius_m * s,
-                }
-            }
         }
     }
 
@@ -171,6 +167,75 @@ impl Segment {
                 start_angle_rad: start_angle_rad + sweep_rad,
                 sweep_rad: -sweep_rad,
             },
+        }
+    }
+
+    /// Area swept when turned about the axis, m².
+    pub fn swept_area_m2(&self) -> S {
+        match *self {
+            Self::Line { start, end } => {
+                (start.r_m + end.r_m) * PI * hypot(end.x_m - start.x_m, end.r_m - start.r_m)
+            }
+            Self::Arc {
+                start,
+                end,
+                center,
+                radius_m,
+                sweep_rad,
+                ..
+            } => {
+                // ∫ (r_c + R sin u) R du, R cos u being x − x_c
+                let area = radius_m * (2.0 * PI) * (center.r_m * sweep_rad + start.x_m - end.x_m);
+                if sweep_rad.value() < 0.0 { -area } else { area }
+            }
+        }
+    }
+
+    /// The line integrals, exact; inlined, so that a caller that reads some of them pays for those.
+    #[inline]
+    pub fn integrals(&self) -> Integrals<S> {
+        match *self {
+            Self::Line { start, end } => line_integrals(start, end),
+            Self::Arc {
+                start,
+                end,
+                center,
+                radius_m,
+                sweep_rad,
+                ..
+            } => {
+                if radius_m.value() > 0.0 {
+                    arc_integrals([start, end], center, radius_m, sweep_rad)
+                } else {
+                    Integrals::zero()
+                }
+            }
+        }
+    }
+}
+
+impl Segment {
+    /// The point at a part of its length, 0 at the start.
+    pub fn at(&self, part: f64) -> Point {
+        match *self {
+            Self::Line { start, end } => Point {
+                x_m: start.x_m + part * (end.x_m - start.x_m),
+                r_m: start.r_m + part * (end.r_m - start.r_m),
+            },
+            Self::Arc { end, .. } if part >= 1.0 => end,
+            Self::Arc {
+                center,
+                radius_m,
+                start_angle_rad,
+                sweep_rad,
+                ..
+            } => {
+                let (s, c) = sin_cos(start_angle_rad + part * sweep_rad);
+                Point {
+                    x_m: center.x_m + radius_m * c,
+                    r_m: center.r_m + radius_m * s,
+                }
+            }
         }
     }
 
@@ -217,53 +282,10 @@ impl Segment {
         }
         bounds
     }
-
-    /// Area swept when turned about the axis, m².
-    pub fn swept_area_m2(&self) -> f64 {
-        match *self {
-            Self::Line { start, end } => {
-                PI * (start.r_m + end.r_m) * hypot(end.x_m - start.x_m, end.r_m - start.r_m)
-            }
-            Self::Arc {
-                start,
-                end,
-                center,
-                radius_m,
-                sweep_rad,
-                ..
-            } => {
-                // ∫ (r_c + R sin u) R du, R cos u being x − x_c
-                let area = 2.0 * PI * radius_m * (center.r_m * sweep_rad + start.x_m - end.x_m);
-                if sweep_rad < 0.0 { -area } else { area }
-            }
-        }
-    }
-
-    /// The line integrals, exact; inlined, so that a caller that reads some of them pays for those.
-    #[inline]
-    pub fn integrals(&self) -> Integrals {
-        match *self {
-            Self::Line { start, end } => line_integrals(start, end),
-            Self::Arc {
-                start,
-                end,
-                center,
-                radius_m,
-                sweep_rad,
-                ..
-            } => {
-                if radius_m > 0.0 {
-                    arc_integrals([start, end], center, radius_m, sweep_rad)
-                } else {
-                    Integrals::default()
-                }
-            }
-        }
-    }
 }
 
 #[inline]
-fn line_integrals(start: Point, end: Point) -> Integrals {
+fn line_integrals<S: Single>(start: Point<S>, end: Point<S>) -> Integrals<S> {
     let (x0, r0, dx, dr) = (
         start.x_m,
         start.r_m,
@@ -272,7 +294,7 @@ fn line_integrals(start: Point, end: Point) -> Integrals {
     );
     // over 0..1: ∫ (r0 + dr t)² tᵏ dt, k = 0, 1, 2
     let square = r0 * r0 + r0 * dr + dr * dr / 3.0;
-    let square_t = r0 * r0 / 2.0 + 2.0 * r0 * dr / 3.0 + dr * dr / 4.0;
+    let square_t = r0 * r0 / 2.0 + r0 * 2.0 * dr / 3.0 + dr * dr / 4.0;
     let square_t2 = r0 * r0 / 3.0 + r0 * dr / 2.0 + dr * dr / 5.0;
     let r1 = r0 + dr;
     let fourth = (r0 * r0 * r0 * r0
@@ -286,17 +308,22 @@ fn line_integrals(start: Point, end: Point) -> Integrals {
         x_r_dx: dx * (x0 * (r0 + dr / 2.0) + dx * (r0 / 2.0 + dr / 3.0)),
         r2_dx: dx * square,
         x_r2_dx: dx * (x0 * square + dx * square_t),
-        x2_r2_dx: dx * (x0 * x0 * square + 2.0 * x0 * dx * square_t + dx * dx * square_t2),
+        x2_r2_dx: dx * (x0 * x0 * square + x0 * 2.0 * dx * square_t + dx * dx * square_t2),
         r4_dx: dx * fourth,
     }
 }
 
 #[inline]
-fn arc_integrals(ends: [Point; 2], center: Point, radius: f64, sweep: f64) -> Integrals {
+fn arc_integrals<S: Single>(
+    ends: [Point<S>; 2],
+    center: Point<S>,
+    radius: S,
+    sweep: S,
+) -> Integrals<S> {
     let [from, to] = ends.map(|p| ((p.r_m - center.r_m) / radius, (p.x_m - center.x_m) / radius));
     let ((s0, c0), (s1, c1)) = (from, to);
     let (a, b, big) = (center.x_m, center.r_m, radius);
-    let d = |f: fn(f64, f64) -> f64| f(s1, c1) - f(s0, c0);
+    let d = |f: fn(S, S) -> S| f(s1, c1) - f(s0, c0);
     // ∫ sinᵐ cosⁿ du, named sᵐcⁿ
     let dc = d(|_, c| c);
     let dc3 = d(|_, c| c * c * c);
@@ -306,8 +333,8 @@ fn arc_integrals(ends: [Point; 2], center: Point, radius: f64, sweep: f64) -> In
     let s = -dc;
     let s2 = (sweep - dsc) / 2.0;
     let s3 = dc3 / 3.0 - dc;
-    let s4 = 0.375 * sweep - dsc / 2.0 + dsc_4u / 8.0;
-    let s5 = -dc + 2.0 * dc3 / 3.0 - dc5 / 5.0;
+    let s4 = sweep * 0.375 - dsc / 2.0 + dsc_4u / 8.0;
+    let s5 = -dc + dc3 * 2.0 / 3.0 - dc5 / 5.0;
     let sc = d(|s, _| s * s) / 2.0;
     let s2c = d(|s, _| s * s * s) / 3.0;
     let s3c = d(|s, _| s * s * s * s) / 4.0;
@@ -315,20 +342,20 @@ fn arc_integrals(ends: [Point; 2], center: Point, radius: f64, sweep: f64) -> In
     let s2c2 = (sweep - dsc_4u) / 8.0;
     let s3c2 = dc5 / 5.0 - dc3 / 3.0;
     // r² sin = b² s + 2 b R s² + R² s³, alone, times cos and times cos²
-    let square = b * b * s + 2.0 * b * big * s2 + big * big * s3;
-    let square_c = b * b * sc + 2.0 * b * big * s2c + big * big * s3c;
-    let square_c2 = b * b * sc2 + 2.0 * b * big * s2c2 + big * big * s3c2;
+    let square = b * b * s + b * 2.0 * big * s2 + big * big * s3;
+    let square_c = b * b * sc + b * 2.0 * big * s2c + big * big * s3c;
+    let square_c2 = b * b * sc2 + b * 2.0 * big * s2c2 + big * big * s3c2;
     let fourth = b * b * b * b * s
-        + 4.0 * b * b * b * big * s2
-        + 6.0 * b * b * big * big * s3
-        + 4.0 * b * big * big * big * s4
+        + b * 4.0 * b * b * big * s2
+        + b * 6.0 * b * big * big * s3
+        + b * 4.0 * big * big * big * s4
         + big * big * big * big * s5;
     Integrals {
         r_dx: -big * (b * s + big * s2),
         x_r_dx: -big * (a * (b * s + big * s2) + big * (b * sc + big * s2c)),
         r2_dx: -big * square,
         x_r2_dx: -big * (a * square + big * square_c),
-        x2_r2_dx: -big * (a * a * square + 2.0 * a * big * square_c + big * big * square_c2),
+        x2_r2_dx: -big * (a * a * square + a * 2.0 * big * square_c + big * big * square_c2),
         r4_dx: -big * fourth,
     }
 }
@@ -366,11 +393,11 @@ mod tests {
         let center = Point { x_m: 0.3, r_m: 0.7 };
         let arc = Segment::arc(center, 0.5, 0.4, 1.9).integrals();
         let n = 20000;
-        let mut sum = Integrals::default();
+        let mut sum = Integrals::zero();
         for k in 0..n {
             let step = 1.9 / f64::from(n);
             let chord = Segment::arc(center, 0.5, 0.4 + step * f64::from(k), step);
-            sum.add(&line_integrals(chord.start(), chord.end()));
+            sum = sum.plus(&line_integrals(chord.start(), chord.end()));
         }
         // the relative chord error is about the square of the step, (1e-4)²
         let pairs = [

@@ -23,70 +23,71 @@ pub use check::{Check, LoadCase, Rule};
 pub use size::{AxialLoads, PressureShell, WallLoads};
 
 use crate::vehicle::kinds::WallPlace;
-use numerics::math::cbrt;
+use numerics::scalar::Single;
+use numerics::scalar::functions::cbrt;
 use serde::{Deserialize, Serialize};
 
 /// How a wall is built.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Construction {
+pub enum Construction<S = f64> {
     /// One laminate.
     Solid {
         /// Density, kg/m³.
-        density_kg_m3: f64,
+        density_kg_m3: S,
     },
     /// Two faces and a core.
     Sandwich {
         /// Thickness of one face, at least, m.
-        face_thickness_m: f64,
+        face_thickness_m: S,
         /// Density of the faces, kg/m³.
-        face_density_kg_m3: f64,
+        face_density_kg_m3: S,
         /// Density of the core, kg/m³.
-        core_density_kg_m3: f64,
+        core_density_kg_m3: S,
         /// Young's modulus of the core across the wall, Pa.
-        core_elastic_modulus_pa: f64,
+        core_elastic_modulus_pa: S,
         /// Shear modulus of the core, in its softer direction, Pa.
-        core_shear_modulus_pa: f64,
+        core_shear_modulus_pa: S,
         /// Shear strength of the core, in its weaker direction, Pa.
-        core_shear_strength_pa: f64,
+        core_shear_strength_pa: S,
         /// Size of a honeycomb's cells, between flats, m.
-        cell_size_m: f64,
+        cell_size_m: S,
     },
 }
 
 /// Material and build of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Carrier {
+pub struct Carrier<S = f64> {
     /// Build and densities.
-    pub construction: Construction,
+    pub construction: Construction<S>,
     /// Young's modulus of laminate or faces, Pa.
-    pub elastic_modulus_pa: f64,
+    pub elastic_modulus_pa: S,
     /// Poisson's ratio of laminate or faces.
-    pub poisson_ratio: f64,
+    pub poisson_ratio: S,
     /// Allowable stress of laminate or faces, Pa.
-    pub strength_pa: f64,
+    pub strength_pa: S,
     /// Least thickness, m.
-    pub minimum_gauge_m: f64,
+    pub minimum_gauge_m: S,
 }
 
 /// Accelerations that act at once while the vehicle is launched, Earth g.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct LaunchLoad {
+pub struct LaunchLoad<S = f64> {
     /// Across the axis, Earth g.
-    pub lateral_earth_g: f64,
+    pub lateral_earth_g: S,
     /// Along the axis, Earth g.
-    pub axial_earth_g: f64,
+    pub axial_earth_g: S,
 }
 
 /// Factors of the structural rules.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StructureLoads {
+pub struct StructureLoads<S = f64> {
     /// Factor on every load.
-    pub safety_factor: f64,
+    pub safety_factor: S,
     /// Corners of the load factors at launch.
-    pub launch: [LaunchLoad; 4],
+    pub launch: [LaunchLoad<S>; 4],
     /// Pressure on the lid as a fraction of that on the forebody.
-    pub aftbody_pressure_fraction: f64,
+    pub aftbody_pressure_fraction: S,
 }
 
 /// What determines the thickness of a wall.
@@ -123,39 +124,54 @@ impl Governs {
 
 /// One wall as sized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Wall {
+pub struct Wall<S = f64> {
     /// Thickness, of a sandwich its height, m.
-    pub thickness_m: f64,
+    pub thickness_m: S,
     /// Thickness of one face of a sandwich, m; nought for a laminate.
-    pub face_thickness_m: f64,
+    pub face_thickness_m: S,
     /// Mean density, kg/m³.
-    pub density_kg_m3: f64,
+    pub density_kg_m3: S,
     /// What determines it.
     pub governs: Governs,
     /// Thickness that strength alone asks for, m.
-    pub strength_thickness_m: f64,
+    pub strength_thickness_m: S,
     /// Thickness that buckling alone asks for, m.
-    pub buckling_thickness_m: f64,
+    pub buckling_thickness_m: S,
     /// Thickness that buckling of nose or lid alone asks for, m.
-    pub cap_buckling_thickness_m: f64,
+    pub cap_buckling_thickness_m: S,
     /// Thickness that shear in the core alone asks for, m.
-    pub core_shear_thickness_m: f64,
+    pub core_shear_thickness_m: S,
 }
 
 /// The three walls as sized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Structure {
+pub struct Structure<S = f64> {
     /// Forebody carrier structure.
-    pub forebody: Wall,
+    pub forebody: Wall<S>,
     /// Aftbody carrier structure.
-    pub aftbody: Wall,
+    pub aftbody: Wall<S>,
     /// Primary structure.
-    pub primary: Wall,
+    pub primary: Wall<S>,
 }
 
-impl Structure {
+impl<S: Copy> Structure<S> {
+    /// These walls with the reasons of others, which differ by less than the convergence.
+    pub fn with_reasons(self, sized: Self) -> Self {
+        let wall = |used: Wall<S>, sized: Wall<S>| Wall {
+            thickness_m: used.thickness_m,
+            face_thickness_m: used.face_thickness_m,
+            density_kg_m3: used.density_kg_m3,
+            ..sized
+        };
+        Self {
+            forebody: wall(self.forebody, sized.forebody),
+            aftbody: wall(self.aftbody, sized.aftbody),
+            primary: wall(self.primary, sized.primary),
+        }
+    }
+
     /// The wall at a place.
-    pub fn wall(&self, place: WallPlace) -> &Wall {
+    pub fn wall(&self, place: WallPlace) -> &Wall<S> {
         match place {
             WallPlace::Forebody => &self.forebody,
             WallPlace::Aftbody => &self.aftbody,
@@ -165,38 +181,54 @@ impl Structure {
 }
 
 /// What the rules ask of a wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Needs {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Needs<S = f64> {
     /// Largest force in the wall, N/m.
-    pub membrane_n_m: f64,
+    pub membrane_n_m: S,
+    /// Thickness of one face of a sandwich that carries it, m; `None` for a laminate.
+    pub face_m: Option<S>,
     /// Thickness for buckling, m.
-    pub buckling_m: f64,
+    pub buckling_m: S,
     /// Thickness for buckling of the spherical part, m.
-    pub cap_buckling_m: f64,
+    pub cap_buckling_m: S,
     /// Thickness for shear in the core, m.
-    pub core_shear_m: f64,
+    pub core_shear_m: S,
 }
 
-impl Carrier {
+impl<S: Single> Needs<S> {
+    /// Those of a force in the wall alone, N/m, with faces of a sandwich that carry it.
+    pub fn of_force(carrier: &Carrier<S>, membrane_n_m: S) -> Self {
+        let none = S::constant(0.0);
+        Self {
+            membrane_n_m,
+            face_m: carrier.face_thickness_m(membrane_n_m),
+            buckling_m: none,
+            cap_buckling_m: none,
+            core_shear_m: none,
+        }
+    }
+}
+
+impl<S: Single> Carrier<S> {
     /// The wall at its least thickness.
-    pub fn at_minimum_gauge(&self) -> Wall {
-        self.wall(&Needs::default())
+    pub fn at_minimum_gauge(&self) -> Wall<S> {
+        self.wall(&Needs::of_force(self, S::constant(0.0)))
     }
 
     /// The wall at a given thickness.
-    pub fn at_thickness(&self, thickness_m: f64) -> Wall {
+    pub fn at_thickness(&self, thickness_m: S) -> Wall<S> {
         let carrier = Self {
             minimum_gauge_m: thickness_m,
             ..*self
         };
         Wall {
             governs: Governs::Given,
-            ..carrier.wall(&Needs::default())
+            ..carrier.at_minimum_gauge()
         }
     }
 
     /// Thickness of one face of a sandwich that carries `membrane_n_m`, m; `None` for a laminate.
-    pub fn face_thickness_m(&self, membrane_n_m: f64) -> Option<f64> {
+    pub fn face_thickness_m(&self, membrane_n_m: S) -> Option<S> {
         match self.construction {
             Construction::Solid { .. } => None,
             Construction::Sandwich {
@@ -206,14 +238,14 @@ impl Carrier {
             } => {
                 let allowed = self.strength_pa.min(self.wrinkling_stress_pa());
                 // N / 2 t_f ≤ 2 E (t_f/S)² / (1 − ν²)
-                let plane = 1.0 - self.poisson_ratio * self.poisson_ratio;
+                let plane = -(self.poisson_ratio * self.poisson_ratio) + 1.0;
                 let dimpling = cbrt(
                     membrane_n_m * plane * cell_size_m * cell_size_m
-                        / (4.0 * self.elastic_modulus_pa),
+                        / (self.elastic_modulus_pa * 4.0),
                 );
                 Some(
                     face_thickness_m
-                        .max(membrane_n_m / (2.0 * allowed))
+                        .max(membrane_n_m / (allowed * 2.0))
                         .max(dimpling),
                 )
             }
@@ -221,16 +253,16 @@ impl Carrier {
     }
 
     /// The wall that meets every need.
-    pub fn wall(&self, needs: &Needs) -> Wall {
-        let face = self.face_thickness_m(needs.membrane_n_m);
+    pub fn wall(&self, needs: &Needs<S>) -> Wall<S> {
+        let face = needs.face_m;
         let strength_m = match face {
             None => needs.membrane_n_m / self.strength_pa,
-            Some(t_f) => 2.0 * t_f,
+            Some(t_f) => t_f * 2.0,
         };
         let mut wall = Wall {
             thickness_m: self.minimum_gauge_m,
-            face_thickness_m: face.unwrap_or(0.0),
-            density_kg_m3: 0.0,
+            face_thickness_m: face.unwrap_or(S::constant(0.0)),
+            density_kg_m3: S::constant(0.0),
             governs: Governs::MinimumGauge,
             strength_thickness_m: strength_m,
             buckling_thickness_m: needs.buckling_m,
@@ -243,7 +275,7 @@ impl Carrier {
             (needs.cap_buckling_m, Governs::CapBuckling),
             (needs.core_shear_m, Governs::CoreShear),
         ] {
-            if thickness > wall.thickness_m {
+            if wall.thickness_m.less(thickness) {
                 wall.thickness_m = thickness;
                 wall.governs = governs;
             }
@@ -256,9 +288,9 @@ impl Carrier {
                     ..
                 },
                 Some(t_f),
-            ) if wall.thickness_m > 0.0 => {
-                let faces = (2.0 * t_f / wall.thickness_m).min(1.0);
-                faces * face_density_kg_m3 + (1.0 - faces) * core_density_kg_m3
+            ) if wall.thickness_m.value() > 0.0 => {
+                let faces = (t_f * 2.0 / wall.thickness_m).min(S::constant(1.0));
+                faces * face_density_kg_m3 + (-faces + 1.0) * core_density_kg_m3
             }
             (
                 Construction::Sandwich {

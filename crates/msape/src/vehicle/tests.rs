@@ -1,11 +1,12 @@
 //! Whole vehicles: conservation of volume, closing over the trade space, the report's cases.
 
 mod closing;
+mod derivatives;
 mod landing;
 mod trade_space;
 
 use super::*;
-use crate::vehicle::close::close;
+use crate::vehicle::close::Search;
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
 use crate::vehicle::input::ImpactInput;
@@ -183,7 +184,7 @@ fn table_9_adds_up_along_the_axis() {
     input.densities.impact_foam_kg_m3 = Some(110.0);
     let mut foam = FoamRule::new(&input);
     foam.least_thickness_m = 0.1767 / 2.0;
-    let closed = close(&input, 1.05, &foam).unwrap();
+    let closed = Search::new(&input, &foam).close(1.05).unwrap();
     let layout = &closed.layout;
     assert!((2.0 * layout.impact_sphere_radius_m() - 0.3491).abs() < 1e-12);
     // 0.35 / sin 60 − (0.35 − 0.047) + 0.17455
@@ -204,7 +205,8 @@ fn run_page_grows_to_the_smallest_diameter_that_closes() {
         assert!(grown.to < 1.75);
         // the payload keeps the size that was asked for
         assert!((vehicle.dimensions.payload_diameter_m - 0.6).abs() < 1e-15);
-        assert!(close(&input, grown.to - 2e-4, &FoamRule::new(&input)).is_err());
+        let rule = FoamRule::new(&input);
+        assert!(Search::new(&input, &rule).close(grown.to - 2e-4).is_err());
     }
 }
 

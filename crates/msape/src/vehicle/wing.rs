@@ -16,6 +16,7 @@
 //! - \[samareh-2014\] section 3.1.2.
 
 use crate::vehicle::segment::Point;
+use numerics::scalar::Single;
 
 /// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
 const WING_LENGTH_M: f64 = 1e-6;
@@ -23,54 +24,54 @@ const WING_LENGTH_M: f64 = 1e-6;
 /// Where the outer edge of the annulus may stand: inwards of the steepest wing and of the shoulder's circle, ahead of the
 /// shallowest wing.
 #[derive(Clone, Copy, Debug)]
-pub struct Wing {
+pub struct Wing<S = f64> {
     /// Centre of the shoulder arc.
-    pub center: Point,
+    pub center: Point<S>,
     /// Its radius, m.
-    pub radius_m: f64,
+    pub radius_m: S,
     /// Sine and cosine of the steepest slope.
-    pub steepest: (f64, f64),
+    pub steepest: (S, S),
     /// Sine and cosine of the least slope.
-    pub shallowest: (f64, f64),
+    pub shallowest: (S, S),
 }
 
-impl Wing {
+impl<S: Single> Wing<S> {
     /// How far an edge stands behind the steepest wing, m.
-    pub fn behind_steepest_m(&self, edge: Point) -> f64 {
+    pub fn behind_steepest_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.steepest;
         (edge.x_m - self.center.x_m) * c + (self.center.r_m - edge.r_m) * s - self.radius_m
     }
 
     /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
-    pub fn is_aft_of_steepest(&self, edge: Point) -> bool {
-        edge.x_m - self.center.x_m > self.radius_m * self.steepest.1
+    pub fn is_aft_of_steepest(&self, edge: Point<S>) -> bool {
+        (self.radius_m * self.steepest.1).less(edge.x_m - self.center.x_m)
     }
 
     /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
     /// shoulder: the least of the three, m.
-    pub fn room_m(&self, edge: Point) -> f64 {
+    pub fn room_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.shallowest;
         let (behind, along) = (edge.x_m - self.center.x_m, self.center.r_m - edge.r_m);
         let ahead = self.radius_m - behind * c - along * s;
         let outside = if self.is_aft_of_steepest(edge) {
             along - self.circle_m(behind)
         } else {
-            f64::INFINITY
+            S::constant(f64::INFINITY)
         };
         ahead.min(along - self.radius_m * s).min(outside)
     }
 
     /// Half the width of the shoulder's circle at a distance behind its centre, m; zero aft of it.
-    fn circle_m(&self, behind_m: f64) -> f64 {
+    fn circle_m(&self, behind_m: S) -> S {
         let square = self.radius_m * self.radius_m - behind_m * behind_m;
-        square.max(0.0).sqrt()
+        square.max(S::constant(0.0)).sqrt()
     }
 
     /// Largest distance from the axis of an edge at the axial position `x_m`: on the steepest wing, further aft on the
     /// shoulder's circle, at most where the shallowest wing touches it, m.
-    pub fn widest_r_m(&self, x_m: f64) -> f64 {
+    pub fn widest_r_m(&self, x_m: S) -> S {
         let (behind, (s, c)) = (x_m - self.center.x_m, self.steepest);
-        let inwards = if behind <= self.radius_m * c {
+        let inwards = if behind.value() <= (self.radius_m * c).value() {
             (self.radius_m - behind * c) / s
         } else {
             (self.circle_m(behind) + WING_LENGTH_M).max(self.radius_m * self.shallowest.0)
@@ -79,7 +80,7 @@ impl Wing {
     }
 
     /// How far inwards of the widest place an edge stands, m.
-    pub fn clearance_m(&self, edge: Point) -> f64 {
+    pub fn clearance_m(&self, edge: Point<S>) -> S {
         self.widest_r_m(edge.x_m) - edge.r_m
     }
 }

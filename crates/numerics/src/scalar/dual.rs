@@ -11,6 +11,7 @@
 //! - \[griewank-walther-2008\] chapter 3.
 
 use super::{Scalar, Single};
+use crate::linear::dense;
 use crate::math;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -238,6 +239,18 @@ impl<const N: usize> Single for Dual<N> {
     #[inline]
     fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self {
         residual().chain(at, -1.0 / rate())
+    }
+    fn roots<const K: usize>(
+        at: [f64; K],
+        residual: impl FnOnce() -> [Self; K],
+        rates: impl FnOnce() -> [[f64; K]; K],
+    ) -> [Self; K] {
+        let slopes = dense::solve(rates(), residual().map(|r| r.slope));
+        let mut roots = at.map(Self::constant);
+        for (root, slope) in roots.iter_mut().zip(slopes) {
+            root.slope = slope.map(|s| -s);
+        }
+        roots
     }
 }
 

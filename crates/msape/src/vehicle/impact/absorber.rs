@@ -23,8 +23,10 @@
 use crate::vehicle::impact::foam::CrushLaw;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
-use numerics::math::{PI, ln};
+use numerics::math::PI;
 use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::implicit;
 use serde::{Deserialize, Serialize};
 
 /// Relative rounding.
@@ -34,27 +36,27 @@ const MOST_CRUSH: f64 = 10.0;
 
 /// Where the foam stands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Shape {
+pub enum Shape<S = f64> {
     /// Under the payload, over this cross-section.
     Column {
         /// Cross-section, m².
-        area_m2: f64,
+        area_m2: S,
     },
     /// Around the payload.
     Sphere {
         /// Radius of the payload, m.
-        payload_radius_m: f64,
+        payload_radius_m: S,
     },
 }
 
-impl Shape {
+impl<S: Single> Shape<S> {
     /// That of the foam of a vehicle.
-    pub fn of(input: &VehicleInput) -> Shape {
+    pub fn of(input: &VehicleInput<S>) -> Shape<S> {
         let payload_radius_m = input.payload_diameter_m() / 2.0;
         match input.concept {
             Concept::Msr => Shape::Sphere { payload_radius_m },
             Concept::NonMsr => Shape::Column {
-                area_m2: PI * payload_radius_m * payload_radius_m,
+                area_m2: payload_radius_m * PI * payload_radius_m,
             },
         }
     }
@@ -62,48 +64,48 @@ impl Shape {
 
 /// Foam that takes the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Absorber {
+pub struct Absorber<S = f64> {
     /// Where it stands.
-    pub shape: Shape,
+    pub shape: Shape<S>,
     /// Thickness, m.
-    pub thickness_m: f64,
+    pub thickness_m: S,
     /// Stress against strain.
-    pub law: CrushLaw,
+    pub law: CrushLaw<S>,
 }
 
-impl Absorber {
+impl<S: Single> Absorber<S> {
     /// Footprint, m².
-    pub fn area_m2(&self, crush_m: f64) -> f64 {
+    pub fn area_m2(&self, crush_m: S) -> S {
         match self.shape {
             Shape::Column { area_m2 } => area_m2,
             Shape::Sphere { payload_radius_m } => {
                 let r = payload_radius_m + self.thickness_m;
-                let s = crush_m.clamp(0.0, r);
-                PI * s * (2.0 * r - s)
+                let s = crush_m.max(S::constant(0.0)).min(r);
+                s * PI * (r * 2.0 - s)
             }
         }
     }
 
     /// Force, N.
-    pub fn force_n(&self, crush_m: f64) -> f64 {
+    pub fn force_n(&self, crush_m: S) -> S {
         self.area_m2(crush_m) * self.law.stress_pa(crush_m / self.thickness_m)
     }
 
     /// Crushes at which the law bends: start and end of the plateau, closed cells, m; rising.
-    pub fn bends_m(&self) -> [f64; 3] {
+    pub fn bends_m(&self) -> [S; 3] {
         let law = &self.law;
         [law.yield_strain(), law.plateau_strain(), law.last_strain()]
             .map(|strain| strain * self.thickness_m)
     }
 
     /// Slope of the force, N/m.
-    pub fn slope_n_m(&self, crush_m: f64) -> f64 {
+    pub fn slope_n_m(&self, crush_m: S) -> S {
         let strain = crush_m / self.thickness_m;
         let growth_m = match self.shape {
-            Shape::Column { .. } => 0.0,
+            Shape::Column { .. } => S::constant(0.0),
             Shape::Sphere { payload_radius_m } => {
                 let r = payload_radius_m + self.thickness_m;
-                2.0 * PI * (r - crush_m.clamp(0.0, r))
+                (r - crush_m.max(S::constant(0.0)).min(r)) * (2.0 * PI)
             }
         };
         growth_m * self.law.stress_pa(strain)
@@ -111,15 +113,15 @@ impl Absorber {
     }
 
     /// Way over which the force goes to nought when the load is taken off, m.
-    pub fn elastic_way_m(&self, crush_m: f64) -> f64 {
+    pub fn elastic_way_m(&self, crush_m: S) -> S {
         let law = &self.law;
         let yield_m = law.yield_strain() * self.thickness_m;
-        if crush_m <= yield_m * (1.0 + ROUNDING) {
+        if crush_m.value() <= yield_m.value() * (1.0 + ROUNDING) {
             return crush_m;
         }
         let stress_pa = law.stress_pa(crush_m / self.thickness_m);
-        let denser = (stress_pa / law.plateau_pa).max(1.0);
-        let stiffest_pa = law.solid_modulus_pa.max(law.modulus_pa);
+        let denser = (stress_pa / law.plateau_pa).max(S::constant(1.0));
+        let stiffest_pa = law.modulus_pa.max(S::constant(law.solid_modulus_pa));
         let modulus_pa = (law.modulus_pa * denser).min(stiffest_pa);
         // with k = E A / t the way is that of the stress alone
         let soft_m = stress_pa * self.thickness_m / modulus_pa;
@@ -128,36 +130,38 @@ impl Absorber {
     }
 
     /// Force on the way back from the largest crush so far, m, at a smaller crush, m, N.
-    pub fn unloading_n(&self, largest_m: f64, crush_m: f64) -> f64 {
+    pub fn unloading_n(&self, largest_m: S, crush_m: S) -> S {
         let way_m = self.elastic_way_m(largest_m);
         let left_m = crush_m - (largest_m - way_m);
-        if left_m <= 0.0 {
-            return 0.0;
+        if left_m.value() <= 0.0 {
+            return S::constant(0.0);
         }
         let area = self.area_m2(left_m) / self.area_m2(way_m);
         self.force_n(largest_m) * area * left_m / way_m
     }
 
     /// Energy taken up to a crush, J: the integral of the force.
-    pub fn energy_j(&self, crush_m: f64) -> f64 {
+    pub fn energy_j(&self, crush_m: S) -> S {
         let [yield_m, plateau_m, last_m] = self.bends_m();
         // footprint and stress are polynomials there, of degree 3 together: Simpson's rule is exact
-        let simple = |from_m: f64, to_m: f64, stress_pa: &dyn Fn(f64) -> f64| {
-            let force_n = |s: f64| self.area_m2(s) * stress_pa(s / self.thickness_m);
-            let middle_n = force_n(0.5 * (from_m + to_m));
-            (to_m - from_m) / 6.0 * (force_n(from_m) + 4.0 * middle_n + force_n(to_m))
+        let simple = |from_m: S, to_m: S, stress_pa: &dyn Fn(S) -> S| {
+            let force_n = |s: S| self.area_m2(s) * stress_pa(s / self.thickness_m);
+            let middle_n = force_n((from_m + to_m) * 0.5);
+            (to_m - from_m) / 6.0 * (force_n(from_m) + middle_n * 4.0 + force_n(to_m))
         };
         let law = &self.law;
-        let elastic = simple(0.0, crush_m.min(yield_m), &|strain| law.modulus_pa * strain);
-        if crush_m <= yield_m {
+        let elastic = simple(S::constant(0.0), crush_m.min(yield_m), &|strain| {
+            law.modulus_pa * strain
+        });
+        if crush_m.value() <= yield_m.value() {
             return elastic;
         }
         let plateau = simple(yield_m, crush_m.min(plateau_m), &|_| law.plateau_pa);
-        if crush_m <= plateau_m {
+        if crush_m.value() <= plateau_m.value() {
             return elastic + plateau;
         }
         let dense = self.dense_j(plateau_m, crush_m.min(last_m));
-        if crush_m <= last_m {
+        if crush_m.value() <= last_m.value() {
             return elastic + plateau + dense;
         }
         let solid = simple(last_m, crush_m, &|strain| law.stress_pa(strain));
@@ -165,65 +169,71 @@ impl Absorber {
     }
 
     /// Energy taken on the rising branch, J: ∫ A c / (ε_D − s/t) ds, term by term in y = ε_D − s/t.
-    fn dense_j(&self, from_m: f64, to_m: f64) -> f64 {
+    fn dense_j(&self, from_m: S, to_m: S) -> S {
         let (t, law) = (self.thickness_m, &self.law);
         let closed_m = law.closed_strain * t;
         let (high, low) = (law.closed_strain - from_m / t, law.closed_strain - to_m / t);
-        let logarithm = ln(high / low);
+        let logarithm = (high / low).ln();
         let sum_m2 = match self.shape {
             Shape::Column { area_m2 } => area_m2 * logarithm,
             Shape::Sphere { payload_radius_m } => {
                 // 2 R s − s² with s = closed − t y
                 let r = payload_radius_m + t;
-                PI * (closed_m * (2.0 * r - closed_m) * logarithm
-                    + 2.0 * t * (closed_m - r) * (high - low)
-                    - 0.5 * t * t * (high * high - low * low))
+                (closed_m * (r * 2.0 - closed_m) * logarithm
+                    + t * 2.0 * (closed_m - r) * (high - low)
+                    - t * 0.5 * t * (high * high - low * low))
+                    * PI
             }
         };
         law.scale_pa() * t * sum_m2
     }
 
     /// Crush at which a rigid surface has taken an energy, m: the largest of a landing on it.
-    pub fn stop_m(&self, energy_j: f64) -> f64 {
-        let left_j = |crush_m: f64| self.energy_j(crush_m) - energy_j;
-        let longest_m = MOST_CRUSH * self.thickness_m;
-        root::brent(left_j, 0.0, longest_m, ROUNDING * self.thickness_m).unwrap_or(longest_m)
+    pub fn stop_m(&self, energy_j: S) -> S {
+        let left_j = |crush_m: S| self.energy_j(crush_m) - energy_j;
+        let longest_m = self.thickness_m * MOST_CRUSH;
+        let at_j = |crush_m: f64| left_j(S::constant(crush_m)).value();
+        let tolerance_m = ROUNDING * self.thickness_m.value();
+        root::brent(at_j, 0.0, longest_m.value(), tolerance_m)
+            .map_or(longest_m, |stop_m| implicit(stop_m, stop_m, left_j))
     }
 
     /// Energy taken by each Pa of plateau up to a crush on the plateau, m³: the volume swept by the footprint, less what the
     /// elastic part leaves of it.
-    pub fn taken_m3(&self, crush_m: f64) -> f64 {
+    pub fn taken_m3(&self, crush_m: S) -> S {
         let elastic_m = self.law.yield_strain() * self.thickness_m;
         match self.shape {
-            Shape::Column { area_m2 } => area_m2 * (crush_m - 0.5 * elastic_m),
+            Shape::Column { area_m2 } => area_m2 * (crush_m - elastic_m * 0.5),
             Shape::Sphere { payload_radius_m } => {
                 let (r, s, y) = (payload_radius_m + self.thickness_m, crush_m, elastic_m);
                 // π s² (R − s/3) less ∫ A (1 − s/y) ds over the elastic part
-                PI * (s * s * (r - s / 3.0) - y * y * (r / 3.0 - y / 12.0))
+                (s * s * (r - s / 3.0) - y * y * (r / 3.0 - y / 12.0)) * PI
             }
         }
     }
 
     /// Crush at which the plateau ends, m.
-    pub fn plateau_crush_m(&self) -> f64 {
+    pub fn plateau_crush_m(&self) -> S {
         self.law.plateau_strain() * self.thickness_m
     }
 
     /// Plateau that takes an energy in the crush up to the end of the plateau, Pa.
-    pub fn plateau_needed_pa(&self, energy_j: f64) -> f64 {
+    pub fn plateau_needed_pa(&self, energy_j: S) -> S {
         energy_j / self.taken_m3(self.plateau_crush_m())
     }
 
     /// Thickness that takes an energy up to the end of the plateau, m; `None` beyond ten metres.
-    pub fn thickness_needed_m(&self, energy_j: f64) -> Option<f64> {
-        let left_j = |thickness_m: f64| {
+    pub fn thickness_needed_m(&self, energy_j: S) -> Option<S> {
+        let left_j = |thickness_m: S| {
             let other = Absorber {
                 thickness_m,
                 ..*self
             };
             self.law.plateau_pa * other.taken_m3(other.plateau_crush_m()) - energy_j
         };
-        root::brent(left_j, 0.0, 10.0, 1e-9)
+        let at_j = |thickness_m: f64| left_j(S::constant(thickness_m)).value();
+        let needed = root::brent(at_j, 0.0, 10.0, 1e-9);
+        needed.map(|thickness_m| implicit(thickness_m, thickness_m, left_j))
     }
 }
 

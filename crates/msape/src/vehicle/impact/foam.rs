@@ -16,6 +16,7 @@
 //! - \[gibson-ashby-1997\] chapters 5 and 8; \[maiti-1984\].
 
 use crate::data::Data;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// Constants of a kind of foam, a file of `data/foams`.
@@ -42,15 +43,15 @@ pub struct FoamKind {
 
 /// Stress of one foam against strain.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CrushLaw {
+pub struct CrushLaw<S = f64> {
     /// Plateau, Pa.
-    pub plateau_pa: f64,
+    pub plateau_pa: S,
     /// Strain at which the cells are closed.
-    pub closed_strain: f64,
+    pub closed_strain: S,
     /// The factor D.
     pub knee_factor: f64,
     /// Modulus of the foam, Pa.
-    pub modulus_pa: f64,
+    pub modulus_pa: S,
     /// Modulus of the solid, Pa.
     pub solid_modulus_pa: f64,
 }
@@ -74,11 +75,12 @@ impl FoamKind {
     }
 
     /// The law of a foam with this density and plateau; a density beyond the solid leaves a tenth of the strain.
-    pub fn law(&self, density_kg_m3: f64, plateau_pa: f64) -> CrushLaw {
+    pub fn law<S: Single>(&self, density_kg_m3: S, plateau_pa: S) -> CrushLaw<S> {
         let relative = density_kg_m3 / self.solid_density_kg_m3;
+        let open = -(relative * self.densification_factor) + 1.0;
         CrushLaw {
             plateau_pa,
-            closed_strain: (1.0 - self.densification_factor * relative).max(0.1),
+            closed_strain: open.max(S::constant(0.1)),
             knee_factor: self.knee_factor,
             modulus_pa: plateau_pa / self.yield_strain_ratio,
             solid_modulus_pa: self.solid_modulus_pa,
@@ -86,63 +88,63 @@ impl FoamKind {
     }
 }
 
-impl CrushLaw {
+impl<S: Single> CrushLaw<S> {
     /// Strain at which the plateau ends.
-    pub fn plateau_strain(&self) -> f64 {
+    pub fn plateau_strain(&self) -> S {
         self.closed_strain * (1.0 - 1.0 / self.knee_factor)
     }
 
     /// Stress, Pa; zero without compression.
-    pub fn stress_pa(&self, strain: f64) -> f64 {
-        if strain <= self.yield_strain() {
-            self.modulus_pa * strain.max(0.0)
+    pub fn stress_pa(&self, strain: S) -> S {
+        if strain.value() <= self.yield_strain().value() {
+            self.modulus_pa * strain.max(S::constant(0.0))
         } else {
             self.plateau_pa.max(self.dense_pa(strain))
         }
     }
 
     /// Slope of the stress, Pa.
-    pub fn slope_pa(&self, strain: f64) -> f64 {
+    pub fn slope_pa(&self, strain: S) -> S {
         let left = self.closed_strain - strain;
-        if strain <= self.yield_strain() {
+        if strain.value() <= self.yield_strain().value() {
             self.modulus_pa
-        } else if strain < self.plateau_strain() {
-            0.0
-        } else if left > self.last_left() {
+        } else if strain.less(self.plateau_strain()) {
+            S::constant(0.0)
+        } else if self.last_left().less(left) {
             self.scale_pa() / (left * left)
         } else {
-            self.solid_modulus_pa
+            S::constant(self.solid_modulus_pa)
         }
     }
 
     /// Elastic strain at which the plateau begins.
-    pub fn yield_strain(&self) -> f64 {
+    pub fn yield_strain(&self) -> S {
         self.plateau_pa / self.modulus_pa
     }
 
     /// Strain from which the foam is as stiff as its solid.
-    pub fn last_strain(&self) -> f64 {
+    pub fn last_strain(&self) -> S {
         self.closed_strain - self.last_left()
     }
 
     /// The rising branch, Pa.
-    fn dense_pa(&self, strain: f64) -> f64 {
+    fn dense_pa(&self, strain: S) -> S {
         let (scale, last) = (self.scale_pa(), self.last_left());
         let left = self.closed_strain - strain;
-        if left > last {
+        if last.less(left) {
             scale / left
         } else {
-            scale / last + self.solid_modulus_pa * (last - left)
+            scale / last + (last - left) * self.solid_modulus_pa
         }
     }
 
     /// Where the slope scale / (ε_D − ε)² is that of the solid: ε_D − ε.
-    fn last_left(&self) -> f64 {
+    fn last_left(&self) -> S {
         (self.scale_pa() / self.solid_modulus_pa).sqrt()
     }
 
     /// Stress times strain left to closed cells on the rising branch, Pa.
-    pub fn scale_pa(&self) -> f64 {
+    pub fn scale_pa(&self) -> S {
         self.plateau_pa * self.closed_strain / self.knee_factor
     }
 }

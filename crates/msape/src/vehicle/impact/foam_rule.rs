@@ -36,6 +36,8 @@ use crate::vehicle::impact::{foam_strength_pa, required_stroke_m};
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
 use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::implicit;
 
 /// Fraction from which a usable one is looked for, assumed: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
@@ -49,29 +51,32 @@ const RESOLUTION: f64 = 1e-15;
 
 /// Impact foam as the landing asks for it.
 #[derive(Clone, Copy, Debug)]
-pub struct FoamRule<'a> {
+pub struct FoamRule<'a, S = f64> {
     /// Stroke of the payload on a rigid surface, m.
-    pub stroke_m: f64,
+    pub stroke_m: S,
     /// Usable fraction of the foam: that of the case, or less where the plateau of the foam in use ends before.
-    pub stroke_efficiency: f64,
+    pub stroke_efficiency: S,
     /// Thickness that gives this stroke, m.
-    pub required_thickness_m: f64,
+    pub required_thickness_m: S,
     /// The same or the least that the rules allow, m.
-    pub least_thickness_m: f64,
+    pub least_thickness_m: S,
     /// Strength of equation 6, Pa.
-    pub equation_6_pa: f64,
+    pub equation_6_pa: S,
     /// End of the plateau of the foam that the least thickness with the largest fraction asks for.
-    plateau_strain: f64,
-    input: &'a VehicleInput,
+    plateau_strain: S,
+    shape: Shape<S>,
+    input: &'a VehicleInput<S>,
 }
 
-impl FoamRule<'_> {
+impl<S: Single> FoamRule<'_, S> {
     /// The foam for the landing of a vehicle.
-    pub fn new(input: &VehicleInput) -> FoamRule<'_> {
+    pub fn new(input: &VehicleInput<S>) -> FoamRule<'_, S> {
         let v = input.loads.terminal_speed_m_s;
+        let shape = Shape::of(input);
         let stroke_m = required_stroke_m(input.concept, v, input.impact.crush_load_limit_earth_g);
         // equation 6 with equation 4: the speed drops out, so that any speed above rest gives the same
-        let equation_6_pa = if stroke_m > 0.0 {
+        let none = S::constant(0.0);
+        let equation_6_pa = if stroke_m.value() > 0.0 {
             foam_strength_pa(
                 input.payload_mass_kg,
                 input.payload_diameter_m(),
@@ -79,15 +84,16 @@ impl FoamRule<'_> {
                 stroke_m,
             )
         } else {
-            0.0
+            none
         };
         let mut rule = FoamRule {
             stroke_m,
-            stroke_efficiency: 0.0,
-            required_thickness_m: 0.0,
-            least_thickness_m: input.rules.foam_thickness_min_m,
+            stroke_efficiency: none,
+            required_thickness_m: none,
+            least_thickness_m: S::constant(input.rules.foam_thickness_min_m),
             equation_6_pa,
-            plateau_strain: 0.0,
+            plateau_strain: none,
+            shape,
             input,
         };
         let usable = rule.largest_efficiency();
@@ -102,11 +108,11 @@ impl FoamRule<'_> {
     }
 
     /// The foam at a thickness, m.
-    pub fn at(&self, thickness_m: f64) -> Foam {
+    pub fn at(&self, thickness_m: S) -> Foam<S> {
         let strength_pa = self.strength_pa(thickness_m);
         let panels_kg_m3 = match (self.input.concept, self.input.densities.impact_foam_kg_m3) {
             (Concept::Msr, None) => self.input.densities.impact_panels_kg_m3,
-            _ => 0.0,
+            _ => S::constant(0.0),
         };
         Foam {
             thickness_m,
@@ -115,26 +121,26 @@ impl FoamRule<'_> {
         }
     }
 
-    fn supply(&self) -> Supply<'_> {
+    fn supply(&self) -> Supply<'_, S> {
         Supply::new(self.input)
     }
 
     /// Part of the thickness that the elastic branch takes from the stroke of equation 4.
-    fn elastic_part(&self) -> f64 {
+    fn elastic_part(&self) -> S {
         match self.input.concept {
-            Concept::Msr => 0.0,
-            Concept::NonMsr => 0.5 * self.supply().law(self.equation_6_pa).yield_strain(),
+            Concept::Msr => S::constant(0.0),
+            Concept::NonMsr => self.supply().law(self.equation_6_pa).yield_strain() * 0.5,
         }
     }
 
     /// The largest fraction with which the foam of the least thickness keeps to its plateau.
-    fn largest_efficiency(&self) -> f64 {
+    fn largest_efficiency(&self) -> S {
         let supply = self.supply();
-        let usable = |law: CrushLaw| law.plateau_strain() - self.elastic_part();
-        let softest = usable(supply.law(0.0));
-        let excess = |efficiency: f64| {
+        let usable = |law: CrushLaw<S>| law.plateau_strain() - self.elastic_part();
+        let softest = usable(supply.law(S::constant(0.0)));
+        let excess = |efficiency: S| {
             let strength_pa = match (self.input.impact.foam_strength, self.input.concept) {
-                (FoamStrength::CrushLaw, Concept::Msr) if self.stroke_m > 0.0 => {
+                (FoamStrength::CrushLaw, Concept::Msr) if self.stroke_m.value() > 0.0 => {
                     self.needed_pa(self.stroke_m / efficiency, self.stroke_m)
                 }
                 // in a column the stroke of equation 4 asks for the strength of equation 6
@@ -142,13 +148,18 @@ impl FoamRule<'_> {
             };
             usable(supply.law(strength_pa)) - efficiency
         };
+        let excess_at = |efficiency: f64| excess(S::constant(efficiency)).value();
         // stronger foam is denser and its plateau shorter: the excess falls throughout
-        root::brent(excess, LEAST_EFFICIENCY, softest, RESOLUTION).unwrap_or(softest)
+        root::brent(excess_at, LEAST_EFFICIENCY, softest.value(), RESOLUTION)
+            .map_or(softest, |efficiency| {
+                implicit(efficiency, efficiency, excess)
+            })
     }
 
     /// Strength asked for at a thickness, Pa.
-    fn strength_pa(&self, thickness_m: f64) -> f64 {
-        if self.input.impact.foam_strength == FoamStrength::Equation6 || self.stroke_m == 0.0 {
+    fn strength_pa(&self, thickness_m: S) -> S {
+        let at_rest = self.stroke_m.value() == 0.0;
+        if self.input.impact.foam_strength == FoamStrength::Equation6 || at_rest {
             return self.equation_6_pa;
         }
         let on_plateau_pa = self.on_plateau_pa(thickness_m);
@@ -163,30 +174,31 @@ impl FoamRule<'_> {
     }
 
     /// Least strength with which a foam takes the energy on its plateau, Pa.
-    fn on_plateau_pa(&self, thickness_m: f64) -> f64 {
+    fn on_plateau_pa(&self, thickness_m: S) -> S {
         let supply = self.supply();
-        let strength_pa = |strain: f64| self.needed_pa(thickness_m, strain * thickness_m);
-        let left = |strain: f64| supply.law(strength_pa(strain)).plateau_strain() - strain;
-        let softest = supply.law(0.0).plateau_strain();
+        let strength_pa = |strain: S| self.needed_pa(thickness_m, strain * thickness_m);
+        let left = |strain: S| supply.law(strength_pa(strain)).plateau_strain() - strain;
+        let left_at = |strain: f64| left(S::constant(strain)).value();
+        let softest = supply.law(S::constant(0.0)).plateau_strain().value();
         // thicker foam can be softer, and its plateau longer than that of the least thickness; beyond the grades there may be more than
         // one such foam, of which the softest is looked for
-        let step = (1.0 - APART) * (softest - self.plateau_strain) / f64::from(STEPS);
+        let step = (1.0 - APART) * (softest - self.plateau_strain.value()) / f64::from(STEPS);
         let strain = (1..=STEPS)
             .map(|i| softest - f64::from(i) * step)
-            .find(|strain| left(*strain) >= 0.0)
-            .and_then(|low| root::brent(left, low, low + step, RESOLUTION));
-        strength_pa(strain.unwrap_or(self.plateau_strain))
+            .find(|strain| left_at(*strain) >= 0.0)
+            .and_then(|low| root::brent(left_at, low, low + step, RESOLUTION));
+        strength_pa(strain.map_or(self.plateau_strain, |strain| implicit(strain, strain, left)))
     }
 
     /// Strength that takes the energy at a thickness within a crush on the plateau, m, Pa.
-    fn needed_pa(&self, thickness_m: f64, crush_m: f64) -> f64 {
+    fn needed_pa(&self, thickness_m: S, crush_m: S) -> S {
         let supply = self.supply();
         let v = self.input.loads.terminal_speed_m_s;
         let absorber = Absorber {
-            shape: Shape::of(self.input),
+            shape: self.shape,
             thickness_m,
             law: supply.law(self.equation_6_pa),
         };
-        0.5 * self.input.payload_mass_kg * v * v / absorber.taken_m3(crush_m)
+        self.input.payload_mass_kg * 0.5 * v * v / absorber.taken_m3(crush_m)
     }
 }

@@ -16,35 +16,36 @@
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::young;
 use numerics::math::{self, PI};
+use numerics::scalar::Single;
 
 /// Terms of the series: z / 2 Rₙ is below a half, and below 0.07 for a cone of 60 deg.
 const SERIES: u32 = 40;
 
 /// The part of a forebody that the ground sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footprint {
-    nose_radius_m: f64,
-    nose_depth_m: f64,
-    nose_edge_m: f64,
-    slope: f64,
-    largest_radius_m: f64,
+pub struct Footprint<S = f64> {
+    nose_radius_m: S,
+    nose_depth_m: S,
+    nose_edge_m: S,
+    slope: S,
+    largest_radius_m: S,
     /// ∫ A^0.7 dz over the nose.
-    nose_integral: f64,
+    nose_integral: S,
 }
 
-impl Footprint {
+impl<S: Single> Footprint<S> {
     /// Of a forebody's outer mould line.
-    pub fn new(forebody: &Forebody) -> Footprint {
+    pub fn new(forebody: &Forebody<S>) -> Footprint<S> {
         let (sin, cos) = forebody.sin_cos();
         let nose_radius_m = forebody.nose_radius_m;
-        let nose_depth_m = nose_radius_m * (1.0 - sin);
+        let nose_depth_m = nose_radius_m * (-sin + 1.0);
         let bare = Footprint {
             nose_radius_m,
             nose_depth_m,
             nose_edge_m: nose_radius_m * cos,
             slope: sin / cos,
             largest_radius_m: forebody.diameter_m / 2.0,
-            nose_integral: 0.0,
+            nose_integral: S::constant(0.0),
         };
         Footprint {
             nose_integral: bare.cap_integral(nose_depth_m),
@@ -53,66 +54,67 @@ impl Footprint {
     }
 
     /// Area of the largest cross-section, m².
-    pub fn largest_area_m2(&self) -> f64 {
-        PI * self.largest_radius_m * self.largest_radius_m
+    pub fn largest_area_m2(&self) -> S {
+        self.largest_radius_m * PI * self.largest_radius_m
     }
 
     /// Depth of the spherical nose, m.
-    pub fn nose_depth_m(&self) -> f64 {
+    pub fn nose_depth_m(&self) -> S {
         self.nose_depth_m
     }
 
     /// Depth at which the largest cross-section is reached, m.
-    pub fn full_depth_m(&self) -> f64 {
+    pub fn full_depth_m(&self) -> S {
         self.nose_depth_m + (self.largest_radius_m - self.nose_edge_m) / self.slope
     }
 
     /// Nose coefficient of Young's equation.
-    pub fn nose_coefficient(&self) -> f64 {
-        let diameter_m = 2.0 * self.largest_radius_m;
+    pub fn nose_coefficient(&self) -> S {
+        let diameter_m = self.largest_radius_m * 2.0;
         let sharp_m = self.largest_radius_m / self.slope;
         young::nose_coefficient(sharp_m / diameter_m, self.full_depth_m() / diameter_m)
     }
 
     /// Area of the cross-section at a depth, m².
-    pub fn area_m2(&self, depth_m: f64) -> f64 {
-        let z = depth_m.max(0.0);
-        if z <= self.nose_depth_m {
-            return PI * z * (2.0 * self.nose_radius_m - z);
+    pub fn area_m2(&self, depth_m: S) -> S {
+        let z = depth_m.max(S::constant(0.0));
+        if z.value() <= self.nose_depth_m.value() {
+            return z * PI * (self.nose_radius_m * 2.0 - z);
         }
         let r =
             (self.nose_edge_m + (z - self.nose_depth_m) * self.slope).min(self.largest_radius_m);
-        PI * r * r
+        r * PI * r
     }
 
     /// ∫ A^0.7 dz from the surface to a depth, m^2.4.
-    pub fn integral(&self, depth_m: f64) -> f64 {
-        let z = depth_m.max(0.0);
-        if z <= self.nose_depth_m {
+    pub fn integral(&self, depth_m: S) -> S {
+        let z = depth_m.max(S::constant(0.0));
+        if z.value() <= self.nose_depth_m.value() {
             return self.cap_integral(z);
         }
         let full_m = self.full_depth_m();
         let power = 2.0 * young::AREA_EXPONENT + 1.0;
         let r = self.nose_edge_m + (z.min(full_m) - self.nose_depth_m) * self.slope;
-        let cone = math::pow(PI, young::AREA_EXPONENT)
-            * (math::pow(r, power) - math::pow(self.nose_edge_m, power))
-            / (power * self.slope);
-        let cylinder =
-            (z - full_m).max(0.0) * math::pow(self.largest_area_m2(), young::AREA_EXPONENT);
+        let [power_of, exponent] = [power, young::AREA_EXPONENT].map(S::constant);
+        let cone = (r.pow(power_of) - self.nose_edge_m.pow(power_of))
+            * math::pow(PI, young::AREA_EXPONENT)
+            / (self.slope * power);
+        let beyond = (z - full_m).max(S::constant(0.0));
+        let cylinder = beyond * self.largest_area_m2().pow(exponent);
         self.nose_integral + cone + cylinder
     }
 
     /// The integral over the nose: ∫ (π z (2 Rₙ − z))^0.7 dz, its last factor as a binomial series in z / 2 Rₙ.
-    fn cap_integral(&self, depth_m: f64) -> f64 {
-        let (n, ratio) = (young::AREA_EXPONENT, depth_m / (2.0 * self.nose_radius_m));
-        let (mut sum, mut coefficient) = (0.0, 1.0);
+    fn cap_integral(&self, depth_m: S) -> S {
+        let (n, ratio) = (young::AREA_EXPONENT, depth_m / (self.nose_radius_m * 2.0));
+        let (mut sum, mut coefficient) = (S::constant(0.0), S::constant(1.0));
         for k in 0..SERIES {
             let k = f64::from(k);
-            sum += coefficient / (n + k + 1.0);
-            coefficient *= (k - n) / (k + 1.0) * ratio;
+            sum = sum + coefficient / (n + k + 1.0);
+            coefficient = coefficient * (ratio * ((k - n) / (k + 1.0)));
         }
-        let scale = 2.0 * PI * self.nose_radius_m * depth_m;
-        sum * depth_m * math::pow(scale, n)
+        let scale = self.nose_radius_m * (2.0 * PI) * depth_m;
+        sum * depth_m * scale.pow(S::constant(n))
     }
 }
 

@@ -21,6 +21,7 @@ use crate::data::Data;
 use crate::vehicle::impact::soil::Soil;
 use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::{self, Penetrator};
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// A ground and what resists in it; with neither of the two it is rigid.
@@ -67,13 +68,13 @@ pub struct Penetrability {
 
 /// Load of a rigid vehicle in the ground, Earth g.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RigidBodyLoad {
+pub struct RigidBodyLoad<S = f64> {
     /// With the value used, Earth g.
-    pub load_earth_g: f64,
+    pub load_earth_g: S,
     /// Least of the range, Earth g.
-    pub least_earth_g: f64,
+    pub least_earth_g: S,
     /// Largest of the range, Earth g.
-    pub largest_earth_g: f64,
+    pub largest_earth_g: S,
 }
 
 /// What resists.
@@ -114,7 +115,7 @@ impl Ground {
     }
 
     /// What resists, for a vehicle.
-    pub fn soil(&self, striker: &Striker) -> Soil {
+    pub fn soil<S: Single>(&self, striker: &Striker<S>) -> Soil<S> {
         match self.law() {
             Law::Rigid => Soil::Rigid,
             Law::Equation1(p) => Soil::equation_1(p.alpha, striker),
@@ -123,7 +124,7 @@ impl Ground {
     }
 
     /// Load of a rigid vehicle; `None` on rigid ground.
-    pub fn rigid_body_load(&self, striker: &Striker) -> Option<RigidBodyLoad> {
+    pub fn rigid_body_load<S: Single>(&self, striker: &Striker<S>) -> Option<RigidBodyLoad<S>> {
         let [load_earth_g, least_earth_g, largest_earth_g] = match self.law() {
             Law::Rigid => return None,
             Law::Equation1(p) => {
@@ -159,7 +160,7 @@ impl Ground {
     }
 }
 
-fn young_soil(penetrability: f64, striker: &Striker) -> Soil {
+fn young_soil<S: Single>(penetrability: f64, striker: &Striker<S>) -> Soil<S> {
     let footprint = striker.footprint;
     let area_m2 = footprint.largest_area_m2();
     let full_n = young::mean_resistance_n(

@@ -30,6 +30,7 @@ use crate::vehicle::kinds::Concept;
 use crate::vehicle::kinds::CrushingMass;
 use crate::vehicle::kinds::EARTH_G_M_S2;
 use numerics::math;
+use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 /// Velocity at touchdown, relative to the ground.
@@ -154,8 +155,12 @@ fn sphere_kg(vehicle: &Vehicle) -> f64 {
 }
 
 /// Largest load of a mass that crushes the foam on a rigid surface, Earth g.
-pub fn rigid_surface_load_earth_g(absorber: &Absorber, mass_kg: f64, speed_m_s: f64) -> f64 {
-    let stop_m = absorber.stop_m(0.5 * mass_kg * speed_m_s * speed_m_s);
+pub fn rigid_surface_load_earth_g<S: Single>(
+    absorber: &Absorber<S>,
+    mass_kg: S,
+    speed_m_s: S,
+) -> S {
+    let stop_m = absorber.stop_m(mass_kg * 0.5 * speed_m_s * speed_m_s);
     absorber.force_n(stop_m) / (mass_kg * EARTH_G_M_S2)
 }
 

@@ -18,64 +18,66 @@ use crate::vehicle::impact::footprint::Footprint;
 use crate::vehicle::impact::striker::Striker;
 use crate::vehicle::impact::young::AREA_EXPONENT;
 use crate::vehicle::kinds::EARTH_G_M_S2;
-use numerics::{math, root};
+use numerics::root;
+use numerics::scalar::Single;
+use numerics::scalar::functions::implicit;
 
 /// Relative error of the depth of a rigid vehicle.
 const DEPTH_TOLERANCE: f64 = 1e-13;
 
 /// Resistance of the ground to one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Soil {
+pub enum Soil<S = f64> {
     /// Does not give way.
     Rigid,
     /// In proportion to the depth.
     Linear {
         /// Force over depth, N/m.
-        stiffness_n_m: f64,
+        stiffness_n_m: S,
     },
     /// With the cross-section at the surface to the power 0.7.
     Growing {
         /// Force over that power of the area, N/m^1.4.
-        coefficient: f64,
+        coefficient: S,
         /// Cross-sections.
-        footprint: Footprint,
+        footprint: Footprint<S>,
     },
 }
 
-impl Soil {
+impl<S: Single> Soil<S> {
     /// The soil in which a rigid vehicle has the peak of equation 1.
-    pub fn equation_1(alpha: f64, striker: &Striker) -> Soil {
-        let root = alpha * EARTH_G_M_S2 * striker.nose_diameter_m * striker.speed_m_s;
+    pub fn equation_1(alpha: f64, striker: &Striker<S>) -> Soil<S> {
+        let root = striker.nose_diameter_m * (alpha * EARTH_G_M_S2) * striker.speed_m_s;
         Soil::Linear {
             stiffness_n_m: root * root / striker.mass_kg,
         }
     }
 
     /// A soil with this resistance to the largest cross-section, N.
-    pub fn growing(full_n: f64, footprint: Footprint) -> Soil {
+    pub fn growing(full_n: S, footprint: Footprint<S>) -> Soil<S> {
         Soil::Growing {
-            coefficient: full_n / math::pow(footprint.largest_area_m2(), AREA_EXPONENT),
+            coefficient: full_n / footprint.largest_area_m2().pow(S::constant(AREA_EXPONENT)),
             footprint,
         }
     }
 
     /// Resistance at a depth, N; infinite where the ground is rigid.
-    pub fn force_n(&self, depth_m: f64) -> f64 {
-        match self {
-            Soil::Rigid => f64::INFINITY,
-            Soil::Linear { stiffness_n_m } => stiffness_n_m * depth_m.max(0.0),
+    pub fn force_n(&self, depth_m: S) -> S {
+        match *self {
+            Soil::Rigid => S::constant(f64::INFINITY),
+            Soil::Linear { stiffness_n_m } => stiffness_n_m * depth_m.max(S::constant(0.0)),
             Soil::Growing {
                 coefficient,
                 footprint,
-            } => coefficient * math::pow(footprint.area_m2(depth_m), AREA_EXPONENT),
+            } => coefficient * footprint.area_m2(depth_m).pow(S::constant(AREA_EXPONENT)),
         }
     }
 
     /// Energy taken down to a depth, J.
-    pub fn energy_j(&self, depth_m: f64) -> f64 {
-        match self {
-            Soil::Rigid => 0.0,
-            Soil::Linear { stiffness_n_m } => 0.5 * stiffness_n_m * depth_m * depth_m,
+    pub fn energy_j(&self, depth_m: S) -> S {
+        match *self {
+            Soil::Rigid => S::constant(0.0),
+            Soil::Linear { stiffness_n_m } => stiffness_n_m * 0.5 * depth_m * depth_m,
             Soil::Growing {
                 coefficient,
                 footprint,
@@ -84,23 +86,25 @@ impl Soil {
     }
 
     /// Depth at which a rigid vehicle stops, m.
-    pub fn rigid_body_depth_m(&self, striker: &Striker) -> f64 {
-        let energy_j = 0.5 * striker.mass_kg * striker.speed_m_s * striker.speed_m_s;
-        if matches!(self, Soil::Rigid) || energy_j == 0.0 {
-            return 0.0;
+    pub fn rigid_body_depth_m(&self, striker: &Striker<S>) -> S {
+        let energy_j = striker.mass_kg * 0.5 * striker.speed_m_s * striker.speed_m_s;
+        if matches!(self, Soil::Rigid) || energy_j.value() == 0.0 {
+            return S::constant(0.0);
         }
-        let mut deep_m = striker.footprint.full_depth_m();
-        while self.energy_j(deep_m) < energy_j && deep_m < 1e6 {
+        let missing = |z: S| self.energy_j(z) - energy_j;
+        let missing_j = |z: f64| missing(S::constant(z)).value();
+        let mut deep_m = striker.footprint.full_depth_m().value();
+        while missing_j(deep_m) < 0.0 && deep_m < 1e6 {
             deep_m *= 2.0;
         }
-        let missing = |z: f64| self.energy_j(z) - energy_j;
-        root::brent(missing, 0.0, deep_m, DEPTH_TOLERANCE * deep_m).unwrap_or(deep_m)
+        let depth_m = root::brent(missing_j, 0.0, deep_m, DEPTH_TOLERANCE * deep_m);
+        depth_m.map_or(S::constant(deep_m), |z| implicit(z, z, missing))
     }
 
     /// Peak load of a rigid vehicle, Earth g; zero at rest.
-    pub fn rigid_body_load_earth_g(&self, striker: &Striker) -> f64 {
-        if striker.speed_m_s == 0.0 {
-            return 0.0;
+    pub fn rigid_body_load_earth_g(&self, striker: &Striker<S>) -> S {
+        if striker.speed_m_s.value() == 0.0 {
+            return S::constant(0.0);
         }
         self.force_n(self.rigid_body_depth_m(striker)) / (striker.mass_kg * EARTH_G_M_S2)
     }

@@ -14,27 +14,28 @@
 
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::footprint::Footprint;
+use numerics::scalar::Single;
 
 /// A vehicle that meets the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Striker {
+pub struct Striker<S = f64> {
     /// Mass, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Speed, m/s.
-    pub speed_m_s: f64,
+    pub speed_m_s: S,
     /// Twice the nose radius, m.
-    pub nose_diameter_m: f64,
+    pub nose_diameter_m: S,
     /// Cross-sections of the forebody.
-    pub footprint: Footprint,
+    pub footprint: Footprint<S>,
 }
 
-impl Striker {
+impl<S: Single> Striker<S> {
     /// A vehicle with this forebody.
-    pub fn new(forebody: &Forebody, mass_kg: f64, speed_m_s: f64) -> Striker {
+    pub fn new(forebody: &Forebody<S>, mass_kg: S, speed_m_s: S) -> Striker<S> {
         Striker {
             mass_kg,
             speed_m_s,
-            nose_diameter_m: 2.0 * forebody.nose_radius_m,
+            nose_diameter_m: forebody.nose_radius_m * 2.0,
             footprint: Footprint::new(forebody),
         }
     }

@@ -17,18 +17,19 @@
 use crate::vehicle::impact::foam::{CrushLaw, FoamKind};
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::FoamGrade;
+use numerics::scalar::Single;
 
 /// Foams of which an impact absorber can be made.
 #[derive(Clone, Copy, Debug)]
-pub struct Supply<'a> {
+pub struct Supply<'a, S = f64> {
     kind: &'a FoamKind,
     grades: &'a [FoamGrade],
-    given_kg_m3: Option<f64>,
+    given_kg_m3: Option<S>,
 }
 
-impl Supply<'_> {
+impl<S: Single> Supply<'_, S> {
     /// Those of an input.
-    pub fn new(input: &VehicleInput) -> Supply<'_> {
+    pub fn new(input: &VehicleInput<S>) -> Supply<'_, S> {
         Supply {
             kind: &input.impact.foam,
             grades: &input.foam_grades,
@@ -37,13 +38,13 @@ impl Supply<'_> {
     }
 
     /// Density of the foam, without panels unless the case gives it with them, kg/m³.
-    pub fn density_kg_m3(&self, asked_pa: f64) -> f64 {
+    pub fn density_kg_m3(&self, asked_pa: S) -> S {
         self.given_kg_m3
-            .unwrap_or_else(|| foam_density_kg_m3(self.grades, asked_pa).unwrap_or(0.0))
+            .unwrap_or_else(|| foam_density_kg_m3(self.grades, asked_pa))
     }
 
     /// Crush law of the foam in use for a strength asked for, Pa; a density of the case has the strength of its grades.
-    pub fn law(&self, asked_pa: f64) -> CrushLaw {
+    pub fn law(&self, asked_pa: S) -> CrushLaw<S> {
         if let Some(density) = self.given_kg_m3
             && let Some(strength_pa) = foam_strength_at_pa(self.grades, density)
         {
@@ -51,38 +52,39 @@ impl Supply<'_> {
         }
         let weakest = self.grades.first();
         let weakest_pa = weakest.map_or(0.0, |grade| grade.compressive_strength_pa);
-        let density = foam_density_kg_m3(self.grades, asked_pa).unwrap_or(0.0);
-        self.kind.law(density, asked_pa.max(weakest_pa))
+        let density = foam_density_kg_m3(self.grades, asked_pa);
+        self.kind
+            .law(density, asked_pa.max(S::constant(weakest_pa)))
     }
 }
 
-/// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³.
-pub fn foam_density_kg_m3(grades: &[FoamGrade], strength_pa: f64) -> Option<f64> {
-    let first = grades.first()?;
-    if strength_pa <= first.compressive_strength_pa {
-        return Some(first.density_kg_m3);
-    }
+/// Density at which a foam has a compressive strength, linear between grades and beyond the last two, kg/m³; zero without grades.
+pub fn foam_density_kg_m3<S: Single>(grades: &[FoamGrade], strength_pa: S) -> S {
     let mut pairs = grades.iter().zip(grades.iter().skip(1));
-    let (low, high) = pairs
-        .clone()
-        .find(|(_, high)| strength_pa <= high.compressive_strength_pa)
-        .or(pairs.next_back())?;
-    let share = (strength_pa - low.compressive_strength_pa)
-        / (high.compressive_strength_pa - low.compressive_strength_pa);
-    Some(low.density_kg_m3 + share * (high.density_kg_m3 - low.density_kg_m3))
+    let enough = |grade: &FoamGrade| strength_pa.value() <= grade.compressive_strength_pa;
+    let weakest = grades.first();
+    let pair = pairs.clone().find(|(_, high)| enough(high));
+    match (weakest.is_some_and(enough), pair.or(pairs.next_back())) {
+        (false, Some((low, high))) => {
+            let share = (strength_pa - low.compressive_strength_pa)
+                / (high.compressive_strength_pa - low.compressive_strength_pa);
+            share * (high.density_kg_m3 - low.density_kg_m3) + low.density_kg_m3
+        }
+        _ => S::constant(weakest.map_or(0.0, |grade| grade.density_kg_m3)),
+    }
 }
 
 /// Compressive strength of a foam of this density between the grades, Pa; `None` outside them.
-pub fn foam_strength_at_pa(grades: &[FoamGrade], density_kg_m3: f64) -> Option<f64> {
+pub fn foam_strength_at_pa<S: Single>(grades: &[FoamGrade], density_kg_m3: S) -> Option<S> {
     grades
         .iter()
         .zip(grades.iter().skip(1))
         .find_map(|(low, high)| {
             let (from, to) = (low.density_kg_m3, high.density_kg_m3);
-            (from < to && (from..=to).contains(&density_kg_m3)).then(|| {
+            (from < to && (from..=to).contains(&density_kg_m3.value())).then(|| {
                 let share = (density_kg_m3 - from) / (to - from);
-                low.compressive_strength_pa
-                    + share * (high.compressive_strength_pa - low.compressive_strength_pa)
+                share * (high.compressive_strength_pa - low.compressive_strength_pa)
+                    + low.compressive_strength_pa
             })
         })
 }
@@ -104,10 +106,10 @@ mod tests {
     #[test]
     fn foam_of_3_mpa_between_2_and_4_has_the_mean_density() {
         let grades = grades();
-        assert_eq!(foam_density_kg_m3(&grades, 3.0e6), Some(150.0));
-        assert_eq!(foam_density_kg_m3(&grades, 6.0e6), Some(300.0)); // beyond: 50 kg/m³ a MPa further
-        assert_eq!(foam_density_kg_m3(&grades, 0.5e6), Some(50.0));
-        assert_eq!(foam_density_kg_m3(&[], 1.0e6), None);
+        assert_eq!(foam_density_kg_m3(&grades, 3.0e6), 150.0);
+        assert_eq!(foam_density_kg_m3(&grades, 6.0e6), 300.0); // beyond: 50 kg/m³ a MPa further
+        assert_eq!(foam_density_kg_m3(&grades, 0.5e6), 50.0);
+        assert_eq!(foam_density_kg_m3(&[], 1.0e6), 0.0);
     }
 
     #[test]

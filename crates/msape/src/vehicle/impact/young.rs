@@ -16,7 +16,7 @@
 //! # References
 //! - \[young-1997\], soil and SI units.
 
-use numerics::math;
+use numerics::scalar::Single;
 
 /// Speed at which the second branch begins, m/s.
 const FAST_M_S: f64 = 61.0;
@@ -27,19 +27,19 @@ pub const AREA_EXPONENT: f64 = 0.7;
 
 /// What goes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Penetrator {
+pub struct Penetrator<S = f64> {
     /// Mass, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Cross-section, m².
-    pub area_m2: f64,
+    pub area_m2: S,
     /// Nose coefficient.
-    pub nose_coefficient: f64,
+    pub nose_coefficient: S,
     /// Speed, m/s.
-    pub speed_m_s: f64,
+    pub speed_m_s: S,
 }
 
 /// Depth, m.
-pub fn depth_m(penetrability: f64, penetrator: &Penetrator) -> f64 {
+pub fn depth_m<S: Single>(penetrability: f64, penetrator: &Penetrator<S>) -> S {
     let Penetrator {
         mass_kg: m,
         area_m2: a,
@@ -47,37 +47,38 @@ pub fn depth_m(penetrability: f64, penetrator: &Penetrator) -> f64 {
         speed_m_s: v,
     } = *penetrator;
     let s = penetrability;
-    let k = if m < LIGHT_KG {
-        0.27 * math::pow(m, 0.4)
+    let k = if m.value() < LIGHT_KG {
+        m.pow(S::constant(0.4)) * 0.27
     } else {
-        1.0
+        S::constant(1.0)
     };
-    let snk = s * n * k * math::pow(m / a, AREA_EXPONENT);
-    if v < FAST_M_S {
-        0.0008 * snk * math::ln(1.0 + 2.15e-4 * v * v)
+    let snk = n * s * k * (m / a).pow(S::constant(AREA_EXPONENT));
+    if v.value() < FAST_M_S {
+        snk * 0.0008 * (v * 2.15e-4 * v + 1.0).ln()
     } else {
-        0.000_018 * snk * (v - 30.5)
+        snk * 0.000_018 * (v - 30.5)
     }
 }
 
 /// Force that would stop the penetrator over this depth, N.
-pub fn mean_resistance_n(penetrability: f64, penetrator: &Penetrator) -> f64 {
+pub fn mean_resistance_n<S: Single>(penetrability: f64, penetrator: &Penetrator<S>) -> S {
     let Penetrator {
         mass_kg: m,
         speed_m_s: v,
         ..
     } = *penetrator;
-    m * v * v / (2.0 * depth_m(penetrability, penetrator))
+    m * v * v / (depth_m(penetrability, penetrator) * 2.0)
 }
 
 /// Nose coefficient of a cone with a blunted tip: lengths over the diameter.
-pub fn nose_coefficient(sharp_length_ratio: f64, blunted_length_ratio: f64) -> f64 {
-    0.56 + 0.125 * (sharp_length_ratio + blunted_length_ratio)
+pub fn nose_coefficient<S: Single>(sharp_length_ratio: S, blunted_length_ratio: S) -> S {
+    (sharp_length_ratio + blunted_length_ratio) * 0.125 + 0.56
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use numerics::math;
 
     const PENETRATOR: Penetrator = Penetrator {
         mass_kg: 100.0,

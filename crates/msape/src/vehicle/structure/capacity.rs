@@ -27,7 +27,9 @@
 //!   \[timoshenko-woinowsky-1959\] edge of a shell.
 
 use super::{Carrier, Construction};
-use numerics::math::{PI, cbrt, exp, pow, sin};
+use numerics::math::PI;
+use numerics::scalar::Single;
+use numerics::scalar::functions::cbrt;
 
 /// Knock-down of SP-8019 for cones under hydrostatic pressure.
 const CONE_PRESSURE_KNOCKDOWN: f64 = 0.75;
@@ -44,216 +46,214 @@ const HONEYCOMB_WRINKLING: f64 = 0.33;
 
 /// A spherical cap.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cap {
+pub struct Cap<S = f64> {
     /// Radius, m.
-    pub radius_m: f64,
+    pub radius_m: S,
     /// Half the angle that it spans from its centre, rad.
-    pub half_angle_rad: f64,
+    pub half_angle_rad: S,
 }
 
 /// A cone between two rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cone {
+pub struct Cone<S = f64> {
     /// Slant length, m.
-    pub slant_length_m: f64,
+    pub slant_length_m: S,
     /// Mean normal radius of curvature, m.
-    pub curvature_radius_m: f64,
+    pub curvature_radius_m: S,
     /// Half-angle, rad.
-    pub half_angle_rad: f64,
+    pub half_angle_rad: S,
 }
 
-impl Carrier {
+impl<S: Single> Carrier<S> {
     /// √(3 (1 − ν²)).
-    fn root(&self) -> f64 {
-        (3.0 * (1.0 - self.poisson_ratio * self.poisson_ratio)).sqrt()
+    fn root(&self) -> S {
+        ((-(self.poisson_ratio * self.poisson_ratio) + 1.0) * 3.0).sqrt()
     }
 
     /// Solid wall of the same stiffness: its thickness in m and modulus in Pa.
-    pub fn equivalent(&self, thickness_m: f64, face_thickness_m: f64) -> (f64, f64) {
+    pub fn equivalent(&self, thickness_m: S, face_thickness_m: S) -> (S, S) {
         let e = self.elastic_modulus_pa;
         match self.construction {
             Construction::Solid { .. } => (thickness_m, e),
             Construction::Sandwich { .. } => {
-                let t = 3.0_f64.sqrt() * (thickness_m - face_thickness_m).max(0.0);
+                let none = S::constant(0.0);
+                let t = (thickness_m - face_thickness_m).max(none) * 3.0_f64.sqrt();
                 (
                     t,
-                    if t > 0.0 {
-                        2.0 * e * face_thickness_m / t
+                    if t.value() > 0.0 {
+                        e * 2.0 * face_thickness_m / t
                     } else {
-                        0.0
+                        none
                     },
                 )
             }
         }
     }
 
-    /// Thickness of a wall whose capacity is `k E tⁿ`, by the equivalent wall for a sandwich, m.
-    pub fn thickness_for(&self, demand_over_k: f64, n: f64, membrane_n_m: f64) -> f64 {
+    /// Thickness of a wall whose capacity is `k E tⁿ`, by the equivalent wall for a sandwich with faces of `face_m`, m.
+    fn thickness_for(&self, demand_over_k: S, n: f64, face_m: Option<S>) -> S {
         let e = self.elastic_modulus_pa;
-        match self.face_thickness_m(membrane_n_m) {
-            None => pow(demand_over_k / e, 1.0 / n),
+        match face_m {
+            None => (demand_over_k / e).pow(S::constant(1.0 / n)),
             // k (2 E t_f / t) tⁿ with t = √3 (h − t_f)
             Some(t_f) => {
-                t_f + pow(demand_over_k / (2.0 * e * t_f), 1.0 / (n - 1.0)) / 3.0_f64.sqrt()
+                let exponent = S::constant(1.0 / (n - 1.0));
+                t_f + (demand_over_k / (e * 2.0 * t_f)).pow(exponent) / 3.0_f64.sqrt()
             }
         }
     }
 
     /// Pressure at which a cone buckles, Pa, for an equivalent wall (thickness in m, modulus in Pa).
-    pub fn cone_pressure_pa(cone: &Cone, (t, e): (f64, f64)) -> f64 {
+    pub fn cone_pressure_pa(cone: &Cone<S>, (t, e): (S, S)) -> S {
         let rho = cone.curvature_radius_m;
-        0.92 * CONE_PRESSURE_KNOCKDOWN * e * t * t * t.sqrt()
+        e * (0.92 * CONE_PRESSURE_KNOCKDOWN) * t * t * t.sqrt()
             / (cone.slant_length_m * rho * rho.sqrt())
     }
 
     /// Thickness at which a cone carries the pressure `pressure_pa`, m.
-    pub fn cone_thickness_m(&self, cone: &Cone, pressure_pa: f64, membrane_n_m: f64) -> f64 {
+    pub fn cone_thickness_m(&self, cone: &Cone<S>, pressure_pa: S, face_m: Option<S>) -> S {
         let (l, rho) = (cone.slant_length_m, cone.curvature_radius_m);
         let over_k = pressure_pa * l * rho * rho.sqrt() / (0.92 * CONE_PRESSURE_KNOCKDOWN);
-        self.thickness_for(over_k, 2.5, membrane_n_m)
+        self.thickness_for(over_k, 2.5, face_m)
     }
 
     /// Axial load at which a cone of the half-angle `half_angle_rad` buckles, N, for an equivalent wall.
-    pub fn cone_axial_load_n(&self, half_angle_rad: f64, (t, e): (f64, f64)) -> f64 {
-        let cos = numerics::math::cos(half_angle_rad);
-        CONE_AXIAL_KNOCKDOWN * 2.0 * PI * e * t * t * cos * cos / self.root()
+    pub fn cone_axial_load_n(&self, half_angle_rad: S, (t, e): (S, S)) -> S {
+        let cos = half_angle_rad.cos();
+        e * (CONE_AXIAL_KNOCKDOWN * 2.0 * PI) * t * t * cos * cos / self.root()
     }
 
     /// Thickness at which a cone carries the axial load `load_n`, m.
-    pub fn cone_axial_thickness_m(
-        &self,
-        half_angle_rad: f64,
-        load_n: f64,
-        membrane_n_m: f64,
-    ) -> f64 {
-        let cos = numerics::math::cos(half_angle_rad);
-        let over_k = load_n * self.root() / (CONE_AXIAL_KNOCKDOWN * 2.0 * PI * cos * cos);
-        self.thickness_for(over_k, 2.0, membrane_n_m)
+    pub fn cone_axial_thickness_m(&self, half_angle_rad: S, load_n: S, face_m: Option<S>) -> S {
+        let cos = half_angle_rad.cos();
+        let over_k = load_n * self.root() / (cos * (CONE_AXIAL_KNOCKDOWN * 2.0 * PI) * cos);
+        self.thickness_for(over_k, 2.0, face_m)
     }
 
     /// 3.2/λ² for a unit of thickness, 1/m.
-    fn cap_rise_per_m(&self, cap: &Cap) -> f64 {
-        let half = sin(0.5 * cap.half_angle_rad);
+    fn cap_rise_per_m(&self, cap: &Cap<S>) -> S {
+        let half = (cap.half_angle_rad * 0.5).sin();
         // λ² = √(12 (1 − ν²)) (R/t) 4 sin² (φ/2), √12 = 2 √3
-        CAP_KNOCKDOWN[1] / (2.0 * self.root() * cap.radius_m * 4.0 * half * half)
+        S::constant(CAP_KNOCKDOWN[1]) / (self.root() * 2.0 * cap.radius_m * 4.0 * half * half)
     }
 
     /// Pressure at which a cap buckles, Pa, for an equivalent wall.
-    pub fn cap_pressure_pa(&self, cap: &Cap, (t, e): (f64, f64)) -> f64 {
+    pub fn cap_pressure_pa(&self, cap: &Cap<S>, (t, e): (S, S)) -> S {
         let [large, over_lambda_2] = CAP_KNOCKDOWN;
-        let rise = (self.cap_rise_per_m(cap) * t).min(over_lambda_2 / CAP_LEAST_LAMBDA_2);
+        let rise =
+            (self.cap_rise_per_m(cap) * t).min(S::constant(over_lambda_2 / CAP_LEAST_LAMBDA_2));
         let slender = t / cap.radius_m;
-        (large + rise) * 2.0 * e * slender * slender / self.root()
+        (rise + large) * 2.0 * e * slender * slender / self.root()
     }
 
     /// Thickness at which a cap carries the pressure `pressure_pa`, m.
-    pub fn cap_thickness_m(&self, cap: &Cap, pressure_pa: f64, membrane_n_m: f64) -> f64 {
+    pub fn cap_thickness_m(&self, cap: &Cap<S>, pressure_pa: S, face_m: Option<S>) -> S {
         let [large, over_lambda_2] = CAP_KNOCKDOWN;
         let (rise, e) = (self.cap_rise_per_m(cap), self.elastic_modulus_pa);
         let most = large + over_lambda_2 / CAP_LEAST_LAMBDA_2;
         // (0.14 + a t) E t² = q
         let q = pressure_pa * cap.radius_m * cap.radius_m * self.root() / 2.0;
-        match self.face_thickness_m(membrane_n_m) {
+        match face_m {
             None => {
-                let mut t = (q / (large * e)).sqrt();
+                let mut t = (q / (e * large)).sqrt();
                 // from above a convex function: Newton's steps fall towards the root and halve its digits' number
                 for _ in 0..NEWTON_STEPS {
-                    let f = (large + rise * t) * t * t - q / e;
-                    let slope = (2.0 * large + 3.0 * rise * t) * t;
-                    if slope > 0.0 {
-                        t -= f / slope;
+                    let f = (rise * t + large) * t * t - q / e;
+                    let slope = (rise * 3.0 * t + 2.0 * large) * t;
+                    if slope.value() > 0.0 {
+                        t = t - f / slope;
                     }
                 }
-                t.max((q / (most * e)).sqrt())
+                t.max((q / (e * most)).sqrt())
             }
             Some(t_f) => {
                 // (0.14 + a t) 2 E t_f t = q, t = √3 (h − t_f)
-                let q = q / (2.0 * e * t_f);
-                let t = 2.0 * q / (large + (large * large + 4.0 * rise * q).sqrt());
+                let q = q / (e * 2.0 * t_f);
+                let t = q * 2.0 / ((rise * 4.0 * q + large * large).sqrt() + large);
                 t_f + t.max(q / most) / 3.0_f64.sqrt()
             }
         }
     }
 
     /// Axial load at which a cylinder of radius `radius_m` buckles, N, for an equivalent wall.
-    pub fn cylinder_load_n(&self, radius_m: f64, (t, e): (f64, f64)) -> f64 {
+    pub fn cylinder_load_n(&self, radius_m: S, (t, e): (S, S)) -> S {
         self.cylinder_knockdown(radius_m) * 2.0 * PI * e * t * t / self.root()
     }
 
     /// Thickness at which a cylinder carries the axial load `load_n`, m.
-    pub fn cylinder_thickness_m(&self, radius_m: f64, load_n: f64, membrane_n_m: f64) -> f64 {
+    pub fn cylinder_thickness_m(&self, radius_m: S, load_n: S, face_m: Option<S>) -> S {
         let over_k = load_n * self.root() / (self.cylinder_knockdown(radius_m) * 2.0 * PI);
-        self.thickness_for(over_k, 2.0, membrane_n_m)
+        self.thickness_for(over_k, 2.0, face_m)
     }
 
     /// Taken at the least gauge: a thicker wall is knocked down less.
-    fn cylinder_knockdown(&self, radius_m: f64) -> f64 {
-        let slender = (radius_m / self.minimum_gauge_m.max(1e-6)).sqrt() / 16.0;
-        1.0 - 0.901 * (1.0 - exp(-slender))
+    fn cylinder_knockdown(&self, radius_m: S) -> S {
+        let slender = (radius_m / self.minimum_gauge_m.max(S::constant(1e-6))).sqrt() / 16.0;
+        -((-(-slender).exp() + 1.0) * 0.901) + 1.0
     }
 
     /// Stress at which faces wrinkle on a thick core, Pa; infinite for a laminate.
-    pub fn wrinkling_stress_pa(&self) -> f64 {
+    pub fn wrinkling_stress_pa(&self) -> S {
         match self.construction {
-            Construction::Solid { .. } => f64::INFINITY,
+            Construction::Solid { .. } => S::constant(f64::INFINITY),
             Construction::Sandwich {
                 core_elastic_modulus_pa: e_c,
                 core_shear_modulus_pa: g_c,
                 ..
-            } => WRINKLING * cbrt(self.elastic_modulus_pa) * cbrt(e_c) * cbrt(g_c),
+            } => cbrt(self.elastic_modulus_pa) * WRINKLING * cbrt(e_c) * cbrt(g_c),
         }
     }
 
     /// Stress at which the faces of a sandwich `height_m` high wrinkle on honeycomb, Pa; infinite for a laminate.
-    pub fn honeycomb_wrinkling_stress_pa(&self, height_m: f64, face_thickness_m: f64) -> f64 {
+    pub fn honeycomb_wrinkling_stress_pa(&self, height_m: S, face_thickness_m: S) -> S {
         match self.construction {
-            Construction::Solid { .. } => f64::INFINITY,
+            Construction::Solid { .. } => S::constant(f64::INFINITY),
             Construction::Sandwich {
                 core_elastic_modulus_pa: e_c,
                 ..
             } => {
                 let (e, t_f) = (self.elastic_modulus_pa, face_thickness_m);
-                let t_c = (height_m - 2.0 * t_f).max(1e-9);
-                HONEYCOMB_WRINKLING * e * (e_c * t_f / (e * t_c)).sqrt()
+                let t_c = (height_m - t_f * 2.0).max(S::constant(1e-9));
+                e * HONEYCOMB_WRINKLING * (e_c * t_f / (e * t_c)).sqrt()
             }
         }
     }
 
     /// Stress at which faces dimple into the cells, Pa; infinite for a laminate.
-    pub fn dimpling_stress_pa(&self, face_thickness_m: f64) -> f64 {
+    pub fn dimpling_stress_pa(&self, face_thickness_m: S) -> S {
         match self.construction {
-            Construction::Solid { .. } => f64::INFINITY,
+            Construction::Solid { .. } => S::constant(f64::INFINITY),
             Construction::Sandwich { cell_size_m, .. } => {
                 let ratio = face_thickness_m / cell_size_m;
-                2.0 * self.elastic_modulus_pa * ratio * ratio
-                    / (1.0 - self.poisson_ratio * self.poisson_ratio)
+                self.elastic_modulus_pa * 2.0 * ratio * ratio
+                    / (-(self.poisson_ratio * self.poisson_ratio) + 1.0)
             }
         }
     }
 
     /// Force at which a sandwich crimps, N/m; infinite for a laminate.
-    pub fn crimping_n_m(&self, height_m: f64, face_thickness_m: f64) -> f64 {
+    pub fn crimping_n_m(&self, height_m: S, face_thickness_m: S) -> S {
         match self.construction {
-            Construction::Solid { .. } => f64::INFINITY,
+            Construction::Solid { .. } => S::constant(f64::INFINITY),
             Construction::Sandwich {
                 core_shear_modulus_pa: g_c,
                 ..
             } => {
                 let d = height_m - face_thickness_m;
-                g_c * d * d / (height_m - 2.0 * face_thickness_m).max(1e-9)
+                g_c * d * d / (height_m - face_thickness_m * 2.0).max(S::constant(1e-9))
             }
         }
     }
 
     /// Shear stress in the core at a ring that holds a shell of the curvature radius `rho_m` under pressure, Pa.
-    pub fn ring_shear_pa(&self, pressure_pa: f64, rho_m: f64, d_m: f64) -> f64 {
-        let plane = 1.0 - self.poisson_ratio * self.poisson_ratio;
-        pressure_pa * (rho_m / d_m.max(1e-9)).sqrt() / plane.sqrt().sqrt()
+    pub fn ring_shear_pa(&self, pressure_pa: S, rho_m: S, d_m: S) -> S {
+        let plane = -(self.poisson_ratio * self.poisson_ratio) + 1.0;
+        pressure_pa * (rho_m / d_m.max(S::constant(1e-9))).sqrt() / plane.sqrt().sqrt()
     }
 
     /// Height at which the core carries that stress, m; nought for a laminate.
-    pub fn ring_shear_thickness_m(&self, pressure_pa: f64, rho_m: f64, membrane_n_m: f64) -> f64 {
-        match (self.construction, self.face_thickness_m(membrane_n_m)) {
+    pub fn ring_shear_thickness_m(&self, pressure_pa: S, rho_m: S, face_m: Option<S>) -> S {
+        match (self.construction, face_m) {
             (
                 Construction::Sandwich {
                     core_shear_strength_pa: tau,
@@ -261,11 +261,11 @@ impl Carrier {
                 },
                 Some(t_f),
             ) => {
-                let plane = 1.0 - self.poisson_ratio * self.poisson_ratio;
+                let plane = -(self.poisson_ratio * self.poisson_ratio) + 1.0;
                 // τ = p √(ρ/d) / ∜(1 − ν²)
                 t_f + rho_m * (pressure_pa / tau) * (pressure_pa / tau) / plane.sqrt()
             }
-            _ => 0.0,
+            _ => S::constant(0.0),
         }
     }
 }
@@ -305,27 +305,27 @@ mod tests {
     #[test]
     fn every_thickness_carries_exactly_what_it_was_asked_for() {
         reversed(
-            |c| c.cone_thickness_m(&CONE, 2e5, 0.0),
+            |c| c.cone_thickness_m(&CONE, 2e5, c.face_thickness_m(0.0)),
             |_, wall| Carrier::cone_pressure_pa(&CONE, wall),
             2e5,
         );
         reversed(
-            |c| c.cap_thickness_m(&NOSE, 1e5, 0.0),
+            |c| c.cap_thickness_m(&NOSE, 1e5, c.face_thickness_m(0.0)),
             |c, wall| c.cap_pressure_pa(&NOSE, wall),
             1e5,
         );
         reversed(
-            |c| c.cap_thickness_m(&NOSE, 1e8, 0.0),
+            |c| c.cap_thickness_m(&NOSE, 1e8, c.face_thickness_m(0.0)),
             |c, wall| c.cap_pressure_pa(&NOSE, wall),
             1e8,
         );
         reversed(
-            |c| c.cylinder_thickness_m(0.2, 5e4, 0.0),
+            |c| c.cylinder_thickness_m(0.2, 5e4, c.face_thickness_m(0.0)),
             |c, wall| c.cylinder_load_n(0.2, wall),
             5e4,
         );
         reversed(
-            |c| c.cone_axial_thickness_m(1.0, 5e4, 0.0),
+            |c| c.cone_axial_thickness_m(1.0, 5e4, c.face_thickness_m(0.0)),
             |c, wall| c.cone_axial_load_n(1.0, wall),
             5e4,
         );
@@ -348,10 +348,11 @@ mod tests {
     #[test]
     fn core_of_2_mpa_holds_its_ring() {
         // p 1e5, ρ 0.5 m: d = 0.5 · (1e5 / 2e6)² / √0.91 = 1.3103 mm
-        let t = sandwich().ring_shear_thickness_m(1e5, 0.5, 0.0);
+        let face = sandwich().face_thickness_m(0.0);
+        let t = sandwich().ring_shear_thickness_m(1e5, 0.5, face);
         assert!((t - 0.0005 - 0.001_310_3).abs() < 1e-7, "{t}");
         assert!((sandwich().ring_shear_pa(1e5, 0.5, t - 0.0005) / 2e6 - 1.0).abs() < 1e-12);
-        assert_eq!(solid().ring_shear_thickness_m(1e5, 0.5, 0.0), 0.0);
+        assert_eq!(solid().ring_shear_thickness_m(1e5, 0.5, None), 0.0);
     }
 
     #[test]

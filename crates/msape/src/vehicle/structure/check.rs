@@ -234,19 +234,20 @@ impl Built<'_> {
             LoadCase::EntryPressure
         };
         let n_m = p * shell.membrane_radius_m();
+        let face_m = carrier.face_thickness_m(n_m);
         self.gauge();
         self.membrane(entry, n_m);
         if let Some(cone) = shell.cone {
-            let needed = Some(carrier.cone_thickness_m(&cone, p, n_m));
+            let needed = Some(carrier.cone_thickness_m(&cone, p, face_m));
             let figures = ("Pa", p, Carrier::cone_pressure_pa(&cone, wall), needed);
             self.add(Rule::ConePressureBuckling, entry, figures);
             let load = shell.launch_axial_n;
-            let needed = Some(carrier.cone_axial_thickness_m(cone.half_angle_rad, load, n_m));
+            let needed = Some(carrier.cone_axial_thickness_m(cone.half_angle_rad, load, face_m));
             let capacity = carrier.cone_axial_load_n(cone.half_angle_rad, wall);
             let figures = ("N", load, capacity, needed);
             self.add(Rule::ConeAxialBuckling, LoadCase::Launch(launch), figures);
         }
-        let needed = Some(carrier.cap_thickness_m(&shell.cap, p, n_m));
+        let needed = Some(carrier.cap_thickness_m(&shell.cap, p, face_m));
         let figures = ("Pa", p, carrier.cap_pressure_pa(&shell.cap, wall), needed);
         self.add(Rule::CapBuckling, entry, figures);
         if let Construction::Sandwich {
@@ -256,7 +257,7 @@ impl Built<'_> {
         {
             let rho = shell.ring_curvature_radius_m;
             let d = self.wall.thickness_m - self.wall.face_thickness_m;
-            let needed = Some(carrier.ring_shear_thickness_m(p, rho, n_m));
+            let needed = Some(carrier.ring_shear_thickness_m(p, rho, face_m));
             let figures = (
                 "Pa",
                 carrier.ring_shear_pa(p, rho, d),
@@ -285,7 +286,8 @@ impl Built<'_> {
         {
             let n_m = load_n / (2.0 * PI * radius_m);
             self.membrane(load_case, n_m);
-            let needed = Some(carrier.cylinder_thickness_m(radius_m, load_n, n_m));
+            let face_m = carrier.face_thickness_m(n_m);
+            let needed = Some(carrier.cylinder_thickness_m(radius_m, load_n, face_m));
             let figures = ("N", load_n, carrier.cylinder_load_n(radius_m, wall), needed);
             self.add(Rule::CylinderBuckling, load_case, figures);
         }

@@ -26,101 +26,96 @@ use crate::vehicle::kinds::EARTH_G_M_S2;
 use crate::vehicle::layout::Layout;
 use crate::vehicle::mass::Component;
 use crate::vehicle::mass::{MassProperties, Masses};
-use numerics::math::{FRAC_PI_2, PI, atan2};
+use numerics::math::{FRAC_PI_2, PI};
+use numerics::scalar::Single;
 
 /// A cone between two rings under external pressure with its spherical cap, or a cap alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PressureShell {
+pub struct PressureShell<S = f64> {
     /// Design pressure, factor included, Pa.
-    pub pressure_pa: f64,
+    pub pressure_pa: S,
     /// Whether the deceleration of the whole mass is more than the stagnation pressure.
     pub from_deceleration: bool,
     /// Cone; `None` when there is none.
-    pub cone: Option<Cone>,
+    pub cone: Option<Cone<S>>,
     /// Largest normal radius of curvature of the cone, m.
-    pub largest_curvature_radius_m: f64,
+    pub largest_curvature_radius_m: S,
     /// Normal radius of curvature at the ring, m.
-    pub ring_curvature_radius_m: f64,
+    pub ring_curvature_radius_m: S,
     /// Cap.
-    pub cap: Cap,
+    pub cap: Cap<S>,
     /// Pressure by which its own inertia loads it at launch, factor included, Pa.
-    pub launch_pressure_pa: f64,
+    pub launch_pressure_pa: S,
     /// Axial load at the inner end of the cone at launch, factor included, N.
-    pub launch_axial_n: f64,
+    pub launch_axial_n: S,
 }
 
 /// Axial loads of a cylinder, factor included.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxialLoads {
+pub struct AxialLoads<S = f64> {
     /// Radius, m.
-    pub radius_m: f64,
+    pub radius_m: S,
     /// At entry, N.
-    pub entry_n: f64,
+    pub entry_n: S,
     /// Corners at launch, and the axial load that makes the same largest force, N.
-    pub launch: [(LaunchLoad, f64); 4],
+    pub launch: [(LaunchLoad<S>, S); 4],
 }
 
 /// Loads of the three walls.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WallLoads {
+pub struct WallLoads<S = f64> {
     /// Forebody carrier structure.
-    pub forebody: PressureShell,
+    pub forebody: PressureShell<S>,
     /// Aftbody carrier structure.
-    pub aftbody: PressureShell,
+    pub aftbody: PressureShell<S>,
     /// Primary structure.
-    pub primary: AxialLoads,
+    pub primary: AxialLoads<S>,
 }
 
-impl PressureShell {
+impl<S: Single> PressureShell<S> {
     /// Radius of curvature with which pressure makes the largest force in the wall, m.
-    pub fn membrane_radius_m(&self) -> f64 {
+    pub fn membrane_radius_m(&self) -> S {
         self.largest_curvature_radius_m.max(self.cap.radius_m / 2.0)
     }
 }
 
-impl AxialLoads {
+impl<S: Single> AxialLoads<S> {
     /// Largest load, N.
-    pub fn largest_n(&self) -> f64 {
+    pub fn largest_n(&self) -> S {
         self.launch
             .iter()
             .map(|(_, n)| *n)
-            .fold(self.entry_n, f64::max)
+            .fold(self.entry_n, S::max)
     }
 }
 
-impl Carrier {
+impl<S: Single> Carrier<S> {
     /// The wall of a shell under external pressure.
-    pub fn pressure_wall(&self, shell: &PressureShell) -> Wall {
+    pub fn pressure_wall(&self, shell: &PressureShell<S>) -> Wall<S> {
         let p = shell.pressure_pa;
         let membrane_n_m = p.max(shell.launch_pressure_pa) * shell.membrane_radius_m();
-        let cone = shell.cone.map_or(0.0, |cone| {
-            let axial = self.cone_axial_thickness_m(
-                cone.half_angle_rad,
-                shell.launch_axial_n,
-                membrane_n_m,
-            );
-            self.cone_thickness_m(&cone, p, membrane_n_m).max(axial)
+        let face_m = self.face_thickness_m(membrane_n_m);
+        let cone = shell.cone.map_or(S::constant(0.0), |cone| {
+            let axial_n = shell.launch_axial_n;
+            let axial = self.cone_axial_thickness_m(cone.half_angle_rad, axial_n, face_m);
+            self.cone_thickness_m(&cone, p, face_m).max(axial)
         });
         self.wall(&Needs {
             membrane_n_m,
+            face_m,
             buckling_m: cone,
-            cap_buckling_m: self.cap_thickness_m(&shell.cap, p, membrane_n_m),
-            core_shear_m: self.ring_shear_thickness_m(
-                p,
-                shell.ring_curvature_radius_m,
-                membrane_n_m,
-            ),
+            cap_buckling_m: self.cap_thickness_m(&shell.cap, p, face_m),
+            core_shear_m: self.ring_shear_thickness_m(p, shell.ring_curvature_radius_m, face_m),
         })
     }
 
     /// The wall of a cylinder under axial loads.
-    pub fn axial_wall(&self, loads: &AxialLoads) -> Wall {
+    pub fn axial_wall(&self, loads: &AxialLoads<S>) -> Wall<S> {
         let load_n = loads.largest_n();
-        let membrane_n_m = load_n / (2.0 * PI * loads.radius_m);
+        let needs = Needs::of_force(self, load_n / (loads.radius_m * (2.0 * PI)));
         self.wall(&Needs {
-            membrane_n_m,
-            buckling_m: self.cylinder_thickness_m(loads.radius_m, load_n, membrane_n_m),
-            ..Needs::default()
+            buckling_m: self.cylinder_thickness_m(loads.radius_m, load_n, needs.face_m),
+            ..needs
         })
     }
 }
@@ -132,49 +127,46 @@ pub fn loads(
     components: &[Component],
     mass: &MassProperties,
 ) -> WallLoads {
-    let parts = components.iter().map(|c| (c.kind, c.mass_with_margin_kg));
-    let masses = Masses {
-        parts: parts.collect(),
-        mass_kg: mass.mass_kg,
-        cg_x_m: mass.cg_x_m,
-    };
-    loads_of(input, layout, &masses)
+    let parts = components.iter().map(Component::part);
+    loads_of(input, layout, &Masses::of(parts, mass))
 }
 
 /// The same from masses alone.
-pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoads {
+pub fn loads_of<S: Single>(
+    input: &VehicleInput<S>,
+    layout: &Layout<S>,
+    mass: &Masses<S>,
+) -> WallLoads<S> {
+    let (none, surface) = (S::constant(0.0), S::constant(0.0));
     let outline = &layout.outline;
     let forebody = &outline.forebody;
     let load = &input.structure_loads;
     let factor = load.safety_factor;
     let entry_m_s2 = input.loads.entry_load_earth_g * EARTH_G_M_S2;
-    let area_m2 = PI * forebody.diameter_m * forebody.diameter_m / 4.0;
+    let area_m2 = forebody.diameter_m * PI * forebody.diameter_m / 4.0;
     let inertial_pa = mass.mass_kg * entry_m_s2 / area_m2;
     let stagnation_pa = input.loads.peak_stagnation_pressure_pa;
     let pressure_pa = factor * inertial_pa.max(stagnation_pa);
     let (theta_sin, theta_cos) = forebody.sin_cos();
     let (inner_r, outer_r) = (
         layout.primary_outer_r_m(),
-        forebody.shoulder_tangent(0.0).r_m,
+        forebody.shoulder_tangent(surface).r_m,
     );
-    let of = |kinds: &[ComponentKind]| -> f64 {
-        let those = mass.parts.iter().filter(|(kind, _)| kinds.contains(kind));
-        those.map(|(_, kg)| kg).sum()
-    };
     use ComponentKind::{AftbodyCarrier, AftbodyTps, Bond, ForebodyCarrier, ForebodyTps};
-    let forebody_kg = of(&[ForebodyTps, Bond, ForebodyCarrier]);
-    let aftbody_kg = of(&[AftbodyTps, AftbodyCarrier]);
+    let of_forebody = |kind| matches!(kind, ForebodyTps | Bond | ForebodyCarrier);
+    let forebody_kg = mass.sum_kg(of_forebody);
+    let aftbody_kg = mass.sum_kg(|kind| matches!(kind, AftbodyTps | AftbodyCarrier));
     let axial_g = load
         .launch
         .iter()
         .map(|c| c.axial_earth_g.abs())
-        .fold(0.0, f64::max);
+        .fold(none, S::max);
     let launch_m_s2 = factor * axial_g * EARTH_G_M_S2;
     let slant_length_m = (outer_r - inner_r) / theta_sin;
     let fore_shell = PressureShell {
         pressure_pa,
-        from_deceleration: inertial_pa > stagnation_pa,
-        cone: (slant_length_m > 0.0).then(|| Cone {
+        from_deceleration: stagnation_pa.less(inertial_pa),
+        cone: (slant_length_m.value() > 0.0).then(|| Cone {
             slant_length_m,
             curvature_radius_m: (inner_r + outer_r) / 2.0 / theta_cos,
             half_angle_rad: forebody.cone_half_angle_rad,
@@ -183,41 +175,34 @@ pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoa
         ring_curvature_radius_m: inner_r / theta_cos,
         cap: Cap {
             radius_m: forebody.nose_radius_m,
-            half_angle_rad: FRAC_PI_2 - forebody.cone_half_angle_rad,
+            half_angle_rad: -forebody.cone_half_angle_rad + FRAC_PI_2,
         },
         launch_pressure_pa: launch_m_s2 * forebody_kg / area_m2,
         launch_axial_n: launch_m_s2 * forebody_kg,
     };
-    let lid_foot_r = outline.lid_foot_r_m(0.0);
+    let lid_foot_r = outline.lid_foot_r_m(surface);
     let aft_shell = PressureShell {
         pressure_pa: load.aftbody_pressure_fraction * pressure_pa,
         from_deceleration: fore_shell.from_deceleration,
         cone: None,
-        largest_curvature_radius_m: 0.0,
+        largest_curvature_radius_m: none,
         ring_curvature_radius_m: outline.lid_radius_m,
         cap: Cap {
             radius_m: outline.lid_radius_m,
-            half_angle_rad: atan2(
-                lid_foot_r,
-                outline.attached_structure_x_m - outline.lid_center_x_m,
-            ),
+            half_angle_rad: lid_foot_r
+                .atan2(outline.attached_structure_x_m - outline.lid_center_x_m),
         },
         launch_pressure_pa: launch_m_s2 * aftbody_kg / area_m2,
-        launch_axial_n: 0.0,
+        launch_axial_n: none,
     };
     // in entry the forebody carries itself; the rest hangs on the primary structure
-    let carried_kg: f64 = mass
-        .parts
-        .iter()
-        .filter(|(kind, _)| !matches!(kind, ForebodyTps | Bond | ForebodyCarrier))
-        .map(|(_, kg)| kg)
-        .sum();
+    let carried_kg = mass.sum_kg(|kind| !of_forebody(kind));
     let radius_m = layout.primary_inner_r_m();
     let arm_m = (mass.cg_x_m - outline.attached_structure_x_m).abs();
     // N = P / 2πR + M / πR²: as of the axial load P + 2 M / R
-    let equivalent = |corner: LaunchLoad| {
+    let equivalent = |corner: LaunchLoad<S>| {
         let (axial, lateral) = (corner.axial_earth_g.abs(), corner.lateral_earth_g.abs());
-        factor * EARTH_G_M_S2 * mass.mass_kg * (axial + 2.0 * lateral * arm_m / radius_m)
+        factor * EARTH_G_M_S2 * mass.mass_kg * (axial + lateral * 2.0 * arm_m / radius_m)
     };
     WallLoads {
         forebody: fore_shell,
@@ -231,7 +216,7 @@ pub fn loads_of(input: &VehicleInput, layout: &Layout, mass: &Masses) -> WallLoa
 }
 
 /// Walls for these loads.
-pub fn walls(input: &VehicleInput, loads: &WallLoads) -> Structure {
+pub fn walls<S: Single>(input: &VehicleInput<S>, loads: &WallLoads<S>) -> Structure<S> {
     Structure {
         forebody: match input.forebody.carrier_thickness_m {
             Some(thickness_m) => input.forebody.carrier.at_thickness(thickness_m),

@@ -2,7 +2,7 @@
 
 use super::trade_space::{Sequence, sampled};
 use super::*;
-use crate::vehicle::close::attempt;
+use crate::vehicle::close::Search;
 
 /// Diameters from which each vehicle is grown, as parts of the way from 0.5 m to the one found.
 const ASKED: [f64; 5] = [0.0, 0.2, 0.45, 0.7, 0.95];
@@ -47,7 +47,7 @@ fn the_smallest_diameter_is_found_from_wherever_it_is_looked_for_and_none_below_
         for k in 0..BELOW {
             let part = f64::from(k) / f64::from(BELOW - 1);
             let diameter_m = 0.5 + part * (found_m - 1e-4 - 0.5);
-            let tried = attempt(&input, diameter_m, &rule);
+            let tried = Search::new(&input, &rule).attempt(diameter_m);
             if tried.is_ok_and(|tried| tried.misfit().is_none()) {
                 faults.push(format!(
                     "{:?}: {diameter_m} closes below {found_m}",
