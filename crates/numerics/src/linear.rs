@@ -1,10 +1,12 @@
-//! Linear algebra of structures: symmetric matrices stored under their skyline, and their lowest eigenvalue.
+//! Linear algebra of structures: symmetric matrices, and their lowest eigenvalue.
 //!
 //! - [`skyline`]: storage by columns, LDLᵀ, solutions.
+//! - [`sparse`]: a symmetric matrix of few entries.
 //! - [`lanczos`]: the lowest eigenvalue of K x = λ M x.
 
 pub mod lanczos;
 pub mod skyline;
+pub mod sparse;
 
 /// Σ aᵢ bᵢ over the shorter of both, in four sums that are added in a fixed order.
 #[inline]
