@@ -1,6 +1,8 @@
 //! `cargo bench --package msape-benchmark --bench aero`: how long the database of a new outline and one look-up take.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
+#[path = "solve/clock.rs"]
+mod clock;
 #[path = "solve/measure.rs"]
 mod measure;
 

@@ -2,6 +2,7 @@
 //! in the same run, so that figures of different machines can be compared.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
+mod clock;
 mod measure;
 
 use benchmark::{Bench, JOBS, NAMES, kernel};

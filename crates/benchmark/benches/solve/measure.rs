@@ -1,7 +1,6 @@
 //! Times of several things, taken in turn so that a busy moment of the machine meets them all.
-//!
-//! The clock is that of this thread where the system has one: on a loaded machine wall time was ten times larger.
 
+use super::clock::now;
 use std::time::Duration;
 
 /// Rounds through all measurements.
@@ -41,23 +40,6 @@ impl<'a> Measurement<'a> {
         let last = self.samples_s.len() - 1;
         self.samples_s[(part * last as f64).round() as usize]
     }
-}
-
-/// Time that this thread has computed.
-#[cfg(unix)]
-fn now() -> Duration {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-    Duration::new(
-        time.tv_sec.unsigned_abs(),
-        u32::try_from(time.tv_nsec).unwrap_or_default(),
-    )
-}
-
-/// Time since the first call.
-#[cfg(not(unix))]
-fn now() -> Duration {
-    static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
-    START.get_or_init(std::time::Instant::now).elapsed()
 }
 
 /// Measures all and prints quartiles and the ratio to the first, of the lower quartiles: other programs only add time.

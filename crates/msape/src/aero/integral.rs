@@ -342,28 +342,36 @@ fn panel<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], ends: [f64; 2]) 
 fn adaptive<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], effort: Effort) -> [Loads; K] {
     let mut total = [Loads::default(); K];
     let whole = panel(f, [0.0, 1.0]);
-    let mut stack = vec![([0.0, 1.0], whole, 0)];
-    while let Some(([a, b], whole, depth)) = stack.pop() {
-        let m = 0.5 * (a + b);
-        let (left, right) = (panel(f, [a, m]), panel(f, [m, b]));
-        let mut error: f64 = 0.0;
-        for ((w, l), r) in whole.iter().zip(&left).zip(&right) {
-            let rest = l.mixed(1.0, r, 1.0).mixed(1.0, w, -1.0);
-            error = error
-                .max(rest.ca.abs())
-                .max(rest.cn.abs())
-                .max(rest.cm.abs());
-        }
-        if error <= effort.tolerance || depth >= effort.depth {
-            for ((sum, l), r) in total.iter_mut().zip(&left).zip(&right) {
-                *sum = sum.mixed(1.0, &l.mixed(1.0, r, 1.0), 1.0);
-            }
-        } else {
-            stack.push(([m, b], right, depth + 1));
-            stack.push(([a, m], left, depth + 1));
-        }
-    }
+    halve(f, effort, ([0.0, 1.0], whole), 0, &mut total);
     total
+}
+
+/// Adds the integral over a panel, of which the one of a single panel is known.
+fn halve<const K: usize>(
+    f: &mut impl FnMut(f64) -> [Loads; K],
+    effort: Effort,
+    ([a, b], whole): ([f64; 2], [Loads; K]),
+    depth: u32,
+    total: &mut [Loads; K],
+) {
+    let m = 0.5 * (a + b);
+    let (left, right) = (panel(f, [a, m]), panel(f, [m, b]));
+    let mut error: f64 = 0.0;
+    for ((w, l), r) in whole.iter().zip(&left).zip(&right) {
+        let rest = l.mixed(1.0, r, 1.0).mixed(1.0, w, -1.0);
+        error = error
+            .max(rest.ca.abs())
+            .max(rest.cn.abs())
+            .max(rest.cm.abs());
+    }
+    if error <= effort.tolerance || depth >= effort.depth {
+        for ((sum, l), r) in total.iter_mut().zip(&left).zip(&right) {
+            *sum = sum.mixed(1.0, &l.mixed(1.0, r, 1.0), 1.0);
+        }
+    } else {
+        halve(f, effort, ([a, m], left), depth + 1, total);
+        halve(f, effort, ([m, b], right), depth + 1, total);
+    }
 }
 
 #[cfg(test)]
