@@ -1,5 +1,6 @@
 //! Published results.
 
+use msape::progress::Unwatched;
 use msape::validation::{self, Row};
 use msape::{Case, Library};
 use msape_tests::entry::{flown, output};
@@ -28,7 +29,7 @@ fn table(rows: &[&Row]) -> String {
 /// all.
 #[test]
 fn every_judged_row_is_within_its_tolerance() {
-    let rows = validation::run(&Library::builtin().unwrap()).unwrap();
+    let rows = validation::run(&Library::builtin().unwrap(), &mut Unwatched).unwrap();
     let misses: Vec<&Row> = rows.iter().filter(|row| row.verdict.is_miss()).collect();
     assert!(misses.is_empty(), "\n{}", table(&misses));
     let judged = rows.iter().filter(|row| row.tolerance.is_some()).count();
@@ -41,7 +42,7 @@ fn every_judged_row_is_within_its_tolerance() {
 
 #[test]
 fn a_row_is_not_judged_only_where_a_note_says_why() {
-    let rows = validation::run(&Library::builtin().unwrap()).unwrap();
+    let rows = validation::run(&Library::builtin().unwrap(), &mut Unwatched).unwrap();
     for row in rows.iter().filter(|row| row.tolerance.is_none()) {
         assert!(!row.reason.is_empty(), "{} {}", row.case, row.quantity);
         assert!(row.ours.is_some(), "{} {}", row.case, row.quantity);

@@ -82,7 +82,7 @@ impl Shell {
     /// Solution for a pressure along the normal (−s, c).
     fn pressed(&self, held: [Option<Held>; 2]) -> Solution {
         let freedoms = self.freedoms(0, held);
-        let stiffness = self.model.stiffness(&freedoms).factor().unwrap();
+        let stiffness = self.model.stiffness().over(&freedoms).factor().unwrap();
         let forces = load(&self.model, &freedoms, |_, at| {
             let [c, s] = at.direction;
             [-s * PRESSURE, c * PRESSURE, 0.0]
@@ -96,7 +96,7 @@ impl Shell {
 
     fn frequency_hz(&self, harmonic: u32, held: [Option<Held>; 2]) -> f64 {
         let freedoms = self.freedoms(harmonic, held);
-        let stiffness = self.model.stiffness(&freedoms).factor().unwrap();
+        let stiffness = self.model.stiffness().over(&freedoms).factor().unwrap();
         first_frequency(&self.model, &freedoms, &stiffness)
             .unwrap()
             .frequency_hz

@@ -2,6 +2,8 @@
 //! look-up.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
+#[path = "solve/clock.rs"]
+mod clock;
 #[path = "solve/measure.rs"]
 mod measure;
 

@@ -10,6 +10,7 @@ use msape::flight::mission::Body;
 use msape::flight::{self, Flight, Request};
 use msape::library::{DataError, Library, data_file};
 use msape::problem::{DesignProblem, FlightProblem};
+use msape::progress::Unwatched;
 use msape::vehicle;
 use std::hint::black_box;
 
@@ -131,8 +132,8 @@ impl Bench {
         })?;
         let built =
             vehicle::build(&msr.input.vehicle).map_err(|error| fault(msr_file, error.reason))?;
-        let msr_body = msr.input.body(&built);
-        let answer = coupling::solve(&msr.input, Request::Nothing);
+        let msr_body = msr.input.body(&built, None);
+        let answer = coupling::solve(&msr.input, None, &mut Unwatched).solution(Request::Nothing);
         let msr_design = answer
             .design
             .zip(answer.flight)

@@ -11,6 +11,7 @@ mod read;
 mod reorientation;
 mod run;
 mod show;
+mod signal;
 mod source;
 mod terminal;
 mod validate;

@@ -1,14 +1,12 @@
 //! Output to standard output, or to a file that is replaced only as a whole.
 
 use crate::failure::Failure;
+use crate::signal;
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock, PoisonError};
-
-/// Exit code after a terminating signal, as shells use it for Ctrl-C.
-const INTERRUPTED: i32 = 130;
+use std::sync::{Mutex, PoisonError};
 
 /// Writes text or bytes to the file, or to standard output if there is none.
 pub fn write(content: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
@@ -152,26 +150,24 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 struct Unfinished;
 
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-static WATCHED: OnceLock<bool> = OnceLock::new();
 
 impl Unfinished {
     fn new(path: &Path) -> Unfinished {
         Self::put(Some(path.to_path_buf()));
-        // without a signal handler a partial file may remain, which is better than no output
-        WATCHED.get_or_init(|| ctrlc::set_handler(Self::ended).is_ok());
+        signal::listen();
         Unfinished
     }
 
     fn put(path: Option<PathBuf>) {
         *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = path;
     }
+}
 
-    fn ended() {
-        let path = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(path) = path.as_deref() {
-            let _ = fs::remove_file(path);
-        }
-        std::process::exit(INTERRUPTED);
+/// Takes away the file that is being written.
+pub fn leave_nothing_unfinished() {
+    let path = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(path) = path.as_deref() {
+        let _ = fs::remove_file(path);
     }
 }
 

@@ -3,9 +3,9 @@
 use crate::args::{Form, Run};
 use crate::failure::Failure;
 use crate::read::Data;
-use crate::{Done, output, read, reorientation, show};
+use crate::{Done, output, read, reorientation, show, signal};
 use msape::flight::Trajectory;
-use msape::problem::add_turning;
+use msape::problem::{add_turning, design_watched};
 use msape::quantity::Job;
 use msape::table::{self, Manner, Solved, kml};
 use msape::{Answer, Case, InputError, Library, Request, answer};
@@ -28,7 +28,7 @@ pub fn run(arguments: &Run, data: &Data, job: Job, entries: Entries) -> Done {
     let mut answer = loaded.unless_at_fault(solved)?;
     answer.findings.extend(loaded.findings());
     write(arguments, job, &loaded.case, &answer)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(signal::code(ExitCode::SUCCESS))
 }
 
 fn solve(
@@ -39,7 +39,9 @@ fn solve(
 ) -> Result<Answer, Vec<InputError>> {
     let mut answer = match job {
         Job::Fly => return msape::fly(case, library, request),
-        Job::Design => msape::design(case, library, request)?,
+        Job::Design => {
+            signal::stoppable(|progress| design_watched(case, library, request, progress))?
+        }
     };
     if entries == Entries::AnyAttitude {
         add_turning(case, library, &mut answer, &mut reorientation::watcher())?;

@@ -4,7 +4,7 @@ use crate::args::Validate;
 use crate::failure::Failure;
 use crate::show::columns::{Align, Columns};
 use crate::terminal::{Paint, progress};
-use crate::{Done, output};
+use crate::{Done, output, signal};
 use msape::Library;
 use msape::units::number::rounded;
 use msape::validation::prediction::{self, Capsule, Prediction};
@@ -23,7 +23,12 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
     let mut compared = Vec::with_capacity(files.len());
     for (i, (name, file)) in files.iter().enumerate() {
         progress(&format!("{} of {}: {name}", i + 1, files.len()));
-        compared.push((name, file, validation::run_file(library, name, file)?));
+        let (rows, told) =
+            signal::stoppable(|watcher| validation::run_file(library, name, file, watcher))?;
+        compared.push((name, file, rows));
+        if told.is_break() {
+            break;
+        }
     }
     progress("");
     let rows = || compared.iter().flat_map(|(_, _, rows)| rows);
@@ -56,7 +61,7 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
         text
     };
     output::write(&text, arguments.output.as_deref())?;
-    Ok(ExitCode::from(u8::from(misses > 0)))
+    Ok(signal::code(ExitCode::from(u8::from(misses > 0))))
 }
 
 /// Comparisons by name, and capsules.

@@ -2,7 +2,7 @@
 //!
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: its drag, by name or of its own outline.
-//! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer.
+//! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer. [`start`]: where they may begin.
 //! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
 //! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
 //! - `given`: what is said of results that the user gives.
@@ -23,6 +23,7 @@ mod pass;
 mod passes;
 mod sized;
 pub mod stability;
+pub mod start;
 pub mod structural;
 
 pub use pass::Pass;

@@ -29,6 +29,7 @@ use crate::flight::Request;
 use crate::flight::freedom::Freedom;
 use crate::flight::mission::{Body, Mission, Model};
 use crate::library::Library;
+use crate::progress::{Progress, Unwatched};
 use crate::quantity::Job;
 use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
@@ -145,7 +146,17 @@ impl DesignProblem {
 
     /// Solves it.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
-        let mut solution = coupling::solve(&self.input, request);
+        self.solve_watched(name, request, &mut Unwatched)
+    }
+
+    /// Solves it; who watches may end it after a pass, and has the vehicle of that pass.
+    pub fn solve_watched(
+        &self,
+        name: &str,
+        request: Request,
+        progress: &mut dyn Progress,
+    ) -> Answer {
+        let mut solution = coupling::solve(&self.input, None, progress).solution(request);
         if let (Some(design), Some(flight)) = (&mut solution.design, &solution.flight) {
             let structural = Structural::new(&self.input, design, flight);
             let findings = structural.findings(&design.vehicle.structure, flight);
@@ -233,8 +244,21 @@ pub fn fly(case: &Case, library: &Library, request: Request) -> Result<Answer, V
 /// assert_eq!(faults[0].key, "entry.flight_path_angle_deg");
 /// ```
 pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer, Vec<InputError>> {
+    design_watched(case, library, request, &mut Unwatched)
+}
+
+/// The same as [`design`]; who watches may end it after a pass, and has the vehicle of that pass.
+///
+/// # Errors
+/// Every fault of the case at once.
+pub fn design_watched(
+    case: &Case,
+    library: &Library,
+    request: Request,
+    progress: &mut dyn Progress,
+) -> Result<Answer, Vec<InputError>> {
     check_request(request)?;
-    Ok(DesignProblem::check(case, library)?.solve(&case.name, request))
+    Ok(DesignProblem::check(case, library)?.solve_watched(&case.name, request, progress))
 }
 
 /// Checks the step of a time history.

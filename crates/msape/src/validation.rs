@@ -17,9 +17,11 @@ use crate::flight::Request;
 use crate::flight::columns;
 use crate::library::{DataError, Library, data_file, data_folder};
 use crate::problem::{design, fly};
+use crate::progress::{Part, Progress};
 use crate::units::Unit;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 
 /// What came of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -103,29 +105,63 @@ pub fn files() -> Result<Vec<(String, File)>, DataError> {
         .collect()
 }
 
-/// Every row of every file.
+/// Every row of every file; who watches may end it after a row, and has the rows till there.
 ///
 /// # Errors
 /// As [`files`].
-pub fn run(library: &Library) -> Result<Vec<Row>, DataError> {
+pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, DataError> {
     let files = files()?;
-    let rows = files
-        .iter()
-        .map(|(name, file)| run_file(library, name, file));
-    Ok(rows.collect::<Result<Vec<_>, _>>()?.concat())
+    let mut rows = Vec::new();
+    let part = |number: usize| number as f64 / files.len() as f64;
+    for (number, (name, file)) in files.iter().enumerate() {
+        let mut part = Part {
+            whole: progress,
+            from: part(number),
+            to: part(number + 1),
+        };
+        let (of_file, told) = run_file(library, name, file, &mut part)?;
+        rows.extend(of_file);
+        if told.is_break() {
+            break;
+        }
+    }
+    Ok(rows)
 }
 
-/// The rows of one file.
+/// The rows of one file, and whether who watches wants no more; he may end it after a row.
 ///
 /// # Errors
 /// A case file of the program that cannot be read, which a test excludes.
-pub fn run_file(library: &Library, name: &str, file: &File) -> Result<Vec<Row>, DataError> {
+pub fn run_file(
+    library: &Library,
+    name: &str,
+    file: &File,
+    progress: &mut dyn Progress,
+) -> Result<(Vec<Row>, ControlFlow<()>), DataError> {
     let runner = Runner::new(library, name, file)?;
-    let mut rows = runner.expectations();
+    let count = file.rows.len() + file.points.len();
+    let mut rows = Vec::with_capacity(count);
+    let mut told = |done: usize| progress.advance(done as f64 / count.max(1) as f64);
+    // Rows with the same changes stand together and share one solution.
+    let mut solved: Option<(&Settings, Result<Answer, String>)> = None;
+    for expected in &file.rows {
+        let answer = match solved.take() {
+            Some((set, answer)) if *set == expected.set => answer,
+            _ => runner.solve(&expected.set),
+        };
+        rows.push(runner.row(expected, &answer));
+        solved = Some((&expected.set, answer));
+        if told(rows.len()).is_break() {
+            return Ok((rows, ControlFlow::Break(())));
+        }
+    }
     for points in &file.points {
         rows.push(points::row(&runner, points)?);
+        if told(rows.len()).is_break() {
+            return Ok((rows, ControlFlow::Break(())));
+        }
     }
-    Ok(rows)
+    Ok((rows, ControlFlow::Continue(())))
 }
 
 /// Keys of the case that a row sets, as text.
@@ -168,21 +204,6 @@ impl<'a> Runner<'a> {
             Command::Design => design(&case, self.library, request),
         };
         answer.map_err(|faults| joined(&faults))
-    }
-
-    fn expectations(&self) -> Vec<Row> {
-        // Rows with the same changes stand together and share one solution.
-        let mut solved: Option<(&Settings, Result<Answer, String>)> = None;
-        let mut rows = Vec::with_capacity(self.file.rows.len());
-        for expected in &self.file.rows {
-            let answer = match solved.take() {
-                Some((set, answer)) if *set == expected.set => answer,
-                _ => self.solve(&expected.set),
-            };
-            rows.push(self.row(expected, &answer));
-            solved = Some((&expected.set, answer));
-        }
-        rows
     }
 
     fn row(&self, expected: &Expectation, answer: &Result<Answer, String>) -> Row {

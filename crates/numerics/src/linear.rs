@@ -1,12 +1,14 @@
-//! Linear algebra of structures: symmetric matrices stored under their skyline, and their lowest eigenvalue; a few equations.
+//! Linear algebra of structures: symmetric matrices, and their lowest eigenvalue; a few equations.
 //!
 //! - [`dense`]: a few equations with several right-hand sides.
 //! - [`skyline`]: storage by columns, LDLᵀ, solutions.
+//! - [`sparse`]: a symmetric matrix of few entries.
 //! - [`lanczos`]: the lowest eigenvalue of K x = λ M x.
 
 pub mod dense;
 pub mod lanczos;
 pub mod skyline;
+pub mod sparse;
 
 /// Σ aᵢ bᵢ over the shorter of both, in four sums that are added in a fixed order.
 #[inline]

@@ -208,7 +208,7 @@ fn cylinder_under_its_weight_across_the_axis_bends_like_a_beam() {
     let (length, elements) = (4.0, 32);
     let shell = cylinder(length, 0.01, elements);
     let freedoms = shell.freedoms(1, [CLAMPED, None]);
-    let stiffness = shell.model.stiffness(&freedoms).factor().unwrap();
+    let stiffness = shell.model.stiffness().over(&freedoms).factor().unwrap();
     let weight = shell.model.walls[0].areal.mass_kg_m2 * 9.806_65;
     let loads = load(&shell.model, &freedoms, |_, _| [0.0, weight, -weight]);
     let samples = solve(&freedoms, &stiffness, loads).samples(&shell.model);

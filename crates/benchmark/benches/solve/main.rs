@@ -2,6 +2,7 @@
 //! kernels measured in the same run, so that results of different machines can be compared.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
+mod clock;
 mod measure;
 
 use benchmark::{Bench, JOBS, NAMES, kernel};

@@ -1,8 +1,6 @@
 //! Interleaved timing of several jobs, so that load on the machine affects all of them alike.
-//!
-//! The clock is the CPU time of this thread where the system provides it: on a loaded machine wall time was ten times
-//! larger.
 
+use super::clock::now;
 use std::time::Duration;
 
 /// Number of rounds through all measurements.
@@ -42,23 +40,6 @@ impl<'a> Measurement<'a> {
         let last = self.samples_s.len() - 1;
         self.samples_s[(part * last as f64).round() as usize]
     }
-}
-
-/// CPU time of this thread.
-#[cfg(unix)]
-fn now() -> Duration {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-    Duration::new(
-        time.tv_sec.unsigned_abs(),
-        u32::try_from(time.tv_nsec).unwrap_or_default(),
-    )
-}
-
-/// Time since the first call.
-#[cfg(not(unix))]
-fn now() -> Duration {
-    static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
-    START.get_or_init(std::time::Instant::now).elapsed()
 }
 
 /// Runs all measurements and prints quartiles and the ratio of the lower quartiles to the first: other programs only

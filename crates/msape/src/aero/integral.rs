@@ -19,7 +19,7 @@
 
 use super::free_molecular::Gas;
 use super::shadow::{Lit, Wind, cast, windward};
-use super::surface::{Bulge, Piece, Station, Surface};
+use super::surface::{Piece, Station, Surface};
 use numerics::math::{PI, acos, sin_cos};
 use numerics::quadrature::Rule;
 use serde::{Deserialize, Serialize};
@@ -71,6 +71,16 @@ pub enum Law {
     Newtonian(f64),
     /// Molecules without collisions.
     FreeMolecular(Gas),
+}
+
+impl Law {
+    /// P = c₀ + c₁ s + c₂ s² and g = c₃ s wherever the air reaches; `None` where thermal motion counts.
+    fn powers(&self) -> Option<[f64; 4]> {
+        match self {
+            Law::Newtonian(most) => Some([0.0, 0.0, *most, 0.0]),
+            Law::FreeMolecular(gas) => (gas.zone() == 0.0).then(|| gas.far()),
+        }
+    }
 }
 
 /// How exactly the meridian is integrated.
@@ -159,13 +169,13 @@ impl<const K: usize> Circle<'_, K> {
         let station = piece.at(t);
         let facing = windward(&station, self.wind);
         let mut lit = facing;
-        if self.surface.bulge() == Bulge::Concave {
-            cast(&mut lit, self.surface, self.own, t, self.wind);
+        if !self.surface.is_outermost(self.own) {
+            cast(&mut lit, self.surface, self.own, &station, self.wind);
         }
         let normal = [station.normal_x, station.normal_r];
         let sums = match self.last {
             Some((n, l, sums)) if n == normal && l == lit => sums,
-            _ => self.laws.map(|law| self.sums(law, &station, &facing, &lit)),
+            _ => self.sums(&station, &facing, &lit),
         };
         self.last = Some((normal, lit, sums));
         let Station {
@@ -183,32 +193,34 @@ impl<const K: usize> Circle<'_, K> {
         })
     }
 
-    fn sums(&self, law: Law, station: &Station, facing: &Lit, lit: &Lit) -> Sums {
+    fn sums(&self, station: &Station, facing: &Lit, lit: &Lit) -> [Sums; K] {
         let p = -station.normal_x * self.wind.cos;
         let q = -station.normal_r * self.wind.sin;
-        let mut sums = [0.0; 4];
-        match law {
-            Law::Newtonian(most) => {
-                for &[low, high] in lit.intervals() {
-                    polynomial(&mut sums, [p, q], [0.0, 0.0, most, 0.0], [low, high]);
-                }
-            }
-            Law::FreeMolecular(gas) => {
-                for interval in thermal(facing, lit, [p, q], gas.zone()).intervals() {
-                    molecular(&mut sums, &gas, [p, q], *interval, self.thermal_panel);
+        let mut all = [[0.0; 4]; K];
+        for interval in lit.intervals() {
+            let moments = cosine_moments(*interval);
+            for (sums, law) in all.iter_mut().zip(self.laws) {
+                if let Some(powers) = law.powers() {
+                    polynomial(sums, [p, q], powers, &moments);
                 }
             }
         }
-        sums
+        for (sums, law) in all.iter_mut().zip(self.laws) {
+            if let (Law::FreeMolecular(gas), None) = (law, law.powers()) {
+                for interval in thermal(facing, lit, [p, q], gas.zone()).intervals() {
+                    molecular(sums, gas, [p, q], *interval, self.thermal_panel);
+                }
+            }
+        }
+        all
     }
 }
 
-/// Adds the integrals of P = c₀ + c₁ s + c₂ s², g = c₃ s with s = p + q cos φ over an interval of cos φ.
-fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], [low, high]: [f64; 2]) {
-    let moments = |cos: f64| {
+/// ∫ cosᵏ φ dφ for k = 0…3 over an interval of cos φ.
+fn cosine_moments([low, high]: [f64; 2]) -> [f64; 4] {
+    let below = |cos: f64| {
         let phi = acos(cos.clamp(-1.0, 1.0));
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        // ∫ cosᵏ φ dφ for k = 0…3
         [
             phi,
             sin,
@@ -216,8 +228,12 @@ fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], [low, high]: [f64;
             sin - sin * sin * sin / 3.0,
         ]
     };
-    let (from, to) = (moments(high), moments(low));
-    let j: [f64; 4] = core::array::from_fn(|k| to[k] - from[k]);
+    let (from, to) = (below(high), below(low));
+    core::array::from_fn(|k| to[k] - from[k])
+}
+
+/// Adds the integrals of P = c₀ + c₁ s + c₂ s², g = c₃ s with s = p + q cos φ, from those of the powers of cos φ.
+fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], j: &[f64; 4]) {
     let [c0, c1, c2, c3] = c;
     let (a0, a1, a2) = (
         c0 + c1 * p + c2 * p * p,
@@ -232,9 +248,6 @@ fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], [low, high]: [f64;
 
 /// What the molecules reach: the lit side, and beyond a lit horizon as far as thermal motion carries.
 fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
-    if zone == 0.0 {
-        return *lit;
-    }
     // s = −zone
     let edge = if q == 0.0 { p } else { (-zone - p) / q };
     let whole = if q == 0.0 {
@@ -292,7 +305,7 @@ fn molecular(
         }
         let middle = p + q * 0.5 * (a + b);
         if middle >= zone {
-            polynomial(sums, [p, q], gas.far(), [a, b]);
+            polynomial(sums, [p, q], gas.far(), &cosine_moments([a, b]));
         } else if middle > -zone {
             let azimuths = [acos(b.clamp(-1.0, 1.0)), acos(a.clamp(-1.0, 1.0))];
             // e^(−S²s²) has the width 1/S; on the axis s is level, but cos φ bends
@@ -329,28 +342,36 @@ fn panel<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], ends: [f64; 2]) 
 fn adaptive<const K: usize>(f: &mut impl FnMut(f64) -> [Loads; K], effort: Effort) -> [Loads; K] {
     let mut total = [Loads::default(); K];
     let whole = panel(f, [0.0, 1.0]);
-    let mut stack = vec![([0.0, 1.0], whole, 0)];
-    while let Some(([a, b], whole, depth)) = stack.pop() {
-        let m = 0.5 * (a + b);
-        let (left, right) = (panel(f, [a, m]), panel(f, [m, b]));
-        let mut error: f64 = 0.0;
-        for ((w, l), r) in whole.iter().zip(&left).zip(&right) {
-            let rest = l.mixed(1.0, r, 1.0).mixed(1.0, w, -1.0);
-            error = error
-                .max(rest.ca.abs())
-                .max(rest.cn.abs())
-                .max(rest.cm.abs());
-        }
-        if error <= effort.tolerance || depth >= effort.depth {
-            for ((sum, l), r) in total.iter_mut().zip(&left).zip(&right) {
-                *sum = sum.mixed(1.0, &l.mixed(1.0, r, 1.0), 1.0);
-            }
-        } else {
-            stack.push(([m, b], right, depth + 1));
-            stack.push(([a, m], left, depth + 1));
-        }
-    }
+    halve(f, effort, ([0.0, 1.0], whole), 0, &mut total);
     total
+}
+
+/// Adds the integral over a panel, of which the one of a single panel is known.
+fn halve<const K: usize>(
+    f: &mut impl FnMut(f64) -> [Loads; K],
+    effort: Effort,
+    ([a, b], whole): ([f64; 2], [Loads; K]),
+    depth: u32,
+    total: &mut [Loads; K],
+) {
+    let m = 0.5 * (a + b);
+    let (left, right) = (panel(f, [a, m]), panel(f, [m, b]));
+    let mut error: f64 = 0.0;
+    for ((w, l), r) in whole.iter().zip(&left).zip(&right) {
+        let rest = l.mixed(1.0, r, 1.0).mixed(1.0, w, -1.0);
+        error = error
+            .max(rest.ca.abs())
+            .max(rest.cn.abs())
+            .max(rest.cm.abs());
+    }
+    if error <= effort.tolerance || depth >= effort.depth {
+        for ((sum, l), r) in total.iter_mut().zip(&left).zip(&right) {
+            *sum = sum.mixed(1.0, &l.mixed(1.0, r, 1.0), 1.0);
+        }
+    } else {
+        halve(f, effort, ([a, m], left), depth + 1, total);
+        halve(f, effort, ([m, b], right), depth + 1, total);
+    }
 }
 
 #[cfg(test)]

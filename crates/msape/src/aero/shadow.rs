@@ -129,11 +129,8 @@ pub fn windward(station: &Station, wind: Wind) -> Lit {
     }
 }
 
-/// Takes the shadows of the body on the circle of latitude at `t` of the piece `own` away from `lit`.
-pub fn cast(lit: &mut Lit, surface: &Surface, own: usize, t: f64, wind: Wind) {
-    let Some(station) = surface.pieces().get(own).map(|piece| piece.at(t)) else {
-        return;
-    };
+/// Takes the shadows of the body on the circle of latitude through a station of the piece `own` away from `lit`.
+pub fn cast(lit: &mut Lit, surface: &Surface, own: usize, station: &Station, wind: Wind) {
     let eye = Eye {
         x: station.x,
         r: station.r,
@@ -142,10 +139,10 @@ pub fn cast(lit: &mut Lit, surface: &Surface, own: usize, t: f64, wind: Wind) {
     for (n, (piece, samples)) in surface.pieces().iter().zip(surface.samples()).enumerate() {
         let Some(hull) = lit.hull() else { return };
         let range = if n == own {
-            match piece.bulges(&station) {
+            match piece.bulges(station) {
                 // it shades what faces away from the air, and that is not in `lit`
                 true => None,
-                false => eye.own(piece, &station, hull),
+                false => eye.own(piece, station, hull),
             }
         } else if eye.may_shade(samples, hull) {
             eye.other(piece, samples, hull)
@@ -425,7 +422,7 @@ mod tests {
         let at = |x: f64| {
             let t = (x - 0.01) / 2.0;
             let mut lit = windward(&pieces[3].at(t), wind);
-            cast(&mut lit, &body, 3, t, wind);
+            cast(&mut lit, &body, 3, &pieces[3].at(t), wind);
             lit
         };
         // the windward line φ = π is y = −0.1; its ray reaches the disc's plane x = 0.01 at −0.1 − (x − 0.01) and
@@ -454,7 +451,7 @@ mod tests {
             let wind = Wind::new(degrees * RADIANS_PER_DEGREE);
             let station = ring.at(0.3);
             let mut lit = windward(&station, wind);
-            cast(&mut lit, &body, 0, 0.3, wind);
+            cast(&mut lit, &body, 0, &station, wind);
             // across the axis every ray meets the ball, whose half at this x is 0.3295 wide: sin φ < 0.3295/0.428
             for cos in [0.66, 0.8, 1.0] {
                 assert!(!reached(&lit, cos), "{degrees} deg, {cos}: {lit:?}");
@@ -480,7 +477,7 @@ mod tests {
                 for t in [0.05, 0.4, 0.9] {
                     let before = windward(&piece.at(t), wind);
                     let mut after = before;
-                    cast(&mut after, &body, own, t, wind);
+                    cast(&mut after, &body, own, &piece.at(t), wind);
                     for (a, b) in before.intervals().iter().zip(after.intervals()) {
                         assert!(
                             (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6,
@@ -508,13 +505,13 @@ mod tests {
         let t = 0.5; // r = 0.245 on the bottom
         let mut lit = windward(&pieces[4].at(t), wind);
         assert_eq!(lit, Lit::new(-1.0, 1.0));
-        cast(&mut lit, &body, 4, t, wind);
+        cast(&mut lit, &body, 4, &pieces[4].at(t), wind);
         // at the rim's plane the ray from y = 0.245 cos φ is at y − 0.2: |(0.245 cos φ − 0.2, 0.245 sin φ)| < 0.49 is
         // 0.245² + 0.04 − 2·0.2·0.245 cos φ < 0.2401, cos φ > −1.43: all lit
         assert!(reached(&lit, -0.999));
         let t = 0.1; // r = 0.441: 0.194481 + 0.04 − 0.1764 cos φ < 0.2401 where cos φ > −0.03185
         let mut lit = windward(&pieces[4].at(t), wind);
-        cast(&mut lit, &body, 4, t, wind);
+        cast(&mut lit, &body, 4, &pieces[4].at(t), wind);
         assert!(reached(&lit, -0.0318) && !reached(&lit, -0.0320), "{lit:?}");
     }
 }

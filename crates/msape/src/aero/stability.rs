@@ -21,7 +21,6 @@ use super::free_molecular::Gas;
 use super::integral::{Effort, Law, Loads, loads};
 use super::newtonian::pressure_coefficient_max;
 use super::standard::AeroBody;
-use super::surface::Surface;
 use super::trim::{END_STEP_RAD, Search, Trim, trims};
 use numerics::math::PI;
 use serde::{Deserialize, Serialize};
@@ -109,16 +108,42 @@ impl Stability {
                 heat_capacity_ratio,
             )),
         ];
-        // Both laws see the same shadows: one pass over the steps serves both.
-        let step = |n: u32| {
-            let alpha = PI * (f64::from(n) / f64::from(SEARCH.steps));
-            let both = loads(&body.surface, &laws, alpha, COARSE);
-            (alpha, both.map(|loads| loads.cm_about(x, 0.0)))
-        };
-        let steps: Vec<(f64, [f64; 2])> = (0..=SEARCH.steps).map(step).collect();
+        // Both laws see the same shadows: what both need is computed for both.
+        let both = |alpha: f64, effort: Effort| (alpha, loads(&body.surface, &laws, alpha, effort));
+        let step = |n: u32| PI * (f64::from(n) / f64::from(SEARCH.steps));
+        let beside = [END_STEP_RAD, PI - END_STEP_RAD].map(|alpha| both(alpha, Effort::FINE));
+        let steps: Vec<_> = (0..=SEARCH.steps)
+            .map(|n| both(step(n), COARSE))
+            .chain(beside)
+            .collect();
         let [free_molecular, hypersonic] = core::array::from_fn(|i| {
-            let steps = steps.iter().map(|(alpha, both)| (*alpha, both[i]));
-            regime(&body.surface, laws[i], x, &steps.collect::<Vec<_>>())
+            let known = |list: &[(f64, [Loads; 2])], alpha: f64| {
+                list.iter()
+                    .find(|(at, _)| *at == alpha)
+                    .map(|(_, both)| both[i])
+            };
+            let at = |alpha: f64, effort: Effort| {
+                let [found] = loads(&body.surface, &[laws[i]], alpha, effort);
+                found
+            };
+            let coarse = |alpha: f64| {
+                let found = known(&steps, alpha).unwrap_or_else(|| at(alpha, COARSE));
+                found.cm_about(x, 0.0)
+            };
+            let fine = |alpha: f64| {
+                // Beside the axis moments are small against the tolerance of a table.
+                let effort = match alpha.min(PI - alpha) <= END_STEP_RAD {
+                    true => Effort::FINE,
+                    false => Effort::TABLE,
+                };
+                let found = known(&beside, alpha).unwrap_or_else(|| at(alpha, effort));
+                found.cm_about(x, 0.0)
+            };
+            let [(_, near), _] = beside;
+            RegimeStability {
+                static_margin: (near[i].cn.abs() > NO_FORCE).then(|| -near[i].cm / near[i].cn - x),
+                trims: trims(&coarse, &fine, SEARCH),
+            }
         });
         Some(Stability {
             free_molecular,
@@ -127,39 +152,12 @@ impl Stability {
     }
 }
 
-/// Stability under one law, with the coarse moments at the steps of the search.
-fn regime(surface: &Surface, law: Law, x_cg: f64, steps: &[(f64, f64)]) -> RegimeStability {
-    let at = |alpha: f64, effort: Effort| -> Loads {
-        let [found] = loads(surface, &[law], alpha, effort);
-        found
-    };
-    let near = at(END_STEP_RAD, Effort::FINE);
-    let coarse = |alpha: f64| {
-        let known = steps.iter().find(|(at, _)| *at == alpha);
-        known.map_or_else(
-            || at(alpha, COARSE).cm_about(x_cg, 0.0),
-            |(_, moment)| *moment,
-        )
-    };
-    let fine = |alpha: f64| {
-        // Beside the axis moments are small against the tolerance of a table.
-        let effort = match alpha.min(PI - alpha) <= END_STEP_RAD {
-            true => Effort::FINE,
-            false => Effort::TABLE,
-        };
-        at(alpha, effort).cm_about(x_cg, 0.0)
-    };
-    RegimeStability {
-        static_margin: (near.cn.abs() > NO_FORCE).then(|| -near.cm / near.cn - x_cg),
-        trims: trims(&coarse, &fine, SEARCH),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::aero::database::GAMMA;
     use crate::aero::polar::{Aero, Theory};
+    use crate::aero::surface::Surface;
     use crate::vehicle::profile::Profile;
     use crate::vehicle::segment::{Point, Segment};
 

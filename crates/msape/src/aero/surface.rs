@@ -16,7 +16,7 @@
 
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
-use numerics::math::{FRAC_PI_2, PI, atan2, hypot, sin_cos};
+use numerics::math::{FRAC_PI_2, PI, hypot, sin_cos};
 
 /// Longest arc of a piece, rad.
 const LONGEST_ARC_RAD: f64 = 0.25 * PI;
@@ -113,6 +113,29 @@ impl Piece {
         }
     }
 
+    /// How far it reaches in a direction of the meridian, diameters.
+    fn reach(&self, [x, r]: [f64; 2]) -> f64 {
+        let along = |p: [f64; 2]| x * p[0] + r * p[1];
+        let ends = [0.0, 1.0].map(|t| self.position(t));
+        let most = along(ends[0]).max(along(ends[1]));
+        let Piece::Arc {
+            center,
+            radius,
+            sweep_rad,
+            ..
+        } = *self
+        else {
+            return most;
+        };
+        let [from, to] = ends.map(|p| [p[0] - center[0], p[1] - center[1]]);
+        let turn = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]) * sweep_rad;
+        let ahead = from[0] * x + from[1] * r > 0.0;
+        match ahead && turn(from, [x, r]) >= 0.0 && turn([x, r], to) >= 0.0 {
+            true => along(center) + radius,
+            false => most,
+        }
+    }
+
     /// Length, diameters.
     pub fn length(&self) -> f64 {
         match *self {
@@ -130,46 +153,26 @@ pub const SAMPLE_STEPS: u32 = 8;
 /// Positions at even steps along a piece, both ends included, diameters.
 pub type Samples = [[f64; 2]; SAMPLE_STEPS as usize + 1];
 
-/// Whether a body can shade itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bulge {
-    /// It cannot: it is convex.
-    Convex,
-    /// It can.
-    Concave,
-}
-
 /// The outer surface of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     pieces: Vec<Piece>,
     samples: Vec<Samples>,
+    outermost: Vec<bool>,
     diameter_m: f64,
-    bulge: Bulge,
 }
 
-/// Turns to the wrong side up to this are rounding, rad.
-const STRAIGHT_RAD: f64 = 1e-7;
+/// Parts of a body that stand out by less than this are rounding, diameters.
+const LEVEL: f64 = 1e-9;
 
-/// A meridian is that of a convex body when it only turns towards the axis.
-fn bulge(pieces: &[Piece]) -> Bulge {
-    let mut before: Option<f64> = None;
-    for piece in pieces {
-        let direction = |t: f64| {
-            let station = piece.at(t);
-            atan2(-station.normal_x, station.normal_r)
-        };
-        let outwards = |from: f64, to: f64| {
-            let turn = to - from;
-            turn - 2.0 * PI * (turn / (2.0 * PI)).round() > STRAIGHT_RAD
-        };
-        let hollow = matches!(piece, Piece::Arc { sweep_rad, .. } if *sweep_rad > 0.0);
-        if hollow || before.is_some_and(|before| outwards(before, direction(0.0))) {
-            return Bulge::Concave;
-        }
-        before = Some(direction(1.0));
-    }
-    Bulge::Convex
+/// Whether a piece lies on the convex hull of the body: no part stands out beyond the tangents at its ends.
+fn is_outermost(piece: &Piece, pieces: &[Piece]) -> bool {
+    [0.0, 1.0].into_iter().all(|t| {
+        let station = piece.at(t);
+        let normal = [station.normal_x, station.normal_r];
+        let level = normal[0] * station.x + normal[1] * station.r + LEVEL;
+        piece.bulges(&station) && pieces.iter().all(|other| other.reach(normal) <= level)
+    })
 }
 
 impl Surface {
@@ -200,7 +203,9 @@ impl Surface {
             core::array::from_fn(|n| piece.position(n as f64 / f64::from(SAMPLE_STEPS)))
         };
         Surface {
-            bulge: bulge(&pieces),
+            outermost: (pieces.iter())
+                .map(|piece| is_outermost(piece, &pieces))
+                .collect(),
             samples: pieces.iter().map(samples).collect(),
             pieces,
             diameter_m,
@@ -217,9 +222,9 @@ impl Surface {
         &self.samples
     }
 
-    /// Whether it can shade itself.
-    pub fn bulge(&self) -> Bulge {
-        self.bulge
+    /// Whether a piece lies on the convex hull of the body: then nothing shades what faces the air on it.
+    pub fn is_outermost(&self, number: usize) -> bool {
+        self.outermost.get(number).copied().unwrap_or(false)
     }
 
     /// Reference diameter, m.
@@ -321,12 +326,13 @@ mod tests {
         // run the other way it is the same surface
         let again = Surface::new(&outline.reversed(), 2.0);
         assert!((again.pieces()[0].at(0.0).normal_x + 1.0).abs() < 1e-15);
-        assert_eq!(surface.bulge(), Bulge::Convex);
+        assert!((0..4).all(|number| surface.is_outermost(number)));
         let length: f64 = surface.pieces().iter().map(Piece::length).sum();
         assert!((length - 0.5 * PI).abs() < 1e-14);
     }
+
     #[test]
-    fn a_step_makes_a_body_concave() {
+    fn what_stands_behind_a_step_is_not_outermost() {
         let at = |x_m: f64, r_m: f64| Point { x_m, r_m };
         let points = [
             at(0.0, 0.0),
@@ -343,6 +349,8 @@ mod tests {
         let outline = Profile {
             segments: points.windows(2).map(line).collect(),
         };
-        assert_eq!(Surface::new(&outline.closed(), 1.0).bulge(), Bulge::Concave);
+        let surface = Surface::new(&outline.closed(), 1.0);
+        let outermost = [0, 1, 2, 3, 4].map(|number| surface.is_outermost(number));
+        assert_eq!(outermost, [true, true, false, false, true]);
     }
 }

@@ -10,41 +10,126 @@
 use super::flown::with_history;
 use super::given;
 use super::inputs::DesignInput;
-use super::passes::{self, End, MOST_WORK, Made, Run, Way, Work};
-use super::{Design, Pass, Solution, lighter, misfit};
+use super::lighter::{self, Searched};
+use super::passes::{self, Cut, End, MOST_WORK, Made, Run, Way, Work};
+use super::start::Start;
+use super::{Design, Pass, Solution, misfit};
 use crate::finding::Finding;
 use crate::flight::mission::Model;
-use crate::flight::{self, Request};
+use crate::flight::{self, Flight, Request};
 use crate::outcome::Outcome;
+use crate::progress::Progress;
 use crate::tps::limits;
 use crate::vehicle::impact::landing::{Landing, TouchdownVelocity};
 use crate::vehicle::impact::remarks;
-use crate::vehicle::{NotClosed, VehicleInput};
+use crate::vehicle::{NotClosed, Vehicle, VehicleInput};
 use numerics::math::FRAC_PI_2;
 
-/// Designs a vehicle.
-pub fn solve(input: &DesignInput, request: Request) -> Solution {
-    solve_within(input, request, Work::up_to(MOST_WORK))
+/// A design whose passes have ended: its numbers, of which [`Coupled::solution`] makes a solution with remarks and landing.
+#[derive(Debug)]
+pub struct Coupled<'a> {
+    searched: Searched<'a>,
+    cut: Option<Cut>,
 }
 
-fn solve_within(input: &DesignInput, request: Request, mut work: Work) -> Solution {
-    let first = passes::run(input, Way::default(), &mut work);
-    let (run, remark) = lighter::than(input, first, &mut work);
-    let Run { input, passes, end } = run;
-    let mut solution = match end {
-        End::Vehicle(made) => Finished {
-            input: &input,
-            request,
-            made: *made,
-            passes,
-            work: &work,
-        }
-        .solution(),
-        End::Departed { body, flown } => flown.departed(&input, request, &body, passes),
-        End::Unclosed(not_closed, vehicle) => unclosed(not_closed, &vehicle, passes),
+/// Designs a vehicle, from the numbers of another design where they are given.
+///
+/// With a start the passes end at the same vehicle to within the criterion; where they do not settle from it, they begin anew from
+/// the guesses of the input. Who watches hears after each pass, and may end it there.
+pub fn solve<'a>(
+    input: &'a DesignInput,
+    start: Option<&Start>,
+    progress: &mut dyn Progress,
+) -> Coupled<'a> {
+    let mut work = Work::up_to(MOST_WORK, progress);
+    let mut begin = |start: Option<&Start>| {
+        let way = Way {
+            from: start.map(|start| start.numbers),
+            taught: start.map(|start| &start.memories),
+            ..Way::default()
+        };
+        passes::run(input, way, &mut work)
     };
-    solution.findings.extend(remark);
-    solution
+    let first = start
+        .map(|start| begin(Some(start)))
+        .filter(|run| run.converged().is_some())
+        .unwrap_or_else(|| begin(None));
+    let searched = lighter::than(input, first, &mut work);
+    Coupled {
+        searched,
+        cut: work.end(),
+    }
+}
+
+impl Coupled<'_> {
+    fn made(&self) -> Option<&Made> {
+        match &self.searched.run.end {
+            End::Vehicle(made) => Some(made),
+            _ => None,
+        }
+    }
+
+    /// How it ended.
+    pub fn outcome(&self) -> Outcome {
+        match &self.searched.run.end {
+            End::Vehicle(made) => made.outcome,
+            End::Departed { flown, .. } => flown.outcome,
+            End::Unclosed(..) => Outcome::NotClosed,
+        }
+    }
+
+    /// The vehicle of the last pass.
+    pub fn vehicle(&self) -> Option<&Vehicle> {
+        self.made().map(|made| &made.vehicle)
+    }
+
+    /// The flight of the last pass.
+    pub fn flight(&self) -> Option<&Flight> {
+        self.made().map(|made| &made.flown.flight)
+    }
+
+    /// Peak temperature of the payload container, K.
+    pub fn payload_temperature_k(&self) -> Option<f64> {
+        self.made().map(|made| made.sized.payload_temperature_k)
+    }
+
+    /// The passes.
+    pub fn passes(&self) -> &[Pass] {
+        &self.searched.run.passes
+    }
+
+    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    pub fn start(&self) -> Option<Start> {
+        self.searched.run.start()
+    }
+
+    /// The solution: remarks, landing, and the time history of the flight as asked for.
+    pub fn solution(self, request: Request) -> Solution {
+        let remark = self.searched.remark();
+        let Searched { run, heavier, .. } = self.searched;
+        let Run {
+            input, passes, end, ..
+        } = run;
+        let mut solution = match end {
+            End::Vehicle(mut made) => {
+                if let Some(heavier) = heavier {
+                    heavier.explain(&mut made.vehicle);
+                }
+                Finished {
+                    input: &input,
+                    request,
+                    made: *made,
+                    passes,
+                    cut: self.cut,
+                }
+                .solution()
+            }
+            End::Departed { body, flown } => flown.departed(&input, request, &body, passes),
+            End::Unclosed(not_closed, vehicle) => unclosed(not_closed, &vehicle, passes),
+        };
+        solution.findings.extend(remark);
+        solution
+    }
 }
 
 fn unclosed(not_closed: NotClosed, input: &VehicleInput, passes: Vec<Pass>) -> Solution {
@@ -73,7 +158,7 @@ struct Finished<'a> {
     request: Request,
     made: Made,
     passes: Vec<Pass>,
-    work: &'a Work,
+    cut: Option<Cut>,
 }
 
 impl Finished<'_> {
@@ -90,7 +175,7 @@ impl Finished<'_> {
             request,
             made,
             passes,
-            work,
+            cut,
         } = self;
         let Made {
             vehicle,
@@ -104,13 +189,10 @@ impl Finished<'_> {
         let last = passes.last();
         let reason = match outcome {
             Outcome::NotConverged | Outcome::GaveUp => {
-                let which = match outcome {
-                    Outcome::GaveUp => format!(
-                        "after which the limit of work was reached, {}",
-                        work.limit()
-                    ),
-                    _ => "the last one allowed".to_string(),
-                };
+                let which = cut.filter(|_| outcome == Outcome::GaveUp);
+                let which = which.map_or("the last one allowed".to_string(), |cut| {
+                    format!("after which {}", cut.reason())
+                });
                 let far = last.map_or(String::new(), |pass| match pass.mass_distance_kg {
                     Some(kg) => format!(", an estimated {kg:.3e} kg from where it settles"),
                     None => String::new(),
@@ -216,7 +298,11 @@ impl Finished<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::{Start, solve};
+    use crate::problem::DesignProblem;
+    use crate::progress::Unwatched;
     use crate::{Case, Library, Outcome, Request, design};
+    use std::ops::ControlFlow;
 
     /// The Stardust-like vehicle of Table 15 with some keys changed.
     fn designed(changes: &[(&str, &str)]) -> crate::Answer {
@@ -256,5 +342,58 @@ mod tests {
         assert!(said(&designed(&[("stop.time_s", "300")])));
         let down = designed(&[("stop.altitude_m", "1000"), ("stop.time_s", "1e5")]);
         assert!(down.outcome == Outcome::Converged && !said(&down));
+    }
+    #[test]
+    fn started_from_a_neighbour_it_settles_on_the_same_vehicle_in_fewer_passes() {
+        let library = Library::builtin().unwrap();
+        let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
+        let mut start: Option<Start> = None;
+        let (mut with, mut without) = (0, 0);
+        for speed in ["12.0 km/s", "12.1 km/s", "12.2 km/s", "12.3 km/s"] {
+            for angle in ["-20", "-22", "-24", "-26"] {
+                let mut case = Case::from_text(text).unwrap();
+                case.set("entry.speed_m_s", speed);
+                case.set("entry.flight_path_angle_deg", angle);
+                let input = DesignProblem::check(&case, &library).unwrap().input;
+                let alone = solve(&input, None, &mut Unwatched);
+                let started = solve(&input, start.as_ref(), &mut Unwatched);
+                assert_eq!(started.outcome(), alone.outcome());
+                let [a, b] = [&alone, &started].map(|c| c.vehicle().unwrap().mass.mass_kg);
+                assert!(
+                    (a - b).abs() < input.mass_criterion_kg,
+                    "{speed} {angle}: {a} {b}"
+                );
+                (with, without) = (
+                    with + started.passes().len(),
+                    without + alone.passes().len(),
+                );
+                start = started.start();
+            }
+        }
+        assert!(3 * with < 2 * without, "{with} of {without}");
+    }
+
+    #[test]
+    fn who_watches_may_end_it_after_a_pass_and_keeps_that() {
+        let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
+        let case = Case::from_text(text).unwrap();
+        let problem = DesignProblem::check(&case, &Library::builtin().unwrap()).unwrap();
+        let mut heard = 0;
+        let mut watcher = |_| {
+            heard += 1;
+            match heard < 3 {
+                true => ControlFlow::Continue(()),
+                false => ControlFlow::Break(()),
+            }
+        };
+        let answer = problem.solve_watched("", Request::Nothing, &mut watcher);
+        assert_eq!(answer.outcome, Outcome::GaveUp);
+        assert_eq!((answer.passes.len(), answer.design.is_some()), (3, true));
+        assert!(
+            answer
+                .reason
+                .unwrap()
+                .contains("after which it was stopped")
+        );
     }
 }

@@ -18,11 +18,8 @@ pub(super) struct Crossed<'a> {
 
 impl Crossed<'_> {
     /// The value of each crossing.
-    pub(super) fn values(&self) -> Vec<f64> {
-        CROSSINGS
-            .iter()
-            .map(|crossing| (crossing.get)(self))
-            .collect()
+    pub(super) fn values(&self) -> [f64; CROSSINGS.len()] {
+        CROSSINGS.each_ref().map(|crossing| (crossing.get)(self))
     }
 }
 

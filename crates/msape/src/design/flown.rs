@@ -11,6 +11,7 @@ use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 
 /// A flight of one pass.
+#[derive(Debug)]
 pub(super) struct Flown {
     pub(super) flight: Flight,
     pub(super) outcome: Outcome,

@@ -57,13 +57,17 @@ pub struct DesignInput {
 }
 
 impl DesignInput {
-    /// A vehicle as flight sees it.
-    pub fn body(&self, vehicle: &Vehicle) -> Body {
+    /// A vehicle as flight sees it; `before` is what it was in the pass before, whose tables serve again.
+    pub fn body(&self, vehicle: &Vehicle, before: Option<Body>) -> Body {
+        let drag = match (before, &self.drag) {
+            (Some(Body { drag, .. }), DesignDrag::Table(_)) => drag,
+            _ => Drag::Table(self.drag.of(vehicle)),
+        };
         Body {
             mass_kg: vehicle.mass.mass_kg,
             reference_area_m2: vehicle.dimensions.reference_area_m2,
             nose_radius_m: vehicle.dimensions.nose_radius_m,
-            drag: Drag::Table(self.drag.of(vehicle)),
+            drag,
             reference_length_m: vehicle.dimensions.diameter_m,
             freedom: Freedom::Ballistic,
         }

@@ -15,11 +15,11 @@
 //! largest allowed. There the light vehicle ends: below it, each asks for a heavier one.
 
 use super::inputs::DesignInput;
-use super::passes::{End, Made, Numbers, Run, Way, Work, run};
+use super::passes::{Cut, End, Made, Run, Way, Work, run};
+use super::start::Numbers;
 use crate::finding::{Adjustment, Finding, Severity};
-use crate::outcome::Outcome;
 use crate::quantity::input;
-use crate::vehicle::PayloadSize;
+use crate::vehicle::{PayloadSize, Vehicle};
 
 /// Masses closer than this part of each other are of one vehicle: assumed, between one vehicle found twice, which differs by its mass
 /// criterion, and two, of which one was found to have 450 kg and the other 957 kg.
@@ -31,27 +31,63 @@ const HALVINGS: usize = 15;
 /// Passes allowed at each diameter, if not more are asked for: assumed. Where the light vehicle ends they settle slowly.
 const MOST_PASSES: u32 = 200;
 
-/// The lighter vehicle than the one that the passes found, where it had to grow or closes at no diameter, else what they found; with a
-/// remark where the search was cut short. `work` as in [`run`].
-pub(super) fn than(input: &DesignInput, found: Run, work: &mut Work) -> (Run, Option<Finding>) {
-    let heavy = converged(&found).map(|made| {
+/// What was found beside the vehicle of the first passes.
+#[derive(Debug)]
+pub(super) struct Searched<'a> {
+    /// The vehicle that answers.
+    pub(super) run: Run<'a>,
+    /// The heavier vehicle, where it is not that one.
+    pub(super) heavier: Option<Heavier>,
+    /// Why the search was cut short, where it was.
+    pub(super) cut: Option<Cut>,
+}
+
+/// A heavier vehicle that answers, too.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Heavier {
+    /// Diameter from which it was grown, m.
+    asked_m: f64,
+    /// Diameter, m, and mass, kg, on which it settles; absent where it outgrows every diameter allowed.
+    settled: Option<[f64; 2]>,
+}
+
+/// The lighter vehicle than the one that the passes found, where it had to grow or closes at no diameter, else what they found.
+/// `work` as in [`run`].
+pub(super) fn than<'a>(input: &DesignInput, found: Run<'a>, work: &mut Work) -> Searched<'a> {
+    let settled = found.converged().map(|made| {
         let vehicle = &made.vehicle;
-        (vehicle.dimensions.diameter_m, vehicle.mass.mass_kg)
+        [vehicle.dimensions.diameter_m, vehicle.mass.mass_kg]
     });
-    let (diameter_m, below_kg) = match (&found.end, heavy) {
-        (_, Some((diameter_m, mass_kg))) => (diameter_m, (1.0 - SAME) * mass_kg),
+    let alone = |run| Searched {
+        run,
+        heavier: None,
+        cut: None,
+    };
+    let (diameter_m, below_kg) = match (&found.end, settled) {
+        (_, Some([diameter_m, mass_kg])) => (diameter_m, (1.0 - SAME) * mass_kg),
         // a vehicle closed before: its loads and heat shield have outgrown every diameter
         (End::Unclosed(..), _) if !found.passes.is_empty() => {
             (input.vehicle.rules.diameter_max_m, f64::INFINITY)
         }
-        _ => return (found, None),
+        _ => return alone(found),
     };
-    if diameter_m <= input.vehicle.diameter_m {
-        return (found, None);
+    let asked_m = input.vehicle.diameter_m;
+    if diameter_m <= asked_m {
+        return alone(found);
     }
-    let light = search(input, diameter_m, below_kg, heavy, work);
-    let remark = work.is_spent().then(|| cut_short(light.as_ref(), work));
-    (light.unwrap_or(found), remark)
+    let light = search(input, diameter_m, below_kg, work);
+    let cut = work.end();
+    match light {
+        None => Searched {
+            cut,
+            ..alone(found)
+        },
+        Some(run) => Searched {
+            run,
+            heavier: Some(Heavier { asked_m, settled }),
+            cut,
+        },
+    }
 }
 
 /// A vehicle lighter than `below_kg`, at a diameter in m and below; it stops where the work is spent.
@@ -59,9 +95,8 @@ fn search(
     input: &DesignInput,
     diameter_m: f64,
     below_kg: f64,
-    heavy: Option<(f64, f64)>,
     work: &mut Work,
-) -> Option<Run> {
+) -> Option<Run<'static>> {
     let asked_m = input.vehicle.diameter_m;
     let largest_m = input.vehicle.rules.diameter_max_m;
     let mut input = input.clone();
@@ -76,8 +111,10 @@ fn search(
         let way = Way {
             from,
             as_asked_below_kg: Some(below_kg),
+            ..Way::default()
         };
-        Some(run(&input, way, work)).filter(|run| converged(run).is_some())
+        let run = run(&input, way, work);
+        run.converged().is_some().then(|| run.into_owned())
     };
     let mut light = light_at(diameter_m, None)?;
     let (mut low_m, mut high_m) = (0.0, largest_m);
@@ -86,7 +123,7 @@ fn search(
         let found = if middle_m >= diameter_m {
             None
         } else {
-            light_at(middle_m, numbers(&light))
+            light_at(middle_m, light.converged().map(Made::numbers))
         };
         if middle_m >= diameter_m || found.is_some() {
             high_m = middle_m;
@@ -96,88 +133,79 @@ fn search(
         light = found.unwrap_or(light);
     }
     if high_m < asked_m {
-        light = light_at(asked_m, numbers(&light))?;
-    }
-    if let End::Vehicle(made) = &mut light.end {
-        explain(made, asked_m, heavy);
+        light = light_at(asked_m, light.converged().map(Made::numbers))?;
     }
     Some(light)
 }
 
-/// The remark on a search that the limit of work ended.
-fn cut_short(light: Option<&Run>, work: &Work) -> Finding {
-    let without = match light {
-        Some(_) => {
-            "the vehicle given is the smallest found till then; a smaller and lighter one may carry itself"
-        }
-        None => "whether a lighter vehicle answers these inputs is not known",
-    };
-    Finding {
-        severity: Severity::Exceeded,
-        model: "coupling".to_owned(),
-        key: "total_entry_mass_kg".to_owned(),
-        value: light
-            .and_then(converged)
-            .map(|made| made.vehicle.mass.mass_kg),
-        valid: (None, None),
-        message: format!(
-            "The search for a lighter vehicle ended at the limit of work, {}: {without}.",
-            work.limit()
-        ),
-        source: "convention of this program".to_owned(),
-        field: Some(input::solver::TOLERANCE.key.to_owned()),
-    }
-}
-
-/// Says what was done: to the diameter asked for, and beside which heavier vehicle, of this diameter in m and mass in kg.
-fn explain(made: &mut Made, asked_m: f64, heavy: Option<(f64, f64)>) {
-    let vehicle = &mut made.vehicle;
-    let diameter_m = vehicle.dimensions.diameter_m;
-    if diameter_m > asked_m {
-        let grown = Adjustment {
-            key: input::design::DIAMETER_M.key.to_owned(),
-            from: asked_m,
-            to: diameter_m,
-            reason: "The vehicle was grown to the smallest diameter at which it carries its own heat shield and foam: below it, each vehicle asks for a heavier one.".to_owned(),
-            source: "NASA/TM-2014-218507, section 3.1.2".to_owned(),
+impl Searched<'_> {
+    /// The remark on a search that was cut short.
+    pub(super) fn remark(&self) -> Option<Finding> {
+        let cut = self.cut?;
+        let light = self.heavier.and_then(|_| self.run.converged());
+        let without = match light {
+            Some(_) => {
+                "the vehicle given is the smallest found till then; a smaller and lighter one may carry itself"
+            }
+            None => "whether a lighter vehicle answers these inputs is not known",
         };
-        vehicle.adjustments.insert(0, grown);
+        Some(Finding {
+            severity: Severity::Exceeded,
+            model: "coupling".to_owned(),
+            key: "total_entry_mass_kg".to_owned(),
+            value: light.map(|made| made.vehicle.mass.mass_kg),
+            valid: (None, None),
+            message: format!(
+                "The search for a lighter vehicle ended when {}: {without}.",
+                cut.reason()
+            ),
+            source: "convention of this program".to_owned(),
+            field: Some(input::solver::TOLERANCE.key.to_owned()),
+        })
     }
-    let other = match heavy {
-        Some((heavy_m, heavy_kg)) => {
-            format!("of {heavy_kg:.2} kg settles at {heavy_m:.4} m")
+}
+
+impl Heavier {
+    /// Says of the lighter vehicle of what it was made: grown from the diameter asked for, and beside which heavier one.
+    pub(super) fn explain(&self, vehicle: &mut Vehicle) {
+        let asked_m = self.asked_m;
+        let diameter_m = vehicle.dimensions.diameter_m;
+        if diameter_m > asked_m {
+            let grown = Adjustment {
+                key: input::design::DIAMETER_M.key.to_owned(),
+                from: asked_m,
+                to: diameter_m,
+                reason: "The vehicle was grown to the smallest diameter at which it carries its own heat shield and foam: below it, each vehicle asks for a heavier one.".to_owned(),
+                source: "NASA/TM-2014-218507, section 3.1.2".to_owned(),
+            };
+            vehicle.adjustments.insert(0, grown);
         }
-        None => "outgrows every diameter allowed".to_owned(),
-    };
-    vehicle.findings.push(Finding {
-        severity: Severity::Note,
-        model: "coupling".to_owned(),
-        key: "total_entry_mass_kg".to_owned(),
-        value: Some(vehicle.mass.mass_kg),
-        valid: (None, None),
-        message: format!(
-            "Two vehicles answer these inputs: grown from {asked_m:.4} m, one {other}; this one, lighter, is found from larger diameters down. Its passes begin with the numbers of the next larger one."
-        ),
-        source: "convention of this program".to_owned(),
-        field: Some(input::design::DIAMETER_M.key.to_owned()),
-    });
-}
-
-fn converged(run: &Run) -> Option<&Made> {
-    match &run.end {
-        End::Vehicle(made) if made.outcome == Outcome::Converged => Some(made),
-        _ => None,
+        let other = match self.settled {
+            Some([heavy_m, heavy_kg]) => {
+                format!("of {heavy_kg:.2} kg settles at {heavy_m:.4} m")
+            }
+            None => "outgrows every diameter allowed".to_owned(),
+        };
+        vehicle.findings.push(Finding {
+            severity: Severity::Note,
+            model: "coupling".to_owned(),
+            key: "total_entry_mass_kg".to_owned(),
+            value: Some(vehicle.mass.mass_kg),
+            valid: (None, None),
+            message: format!(
+                "Two vehicles answer these inputs: grown from {asked_m:.4} m, one {other}; this one, lighter, is found from larger diameters down. Its passes begin with the numbers of the next larger one."
+            ),
+            source: "convention of this program".to_owned(),
+            field: Some(input::design::DIAMETER_M.key.to_owned()),
+        });
     }
-}
-
-fn numbers(run: &Run) -> Option<Numbers> {
-    converged(run).map(Made::numbers)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::problem::DesignProblem;
+    use crate::progress::Unwatched;
     use crate::{Case, Library};
 
     /// The remark on the carbon-phenolic vehicle, which grows from 0.9 m, with so much work beyond that of its first passes.
@@ -187,13 +215,14 @@ mod tests {
         let input = DesignProblem::check(&case, &Library::builtin().unwrap())
             .unwrap()
             .input;
-        let mut work = Work::up_to(u64::MAX);
+        let mut watcher = Unwatched;
+        let mut work = Work::up_to(u64::MAX, &mut watcher);
         let first = run(&input, Way::default(), &mut work);
-        assert!(converged(&first).unwrap().vehicle.dimensions.diameter_m > 1.0);
+        assert!(first.converged().unwrap().vehicle.dimensions.diameter_m > 1.0);
         let mut work = work.with_limit(more);
-        let (found, remark) = than(&input, first, &mut work);
-        assert!(converged(&found).is_some());
-        remark
+        let found = than(&input, first, &mut work);
+        assert!(found.run.converged().is_some());
+        found.remark()
     }
 
     #[test]
@@ -203,7 +232,9 @@ mod tests {
             let remark = said(more).unwrap();
             assert_eq!(remark.severity, Severity::Exceeded);
             assert!(
-                remark.message.contains("at the limit of work"),
+                remark
+                    .message
+                    .contains("when the limit of work was reached"),
                 "{}",
                 remark.message
             );

@@ -1,5 +1,6 @@
 //! The record of one pass of the coupling.
 
+use super::crossings::CROSSINGS;
 use crate::flight::mission::Model;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,7 @@ pub struct Pass {
     /// Model of flight used.
     pub flight_model: Model,
     /// Values that cross between the modules, by key of [`super::crossings::CROSSINGS`].
-    pub crossings: Vec<f64>,
+    pub crossings: [f64; CROSSINGS.len()],
     /// Entry mass, kg; in the last pass that of the vehicle made for its flight.
     pub mass_kg: f64,
     /// Change of the entry mass since the pass before, kg; absent in the first.

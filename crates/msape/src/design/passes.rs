@@ -21,23 +21,20 @@
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
 
 use super::Pass;
-use super::crossings::Crossed;
+use super::crossings::{CROSSINGS, Crossed};
 use super::flown::Flown;
 use super::inputs::DesignInput;
 use super::sized::Sized;
+use super::start::{Memories, Numbers, Start};
 use crate::flight::mission::{Body, Model};
 use crate::outcome::Outcome;
+use crate::progress::Progress;
 use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
 use numerics::fixed_point::Anderson;
+use std::borrow::Cow;
 
 /// The closed form is left when a pass changes the mass by less than this part of it.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
-
-/// Numbers that couple the passes.
-const NUMBERS: usize = 5;
-
-/// Entry load in Earth g, stagnation pressure in Pa, speed at impact in m/s, heat-shield thicknesses of forebody and aftbody in m.
-pub(super) type Numbers = [f64; NUMBERS];
 
 /// Accuracy of a flight, as a part of what the criterion is of the mass: the numbers of a pass scatter by as much.
 const FLIGHT_PART: f64 = 0.05;
@@ -50,50 +47,123 @@ pub(super) const MOST_WORK: u64 = 20_000_000;
 /// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
 pub(super) const WORK_OF_PASS: u64 = 10_000;
 
-/// Work of all passes of a design, in evaluations of the equations of motion.
-pub(super) struct Work {
+/// Work of all passes of a design, in evaluations of the equations of motion, and who watches it.
+pub(super) struct Work<'a> {
     done: u64,
     most: u64,
+    passes: u32,
+    progress: &'a mut dyn Progress,
+    is_stopped: bool,
 }
 
-impl Work {
+/// Passes after which half is told to be done, assumed: how many it takes is not known before.
+const HALF_DONE: f64 = 5.0;
+
+impl<'a> Work<'a> {
     /// None yet, of as much at most.
-    pub(super) fn up_to(most: u64) -> Work {
-        Work { done: 0, most }
+    pub(super) fn up_to(most: u64, progress: &'a mut dyn Progress) -> Work<'a> {
+        Work {
+            done: 0,
+            most,
+            passes: 0,
+            progress,
+            is_stopped: false,
+        }
     }
 
     /// The work done, with so much more allowed.
     #[cfg(test)]
-    pub(super) fn with_limit(self, more: u64) -> Work {
+    pub(super) fn with_limit(self, more: u64) -> Work<'a> {
         Work {
             most: self.done.saturating_add(more),
             ..self
         }
     }
 
-    /// Whether the limit is reached.
-    pub(super) fn is_spent(&self) -> bool {
-        self.done >= self.most
+    /// Takes in a pass and tells who watches.
+    fn add(&mut self, evaluations: u64) {
+        self.done += WORK_OF_PASS + evaluations;
+        self.passes += 1;
+        let passes = f64::from(self.passes);
+        let told = self.progress.advance(passes / (passes + HALF_DONE));
+        self.is_stopped |= told.is_break();
     }
 
-    /// The limit in a sentence.
-    pub(super) fn limit(&self) -> String {
-        format!(
-            "{} evaluations of the equations of motion, a pass being {WORK_OF_PASS}",
-            self.most
-        )
+    /// Whether the limit is reached, or who watches has stopped it.
+    pub(super) fn is_spent(&self) -> bool {
+        self.is_stopped || self.done >= self.most
+    }
+
+    /// Why no more is done, where that is so.
+    pub(super) fn end(&self) -> Option<Cut> {
+        match self.is_stopped {
+            true => Some(Cut::Stopped),
+            false => self.is_spent().then_some(Cut::Work(self.most)),
+        }
+    }
+}
+
+/// Why passes were cut short.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Cut {
+    /// At a limit of work, in evaluations of the equations of motion.
+    Work(u64),
+    /// By who watches.
+    Stopped,
+}
+
+impl Cut {
+    /// It in a part of a sentence.
+    pub(super) fn reason(self) -> String {
+        match self {
+            Cut::Work(most) => format!(
+                "the limit of work was reached, {most} evaluations of the equations of motion, a pass being {WORK_OF_PASS}"
+            ),
+            Cut::Stopped => "it was stopped".to_string(),
+        }
     }
 }
 
 /// Passes and how they ended.
-pub(super) struct Run {
+#[derive(Debug)]
+pub(super) struct Run<'a> {
     /// The input, its flights integrated as finely as its mass criterion asks.
-    pub(super) input: DesignInput,
+    pub(super) input: Cow<'a, DesignInput>,
     pub(super) passes: Vec<Pass>,
+    pub(super) memories: Memories,
     pub(super) end: End,
 }
 
+impl Run<'_> {
+    /// The same with an input of its own.
+    pub(super) fn into_owned(self) -> Run<'static> {
+        Run {
+            input: Cow::Owned(self.input.into_owned()),
+            passes: self.passes,
+            memories: self.memories,
+            end: self.end,
+        }
+    }
+
+    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    pub(super) fn start(&self) -> Option<Start> {
+        let numbers = self.converged()?.numbers();
+        let mut memories = self.memories.clone();
+        memories.iter_mut().for_each(Anderson::change_function);
+        Some(Start { numbers, memories })
+    }
+
+    /// The vehicle on which the passes settled.
+    pub(super) fn converged(&self) -> Option<&Made> {
+        match &self.end {
+            End::Vehicle(made) if made.outcome == Outcome::Converged => Some(made),
+            _ => None,
+        }
+    }
+}
+
 /// How passes ended.
+#[derive(Debug)]
 pub(super) enum End {
     /// A vehicle was made for its flight, settled or not.
     Vehicle(Box<Made>),
@@ -104,6 +174,7 @@ pub(super) enum End {
 }
 
 /// A vehicle, the flight that it was made for, and the body that flew it.
+#[derive(Debug)]
 pub(super) struct Made {
     pub(super) vehicle: Vehicle,
     pub(super) body: Body,
@@ -121,26 +192,30 @@ impl Made {
 
 /// Where passes begin and when they are cut short.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Way {
+pub(super) struct Way<'a> {
     /// Numbers of the first pass; the guesses of the input if absent.
     pub(super) from: Option<Numbers>,
+    /// What the passes of a neighbour have taught.
+    pub(super) taught: Option<&'a Memories>,
     /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
     pub(super) as_asked_below_kg: Option<f64>,
 }
 
 /// Runs passes; `work` is what was done before, and grows.
-pub(super) fn run(input: &DesignInput, way: Way, work: &mut Work) -> Run {
-    // its own, as the flights of a small criterion are integrated more finely
-    let mut input = input.clone();
+pub(super) fn run<'a>(input: &'a DesignInput, way: Way, work: &mut Work) -> Run<'a> {
+    let mut input = Cow::Borrowed(input);
     let mut vehicle_input = input.vehicle.clone();
+    let mut body_before: Option<Body> = None;
     let mut passes: Vec<Pass> = Vec::new();
     let mut model = Model::AllenEggers;
     if let Some(numbers) = way.from {
         take(&mut vehicle_input, numbers);
     }
     // a step beyond what a pass found may lead where no vehicle closes; the acceleration goes as far as the passes say
-    let memory = Anderson::new(input.relaxation.min(1.0));
-    let mut memories = [memory.clone(), memory];
+    let mut memories = way.taught.cloned().unwrap_or_else(|| {
+        let memory = Anderson::new(input.relaxation.min(1.0));
+        [memory.clone(), memory]
+    });
     let mut next_damped: Option<Numbers> = None;
     let end = loop {
         let number = passes.len() as u32 + 1;
@@ -171,17 +246,19 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut Work) -> Run {
         {
             model = input.mission.solver.model;
             memories.iter_mut().for_each(Anderson::change_function);
-            let solver = &mut input.mission.solver;
-            let enough = FLIGHT_PART * input.mass_criterion_kg / mass_kg;
-            solver.tolerance = solver.tolerance.min(enough.max(FINEST_TOLERANCE));
+            let enough = (FLIGHT_PART * input.mass_criterion_kg / mass_kg).max(FINEST_TOLERANCE);
+            // the flights of a small criterion are integrated more finely
+            if enough < input.mission.solver.tolerance {
+                input.to_mut().mission.solver.tolerance = enough;
+            }
         }
-        let body = input.body(&vehicle);
+        let body = input.body(&vehicle, body_before.take());
         let mut flown = Flown::fly(&input, &body, model);
         let sized = Sized::new(&input, &vehicle, &flown);
         if let Some(name) = sized.not_finite() {
             flown.give_up(name);
         }
-        work.done += WORK_OF_PASS + flown.flight.evaluations;
+        work.add(flown.flight.evaluations);
         let found = found(&flown, &sized);
         let proposal = memories[usize::from(grown)].propose(taken(&vehicle_input), found, mass_kg);
         let distance_kg = proposal.distance;
@@ -218,12 +295,11 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut Work) -> Run {
         let settled = high_fidelity && same_model && distance_kg.is_some_and(near);
         let is_last = number >= input.max_iterations || work.is_spent();
         if settled || is_last {
-            let mut closing_input = vehicle_input.clone();
-            take(&mut closing_input, found);
-            let closing = match vehicle::build(&closing_input) {
+            take(&mut vehicle_input, found);
+            let closing = match vehicle::build(&vehicle_input) {
                 Ok(closing) => closing,
                 Err(not_closed) => {
-                    break End::Unclosed(not_closed, Box::new(closing_input));
+                    break End::Unclosed(not_closed, Box::new(vehicle_input));
                 }
             };
             let settled = settled && near(closing.mass.mass_kg - mass_kg);
@@ -250,11 +326,18 @@ pub(super) fn run(input: &DesignInput, way: Way, work: &mut Work) -> Run {
             }
         }
         // the first pass replaces the guesses
-        let next = if number == 1 { found } else { proposal.next };
-        next_damped = (number > 1 && next != proposal.damped).then_some(proposal.damped);
+        let guessed = number == 1 && way.taught.is_none();
+        let next = if guessed { found } else { proposal.next };
+        next_damped = (!guessed && next != proposal.damped).then_some(proposal.damped);
         take(&mut vehicle_input, next);
+        body_before = Some(body);
     };
-    Run { input, passes, end }
+    Run {
+        input,
+        passes,
+        memories,
+        end,
+    }
 }
 
 /// The coupling numbers of a vehicle.
@@ -290,7 +373,8 @@ fn found(flown: &Flown, sized: &Sized) -> Numbers {
     ]
 }
 
-fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> Vec<f64> {
+/// Values of [`CROSSINGS`] in one pass.
+fn crossings(vehicle: &Vehicle, flown: &Flown, sized: &Sized) -> [f64; CROSSINGS.len()] {
     let pass = Crossed {
         vehicle,
         flown,

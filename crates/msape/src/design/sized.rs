@@ -10,6 +10,7 @@ use crate::tps::{Environment, Point};
 use crate::vehicle::Vehicle;
 
 /// Heat shields and payload temperature of one pass.
+#[derive(Debug)]
 pub(super) struct Sized {
     /// The stagnation point, from which the other points follow.
     pub(super) stagnation: Environment,

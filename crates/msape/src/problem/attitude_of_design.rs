@@ -90,7 +90,7 @@ pub fn attitude_of_design(
     mission.solver.model = Model::ThreeDof;
     mission.solver.method = Method::DormandPrince853;
     mission.solver.tolerance = mission.solver.tolerance.min(TOLERANCE_DATABASE);
-    let mut body = input.body(vehicle);
+    let mut body = input.body(vehicle, None);
     body.freedom = Freedom::Rigid(Box::new(Rigid {
         inertia,
         cg_m: shape.cg_m.unwrap_or_default(),

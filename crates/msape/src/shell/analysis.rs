@@ -220,14 +220,15 @@ impl CarrierModel {
             ]
         });
         let imbalance = 2.0 * PI * axial(&entry_loads.by_element) / force_n.max(f64::MIN_POSITIVE);
-        let entry = solve(&free, &self.model.stiffness(&free).factor()?, entry_loads);
+        let stiffness = self.model.stiffness();
+        let entry = solve(&free, &stiffness.over(&free).factor()?, entry_loads);
 
         let held = [(self.foot, Held::Clamped)];
         let mut frequencies = Vec::new();
         let mut launch: Vec<Solution> = Vec::new();
         for harmonic in 0..=MOST_WAVES {
             let freedoms = Freedoms::new(&self.model, harmonic, &held);
-            let stiffness = self.model.stiffness(&freedoms).factor()?;
+            let stiffness = stiffness.over(&freedoms).factor()?;
             frequencies.extend(first_frequency(&self.model, &freedoms, &stiffness));
             if harmonic <= 1 {
                 let unit = load(&self.model, &freedoms, |element, _| {

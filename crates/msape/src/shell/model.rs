@@ -1,11 +1,11 @@
 //! A shell of revolution with walls and supports: degrees of freedom of a harmonic, stiffness and mass.
 //!
 //! ```text
-//! K = Σ ∫ Bᵀ D B r ds        M = Σ ∫ Nᵀ m N r ds
+//! K = Σ ∫ Bᵀ D B r ds        M = Σ ∫ Nᵀ m N r ds        K_ij(n) = K_ij(0) + nᵖ [K_ij(1) − K_ij(0)]
 //! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all nought
 //! ```
 //!
-//! with K in N/m and M in kg, per radian.
+//! with K in N/m and M in kg, per radian; p = 1 between a freedom that goes with cos nθ and one that goes with sin nθ, else 2.
 //!
 //! # Valid
 //! Any branched shell of revolution; in the harmonic 0 without torsion.
@@ -13,10 +13,11 @@
 //! # References
 //! - \[zienkiewicz-1977\]; conditions on the axis: displacements and rotations have one value there.
 
-use super::element::{ArealMass, FREEDOMS, NODE_FREEDOMS, mass, stiffness};
+use super::element::{ArealMass, FREEDOMS, Matrix, NODE_FREEDOMS, mass, stiffness};
 use super::mesh::{Element, Mesh};
 use super::section::Section;
 use numerics::linear::skyline::Skyline;
+use numerics::linear::sparse::Sparse;
 
 /// A wall and the mass that moves with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -188,32 +189,25 @@ impl Model {
         self.walls.get(element.wall)
     }
 
-    /// Stiffness over the unknowns.
-    pub fn stiffness(&self, freedoms: &Freedoms) -> Skyline {
-        let mut matrix = freedoms.matrix();
+    /// Stiffness of every harmonic.
+    pub fn stiffness(&self) -> Stiffness {
         let walls: Vec<_> = self.walls.iter().map(|w| w.section.stiffness()).collect();
-        for (number, element) in self.mesh.elements.iter().enumerate() {
-            let Some(wall) = walls.get(element.wall) else {
-                continue;
-            };
-            let k = stiffness(&self.mesh.points(element), wall, freedoms.harmonic);
-            let slots = freedoms.of_element(number);
-            for (i, row) in k.iter().enumerate() {
-                let Some((gi, si)) = slots[i] else { continue };
-                for (j, entry) in row.iter().enumerate().skip(i) {
-                    let Some((gj, sj)) = slots[j] else { continue };
-                    // two freedoms that are one unknown: the entry and its mirror
-                    let times = if i != j && gi == gj { 2.0 } else { 1.0 };
-                    matrix.add(gi, gj, times * si * sj * entry);
-                }
+        let of = |element: &Element| {
+            let (points, wall) = (self.mesh.points(element), walls.get(element.wall)?);
+            let [still, mut once] = [0, 1].map(|harmonic| stiffness(&points, wall, harmonic));
+            for (once, still) in once.iter_mut().flatten().zip(still.iter().flatten()) {
+                *once -= still;
             }
+            Some([still, once])
+        };
+        Stiffness {
+            elements: self.mesh.elements.iter().map(of).collect(),
         }
-        matrix
     }
 
     /// Mass over the unknowns.
-    pub fn mass(&self, freedoms: &Freedoms) -> Skyline {
-        let mut matrix = freedoms.matrix();
+    pub fn mass(&self, freedoms: &Freedoms) -> Sparse {
+        let mut matrix = Sparse::new(freedoms.count());
         for (number, element) in self.mesh.elements.iter().enumerate() {
             let Some(wall) = self.wall(element) else {
                 continue;
@@ -229,6 +223,39 @@ impl Model {
                             matrix.add(gi, gj, si * sj * value);
                         }
                     }
+                }
+            }
+        }
+        matrix
+    }
+}
+
+/// Stiffness of a model in every harmonic, by element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stiffness {
+    /// That of the harmonic 0, and what the harmonic 1 has more; absent where an element has no wall.
+    elements: Vec<Option<[Matrix; 2]>>,
+}
+
+impl Stiffness {
+    /// Over the unknowns of a harmonic.
+    pub fn over(&self, freedoms: &Freedoms) -> Skyline {
+        let mut matrix = freedoms.matrix();
+        let n = f64::from(freedoms.harmonic);
+        // V and φ go with sin nθ
+        let sine = |i: usize| matches!(i % NODE_FREEDOMS, 2 | 4);
+        for (element, slots) in self.elements.iter().zip(&freedoms.slots) {
+            let Some([still, more]) = element else {
+                continue;
+            };
+            for i in 0..FREEDOMS {
+                let Some((gi, si)) = slots[i] else { continue };
+                for j in i..FREEDOMS {
+                    let Some((gj, sj)) = slots[j] else { continue };
+                    let power = if sine(i) == sine(j) { n * n } else { n };
+                    // two freedoms that are one unknown: the entry and its mirror
+                    let times = if i != j && gi == gj { 2.0 } else { 1.0 };
+                    matrix.add(gi, gj, times * si * sj * (still[i][j] + power * more[i][j]));
                 }
             }
         }

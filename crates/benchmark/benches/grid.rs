@@ -1,0 +1,116 @@
+//! `cargo bench --package msape-benchmark --bench grid`: designs over a grid, each from the guesses of its case and from the numbers on
+//! which its neighbour settled: seconds of the thread's clock, passes, and how far the entry masses are apart.
+#![allow(missing_docs, reason = "nothing uses a benchmark")]
+
+#[path = "solve/clock.rs"]
+mod clock;
+
+use msape::design::coupling;
+use msape::design::start::Start;
+use msape::problem::DesignProblem;
+use msape::progress::Unwatched;
+use msape::{Case, Library, Outcome};
+
+/// Of one design: outcome, entry mass in kg, passes.
+type Row = (Outcome, Option<f64>, usize);
+
+/// Where the passes of a design begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Begin {
+    Guesses,
+    Neighbour,
+}
+
+/// Values of a key, evenly spread.
+fn spread(count: usize, [low, high]: [f64; 2]) -> Vec<String> {
+    let at = |i: usize| low + (high - low) * i as f64 / (count - 1) as f64;
+    (0..count).map(|i| at(i).to_string()).collect()
+}
+
+/// Diameters, m, entry speeds, m/s, and entry angles, deg.
+type Sides<'a> = [&'a [String]; 3];
+
+/// Designs of a grid in the order in which each is beside the one before; seconds and rows.
+fn grid(library: &Library, case: &Case, sides: Sides, begin: Begin) -> (f64, Vec<Row>) {
+    let [diameters, mut speeds, mut angles] = sides.map(<[String]>::to_vec);
+    let start = clock::now();
+    let mut rows = Vec::new();
+    let mut from: Option<Start> = None;
+    for diameter_m in &diameters {
+        for speed_m_s in &speeds {
+            for angle_deg in &angles {
+                let mut case = case.clone();
+                case.set("design.diameter_m", diameter_m);
+                case.set("entry.speed_m_s", speed_m_s);
+                case.set("entry.flight_path_angle_deg", angle_deg);
+                let problem = DesignProblem::check(&case, library).unwrap();
+                let coupled = coupling::solve(&problem.input, from.as_ref(), &mut Unwatched);
+                if begin == Begin::Neighbour {
+                    from = coupled.start().or(from.take());
+                }
+                let mass_kg = coupled.vehicle().map(|vehicle| vehicle.mass.mass_kg);
+                rows.push((coupled.outcome(), mass_kg, coupled.passes().len()));
+            }
+            angles.reverse();
+        }
+        speeds.reverse();
+    }
+    ((clock::now() - start).as_secs_f64(), rows)
+}
+
+fn tell(name: &str, begin: Begin, seconds: f64, rows: &[Row], guessed: &[Row]) {
+    let passes: usize = rows.iter().map(|(.., passes)| passes).sum();
+    let converged = rows
+        .iter()
+        .filter(|(outcome, ..)| *outcome == Outcome::Converged)
+        .count();
+    let apart = rows
+        .iter()
+        .zip(guessed)
+        .filter_map(|(a, b)| Some((a.1? - b.1?).abs()));
+    let same = rows.iter().zip(guessed).filter(|(a, b)| a.0 == b.0).count();
+    println!(
+        "{name}, {begin:?}: {seconds:.3} s, {:.0} designs/s, {:.2} passes each, {converged} of {} converged, {same} as from guesses, at most {:.1e} kg apart",
+        rows.len() as f64 / seconds,
+        passes as f64 / rows.len() as f64,
+        rows.len(),
+        apart.fold(0.0, f64::max)
+    );
+}
+
+fn main() {
+    let library = Library::builtin().unwrap();
+    let text = msape::library::data_file("cases/msr-eev-pica.toml").unwrap();
+    let case = Case::from_text(text).unwrap();
+    let (diameters, speeds, angles) = ([0.9, 1.3], [11e3, 13e3], [-10.0, -25.0]);
+    let sides = [diameters, speeds, angles].map(|ends| spread(10, ends));
+    let mut guessed = Vec::new();
+    for begin in [Begin::Guesses, Begin::Neighbour] {
+        let (seconds, rows) = grid(&library, &case, sides.each_ref().map(Vec::as_slice), begin);
+        if begin == Begin::Guesses {
+            guessed.clone_from(&rows);
+        }
+        tell("10 x 10 x 10", begin, seconds, &rows, &guessed);
+    }
+    // three panels, half of the speeds for each thread
+    let (three, [speeds, angles]) = (
+        spread(3, diameters),
+        [speeds, angles].map(|ends| spread(21, ends)),
+    );
+    let halves = speeds.split_at(11);
+    let mut guessed: [Vec<Row>; 2] = Default::default();
+    for begin in [Begin::Guesses, Begin::Neighbour] {
+        let half = |speeds| grid(&library, &case, [&three, speeds, &angles], begin);
+        let (first, second) = std::thread::scope(|scope| {
+            let other = scope.spawn(|| half(halves.1));
+            (half(halves.0), other.join().unwrap())
+        });
+        for (n, (seconds, rows)) in [first, second].into_iter().enumerate() {
+            let name = format!("3 panels of 21 x 21, thread {} of 2", n + 1);
+            if begin == Begin::Guesses {
+                guessed[n].clone_from(&rows);
+            }
+            tell(&name, begin, seconds, &rows, &guessed[n]);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Ctrl-C: during long work the first ends the work, which keeps what is done; otherwise, and the second time, it ends the program.
+
+use crate::output;
+use msape::progress::Progress;
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Code after a signal, as shells have it for Ctrl-C.
+const INTERRUPTED: u8 = 130;
+
+static LISTENS: OnceLock<bool> = OnceLock::new();
+static AT_WORK: AtomicBool = AtomicBool::new(false);
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// Begins to listen. Where signals cannot be heard, a file may stay unfinished, which is no reason to do nothing.
+pub fn listen() {
+    LISTENS.get_or_init(|| ctrlc::set_handler(heard).is_ok());
+}
+
+fn heard() {
+    if AT_WORK.load(Ordering::SeqCst) && !STOPPED.swap(true, Ordering::SeqCst) {
+        return;
+    }
+    output::leave_nothing_unfinished();
+    std::process::exit(i32::from(INTERRUPTED));
+}
+
+/// Does long work, which asks whether it is stopped.
+pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
+    listen();
+    AT_WORK.store(true, Ordering::SeqCst);
+    let done = work(&mut |_| match STOPPED.load(Ordering::SeqCst) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    });
+    AT_WORK.store(false, Ordering::SeqCst);
+    done
+}
+
+/// The code of a command that has written what was done: another one after it was stopped.
+pub fn code(done: ExitCode) -> ExitCode {
+    match STOPPED.load(Ordering::SeqCst) {
+        true => ExitCode::from(INTERRUPTED),
+        false => done,
+    }
+}
