@@ -4,7 +4,7 @@
 //! - [`garbage`]: whatever comes in, an answer or a list of faults goes out.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
-//! - [`lanes`]: flights in lanes have the bits of each alone; derivatives are those of central differences.
+//! - [`lanes`]: flights in lanes have the bits of each alone; [`derivatives`]: those of dual numbers are those of differences.
 //! - [`versions`]: cases of the first version keep its defaults, or are told what changed.
 //! - [`coupling`]: the passes settle, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: whole, without overlap, every change told.
@@ -15,7 +15,9 @@
 
 mod atmosphere_tables;
 mod coupling;
+mod derivatives;
 mod designs;
+mod drawn;
 mod flights;
 mod garbage;
 mod geometry;

@@ -29,6 +29,7 @@ pub mod allen_eggers;
 pub mod batch;
 pub mod equations;
 pub mod freedom;
+pub mod held;
 pub mod integration;
 pub mod lift;
 pub mod mission;

@@ -21,6 +21,7 @@
 use super::quaternion::{Matrix, Quaternion, turned_back, yaw_pitch_roll_rad};
 use crate::flight::mission::{Mission, Start};
 use crate::planet::horizon::Horizon;
+use crate::planet::wind::Wind;
 use numerics::math;
 
 /// How a case gives the attitude of the start.
@@ -43,7 +44,8 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> Quaternion {
         Given::YawPitchRoll(angles) => Quaternion::of_yaw_pitch_roll(*angles),
         Given::Quaternion(quaternion) => *quaternion,
         Given::AlphaBetaBank([alpha, beta, bank]) => {
-            let [east_m_s, north_m_s] = mission.wind.east_north_m_s(local.altitude_m);
+            let row = mission.wind.row(local.altitude_m);
+            let [east_m_s, north_m_s] = Wind::east_north_m_s(row, local.altitude_m);
             let [north, east, up] = horizon.parts(start.velocity_m_s);
             let (north, east) = (north - north_m_s, east - east_m_s);
             let along = math::hypot(north, east);
