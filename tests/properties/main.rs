@@ -4,7 +4,8 @@
 //! - [`garbage`]: any input gives an answer or a list of faults.
 //! - [`flights`]: energy, scaling laws, order of refinement, wind.
 //! - [`designs`]: mass, volume, closing rules.
-//! - [`lanes`]: flights in lanes have the same bits as alone; derivatives equal central differences.
+//! - [`lanes`]: flights in lanes have the same bits as alone.
+//! - [`derivatives`]: derivatives by dual numbers equal central differences.
 //! - [`versions`]: cases of the first version keep its defaults, or the answer reports the changes.
 //! - [`coupling`]: the passes converge, and an answer is of one pass.
 //! - [`geometry`]: ten thousand vehicles: complete, without overlap, every change reported.
@@ -17,7 +18,9 @@
 mod allocations;
 mod atmosphere_tables;
 mod coupling;
+mod derivatives;
 mod designs;
+mod drawn;
 mod flights;
 mod garbage;
 mod geometry;

@@ -1,6 +1,12 @@
 //! Lower bound for the cost of a trajectory: the same method at the same tolerance, over a non-rotating sphere with an
-//! exponential atmosphere, constant drag, no heating, no events except the ground, no results.
+//! exponential atmosphere, constant drag, no heating, no events except the ground, no results. And the same method over
+//! the right-hand side of a flight.
 
+use msape::flight::held::Within;
+use msape::flight::integration::point_tolerance;
+use msape::flight::motion::Motion;
+use msape::flight::three_dof;
+use msape::problem::FlightProblem;
 use numerics::math;
 use numerics::ode::{Integrator, Method, Tolerance};
 
@@ -56,6 +62,27 @@ pub fn bare_flight(tolerance: f64) -> (f64, u64) {
         let [x, y, z, ..] = *integrator.y();
         let above = (x * x + y * y + z * z).sqrt() > RADIUS_M;
         if !above || integrator.step(&mut f, 1e5).is_err() {
+            return (integrator.t(), integrator.statistics().evaluations);
+        }
+    }
+}
+
+/// Flies a problem by its own right-hand side to the ground, without stops, records and results: time in s, and evaluations.
+pub fn exact_flight(problem: &FlightProblem, tolerance: f64) -> (f64, u64) {
+    let FlightProblem { mission, body, .. } = problem;
+    let mut motion = three_dof::motion(mission, body);
+    let start = three_dof::start(&mission.start);
+    let tolerance = point_tolerance(tolerance);
+    let mut integrator = Integrator::new(Method::DormandPrince54, tolerance, 0.0, start);
+    loop {
+        let [x, y, z, ..] = *integrator.y();
+        let altitude_m = motion.point.ellipsoid.local([x, y, z]).altitude_m;
+        motion = motion.within(&Within {
+            altitude_m,
+            ..Within::REST
+        });
+        let mut f = |t: f64, y: &[f64; 8]| motion.derivative(t, y);
+        if altitude_m <= 0.0 || integrator.step(&mut f, 1e5).is_err() {
             return (integrator.t(), integrator.statistics().evaluations);
         }
     }

@@ -6,13 +6,19 @@ pub mod kernel;
 use msape::case::{Case, InputError};
 use msape::design::structural::Structural;
 use msape::design::{Design, coupling};
-use msape::flight::mission::Body;
+use msape::flight::batch::extremes_of_all;
+use msape::flight::mission::{Body, Start};
+use msape::flight::numbers::Numbers;
+use msape::flight::three_dof;
 use msape::flight::{self, Flight, Request};
 use msape::library::{DataError, Library, data_file};
+use msape::planet::horizon::Velocity;
 use msape::problem::{DesignProblem, FlightProblem};
 use msape::progress::Unwatched;
 use msape::vehicle;
+use numerics::math::RADIANS_PER_DEGREE;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 /// Input of the jobs.
 #[derive(Clone, Debug)]
@@ -21,6 +27,10 @@ pub struct Bench {
     pub library: Library,
     /// Flight with constant drag and without radiation.
     pub constant: FlightProblem,
+    /// Numbers of the constant-drag flight from the place where it is slower than 250 m/s.
+    pub fall: Numbers,
+    /// Entries like the constant-drag flight, at 11 to 13 km/s and 8 to 20 deg below the horizon.
+    pub entries: Vec<Numbers>,
     /// MSR vehicle with a PICA heat shield, unchecked.
     pub msr_case: Case,
     /// MSR case after the check.
@@ -55,6 +65,9 @@ jobs! {
     "bare kernel: order 5, exponential air, no results" => |bench| {
         black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
     },
+    "bare kernel, exact: right-hand side of m2 at 1e-6" => |bench| {
+        black_box(kernel::exact_flight(&bench.constant, 1e-6));
+    },
     "1000 densities of US76, 0 to 125 km" => |bench| {
         let atmosphere = &bench.constant.mission.atmosphere;
         let sum: f64 = (0..1000)
@@ -74,6 +87,13 @@ jobs! {
         let mission = &bench.msr.input.mission;
         black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
     },
+    "its fall below 250 m/s" => |bench| {
+        let FlightProblem { mission, body, .. } = &bench.constant;
+        black_box(three_dof::extremes(mission, body, bench.fall));
+    },
+    "100 such entries, alone: peaks, loads, end" => |bench| extremes::<1>(bench),
+    "100 such entries, 8 lanes" => |bench| extremes::<8>(bench),
+    "100 such entries, 16 lanes" => |bench| extremes::<16>(bench),
     "vehicle: closing, mass, structure (MSR)" => |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
     "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
     "half-section: profiles, volumes, moments (MSR)" => |bench| {
@@ -118,6 +138,7 @@ impl Bench {
         let constant = shipped("cases/msape-ref-m2.toml", |case| {
             FlightProblem::check(&case, &library)
         })?;
+        let (fall, entries) = (fall(&constant), entries(&constant));
         let msr_file = "cases/msr-eev-pica.toml";
         let (msr_case, msr) = shipped(msr_file, |case| {
             let msr = DesignProblem::check(&case, &library)?;
@@ -141,6 +162,8 @@ impl Bench {
         Ok(Bench {
             library,
             constant,
+            fall,
+            entries,
             msr_case,
             msr,
             msr_body,
@@ -151,6 +174,50 @@ impl Bench {
             spinning_case,
         })
     }
+}
+
+fn extremes<const N: usize>(bench: &Bench) {
+    let FlightProblem { mission, body, .. } = &bench.constant;
+    let queue = bench.entries.iter().copied();
+    let ended = extremes_of_all::<N>(mission, body, queue, |flown| {
+        black_box(flown);
+        ControlFlow::Continue(())
+    });
+    black_box(ended);
+}
+
+fn fall(problem: &FlightProblem) -> Numbers {
+    let FlightProblem { mission, body, .. } = problem;
+    let record = three_dof::integrate(mission, body);
+    let slow = record.legs.iter().find(|leg| {
+        let [_, _, _, x, y, z, ..] = leg.step.y1;
+        x * x + y * y + z * z < 250.0 * 250.0
+    });
+    let mut numbers = Numbers::of(mission, body);
+    if let Some(leg) = slow {
+        let [x, y, z, vx, vy, vz, ..] = leg.step.y1;
+        let velocity = mission.planet.horizon([x, y, z]).velocity([vx, vy, vz]);
+        let place = mission.planet.geodetic([x, y, z]);
+        numbers.start = Start::relative(&mission.planet, &place, velocity);
+    }
+    numbers
+}
+
+fn entries(problem: &FlightProblem) -> Vec<Numbers> {
+    let FlightProblem { mission, body, .. } = problem;
+    let place = mission.planet.geodetic(mission.start.position_m);
+    let entry = |i: i32| {
+        let velocity = Velocity {
+            speed_m_s: 11_000.0 + 20.0 * f64::from(i),
+            // Steep and shallow in turn, so that lanes differ.
+            flight_path_angle_rad: -RADIANS_PER_DEGREE * (8.0 + 0.12 * f64::from(37 * i % 100)),
+            ..mission.start.relative
+        };
+        let mut numbers = Numbers::of(mission, body);
+        numbers.start = Start::relative(&mission.planet, &place, velocity);
+        numbers
+    };
+    (0..100).map(entry).collect()
 }
 
 fn fault(file: &str, message: String) -> DataError {

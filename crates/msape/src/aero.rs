@@ -186,14 +186,25 @@ impl DragTable {
     /// Drag coefficient at a Mach number.
     #[inline]
     pub fn at<S: Scalar>(&self, mach: S) -> S {
-        let [base, slope, start] = mach.lookup(|mach| self.line(mach));
+        Self::by_line(mach.lookup(|mach| self.line(mach)), mach)
+    }
+
+    /// Drag coefficient at a Mach number by a line of a table, wherever it ends.
+    #[inline]
+    pub fn by_line<S: Scalar>([base, slope, start]: [S; 3], mach: S) -> S {
         base + (mach - start) * slope
     }
 
+    /// Line between two rows at a Mach number: coefficient, slope and Mach number of its first row.
     #[inline]
-    fn line(&self, mach: f64) -> [f64; 3] {
+    pub fn line(&self, mach: f64) -> [f64; 3] {
         let below = self.mach.partition_point(|&m| m <= mach);
         self.lines.get(below).copied().unwrap_or_default()
+    }
+
+    /// Mach numbers of the rows, ascending.
+    pub fn machs(&self) -> &[f64] {
+        &self.mach
     }
 
     /// Rows of Mach number and drag coefficient.

@@ -31,6 +31,7 @@ pub mod batch;
 pub mod columns;
 pub mod equations;
 pub mod freedom;
+pub mod held;
 pub mod integration;
 pub mod lift;
 pub mod mission;

@@ -31,7 +31,7 @@ use crate::finding::{Finding, Severity};
 use crate::quantity::input;
 use serde::{Deserialize, Serialize};
 
-pub use stagnation::{HeatFlux, Radiation, StagnationHeating};
+pub use stagnation::{HeatFlux, StagnationHeating};
 
 /// W/m² in one W/cm², and J/m² in one J/cm².
 pub const PER_CM2: f64 = 1e4;
@@ -45,6 +45,22 @@ pub struct Flow<S> {
     pub speed_m_s: S,
     /// Nose radius, m.
     pub nose_radius_m: S,
+    /// Speed by which rows and branches of a relation are chosen, m/s: that of the flow, or one for a whole step of a flight, so
+    /// that the relation goes on smoothly beyond a kink at which the step ends.
+    pub chosen_by_m_s: S,
+}
+
+impl<S: Copy> Flow<S> {
+    /// A flow of a density, kg/m³, and a speed, m/s, against a nose of a radius, m.
+    #[inline]
+    pub fn new(density_kg_m3: S, speed_m_s: S, nose_radius_m: S) -> Self {
+        Flow {
+            density_kg_m3,
+            speed_m_s,
+            nose_radius_m,
+            chosen_by_m_s: speed_m_s,
+        }
+    }
 }
 
 /// The flow at the instant of peak heating, where a correlation is held against its ranges.
@@ -166,11 +182,7 @@ mod tests {
         let mut rows = 0;
         for row in reader.deserialize::<Row>() {
             let row = row.unwrap();
-            let flow = Flow {
-                density_kg_m3: row.rho_kgm3,
-                speed_m_s: row.V_ms,
-                nose_radius_m: row.Rn_m,
-            };
+            let flow = Flow::new(row.rho_kgm3, row.V_ms, row.Rn_m);
             let convective = SuttonGraves::parse(graves.into(), &row.planet).unwrap();
             let radiative = if row.planet == "mars" { &mars } else { &earth };
             let a: f64 =

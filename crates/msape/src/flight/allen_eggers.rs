@@ -165,11 +165,7 @@ impl<'a> Sum<'a> {
             Atmosphere::Exponential(_) => air.density_kg_m3,
             _ => entry.density_kg_m3(altitude_m),
         };
-        let flow = Flow {
-            density_kg_m3,
-            speed_m_s: entering_m_s,
-            nose_radius_m: body.nose_radius_m,
-        };
+        let flow = Flow::new(density_kg_m3, entering_m_s, body.nose_radius_m);
         let flux = mission.heating.heat_flux(&flow);
         if let Some((above_m, _, flux_above)) = self.before {
             self.time_s += dt;
@@ -353,14 +349,9 @@ impl<'a> Sum<'a> {
         }
         let mut history = Trajectory::new();
         for (t, state) in &self.rows {
-            let altitude_m = self
-                .mission
-                .planet
-                .local([state[0], state[1], state[2]])
-                .altitude_m;
-            let layer = self.mission.atmosphere.layer(altitude_m);
-            let motion = three_dof::motion(self.mission, self.body).in_layer(layer);
-            history.push(&Sample::new(&motion, *t, state, &self.place));
+            let motion = three_dof::motion(self.mission, self.body);
+            let motion = motion.within(&motion.place(state));
+            sample::record(&mut history, &motion, *t, state, &self.place);
         }
         Some(history)
     }

@@ -73,7 +73,7 @@ fn all<const N: usize, R>(
     mut done: impl FnMut(Flown<R>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let flights = queue.into_iter().map(|numbers| {
-        let point = Equations::with_numbers(mission, body, 0, numbers);
+        let point = Equations::with_numbers(mission, body, numbers);
         (PointMass { point }, three_dof::start(&numbers.start))
     });
     integration::integrate_all::<PointMass<Lanes<N>>, STATES, Lanes<N>>(

@@ -16,13 +16,14 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
+use super::held::{Held, Within};
 use super::mission::{Body, Mission};
 use super::numbers::Numbers;
 use super::phase::{Change, Changed};
 use super::reach::Arguments;
-use crate::aero::Drag;
-use crate::heating::{Flow, HeatFlux, Radiation};
-use crate::planet::atmosphere::{Air, Piece};
+use crate::aero::{Drag, DragTable};
+use crate::heating::{Flow, HeatFlux};
+use crate::planet::atmosphere::Air;
 use crate::planet::geodetic::Ellipsoid;
 use crate::planet::horizon::Horizon;
 use crate::planet::wind::Wind;
@@ -52,19 +53,16 @@ pub struct Surroundings<S> {
     pub drag_coefficient: S,
 }
 
-/// The equations for one vehicle, or one a lane, within one smooth piece of the atmosphere each.
+/// The equations for one vehicle, or one a lane, by the rows that hold for each.
 #[derive(Clone, Copy)]
 pub struct Equations<'a, S: Scalar = f64> {
     /// Planet, atmosphere, wind, heating.
     pub mission: &'a Mission,
     /// The vehicle, for what is the same in every lane: kind of drag and lift.
     pub body: &'a Body,
-    /// Piece of the atmosphere that is continued smoothly.
-    pub piece: Piece<S::Value>,
     /// Figure of the planet.
     pub ellipsoid: Ellipsoid,
-    /// How radiative heating is computed.
-    pub radiation: Radiation<S>,
+    held: Held<S::Value>,
     numbers: Numbers<S>,
     /// What the phases so far have changed besides.
     changed: Changed<S>,
@@ -75,26 +73,20 @@ pub struct Equations<'a, S: Scalar = f64> {
 }
 
 impl<'a> Equations<'a> {
-    /// The equations within one piece of the atmosphere, with the numbers of the mission and the vehicle.
-    pub fn new(mission: &'a Mission, body: &'a Body, layer: usize) -> Self {
-        Self::with_numbers(mission, body, layer, Numbers::of(mission, body))
+    /// The equations with the numbers of the mission and the vehicle, by the rows at rest on the ground.
+    pub fn new(mission: &'a Mission, body: &'a Body) -> Self {
+        Self::with_numbers(mission, body, Numbers::of(mission, body))
     }
 }
 
 impl<'a, S: Scalar> Equations<'a, S> {
-    /// The equations within one piece of the atmosphere, with numbers of their own.
-    pub fn with_numbers(
-        mission: &'a Mission,
-        body: &'a Body,
-        layer: usize,
-        numbers: Numbers<S>,
-    ) -> Self {
+    /// The same with numbers of their own.
+    pub fn with_numbers(mission: &'a Mission, body: &'a Body, numbers: Numbers<S>) -> Self {
         Equations {
             mission,
             body,
-            piece: Piece::everywhere(&mission.atmosphere.piece(layer)),
             ellipsoid: mission.planet.ellipsoid(),
-            radiation: Radiation::exact(),
+            held: Held::everywhere(&Held::of(mission, body, &Within::REST)),
             half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
             changed: Changed::nothing(),
             phase: 0,
@@ -105,7 +97,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
     /// The equations of one lane in every lane.
     pub fn everywhere(of: &Equations<'a, S::Lane>) -> Self {
         let numbers = Numbers::everywhere(&of.numbers);
-        let mut all = Self::with_numbers(of.mission, of.body, 0, numbers);
+        let mut all = Self::with_numbers(of.mission, of.body, numbers);
         (0..S::LANES).for_each(|lane| all.set_lane(lane, of));
         all
     }
@@ -123,13 +115,24 @@ impl<'a, S: Scalar> Equations<'a, S> {
             .set_lane(lane, of.half_area_over_mass);
     }
 
-    /// Replaces the piece of the atmosphere, the radiation and the phase of one lane.
+    /// Replaces the rows that hold and the phase of one lane.
     pub fn set_lane_state(&mut self, lane: usize, of: &Equations<'a, S::Lane>) {
-        self.piece.set_lane(lane, &of.piece.lane(0));
-        self.radiation.set_lane(lane, &of.radiation);
+        self.held.set_lane(lane, &of.held.lane(0));
         if !self.mission.phases.is_empty() {
             self.set_lane_numbers(lane, of);
         }
+    }
+
+    /// Goes on by the rows about a place, in every lane.
+    #[inline]
+    pub fn hold(&mut self, within: &Within) {
+        self.held = Held::everywhere(&Held::of(self.mission, self.body, within));
+    }
+
+    /// The rows that hold.
+    #[inline]
+    pub fn held(&self) -> &Held<S::Value> {
+        &self.held
     }
 
     /// A phase that begins at a time, s.
@@ -197,13 +200,13 @@ impl<'a, S: Scalar> Equations<'a, S> {
         let density_kg_m3 = self
             .mission
             .atmosphere
-            .density_in(&self.piece, local.altitude_m)
+            .density_in(&self.held.piece, local.altitude_m)
             * self.numbers.density_factor;
         let air_velocity_m_s = match &self.mission.wind {
             Wind::Calm => [vx, vy, vz],
-            wind => {
-                let [east_m_s, north_m_s] = wind
-                    .east_north_m_s(local.altitude_m)
+            _ => {
+                let row = self.held.wind.map(S::from_value);
+                let [east_m_s, north_m_s] = Wind::east_north_m_s(row, local.altitude_m)
                     .map(|wind| wind * self.numbers.wind_factor);
                 let calm = S::constant(0.0);
                 let [wx, wy, wz] = Horizon::new(local.up).vector([north_m_s, east_m_s, calm]);
@@ -214,8 +217,10 @@ impl<'a, S: Scalar> Equations<'a, S> {
         let air_speed_m_s = (ux * ux + uy * uy + uz * uz).sqrt();
         let drag_coefficient = match &self.body.drag {
             Drag::Constant(_) => self.numbers.drag_coefficient,
-            Drag::Table(table) => {
-                let by_table = table.at(air_speed_m_s / self.sound_m_s(local.altitude_m));
+            Drag::Table(_) => {
+                let line = self.held.drag.map(S::from_value);
+                let mach = air_speed_m_s / self.sound_m_s(local.altitude_m);
+                let by_table = DragTable::by_line(line, mach);
                 if self.is_phased() {
                     let constant = self.changed.constant_drag;
                     let rest = S::constant(1.0) - constant;
@@ -240,14 +245,14 @@ impl<'a, S: Scalar> Equations<'a, S> {
     pub fn sound_m_s(&self, altitude_m: S) -> S {
         self.mission
             .atmosphere
-            .speed_of_sound_in(&self.piece, altitude_m)
+            .speed_of_sound_in(&self.held.piece, altitude_m)
     }
 
     /// The air at an altitude, m, its density, pressure and mean free path those of the flight.
     #[inline]
     pub fn air(&self, altitude_m: S) -> Air<S> {
         let factor = self.numbers.density_factor;
-        let air = self.mission.atmosphere.air_in(&self.piece, altitude_m);
+        let air = self.mission.atmosphere.air_in(&self.held.piece, altitude_m);
         Air {
             density_kg_m3: air.density_kg_m3 * factor,
             pressure_pa: air.pressure_pa * factor,
@@ -296,15 +301,11 @@ impl<'a, S: Scalar> Equations<'a, S> {
         ]
     }
 
-    /// Heat fluxes at the stagnation point without margins, by the relations as they are.
+    /// Heat fluxes at the stagnation point without margins.
     #[inline]
     pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
-        self.heat_flux_under(around, &Radiation::exact())
-    }
-
-    #[inline]
-    fn heat_flux_under(&self, around: &Surroundings<S>, radiation: &Radiation<S>) -> HeatFlux<S> {
         let flow = Flow {
+            chosen_by_m_s: S::from_value(self.held.speed_m_s),
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,
             nose_radius_m: self.numbers.nose_radius_m,
@@ -312,7 +313,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         let HeatFlux {
             convective_w_m2,
             radiative_w_m2,
-        } = self.mission.heating.heat_flux_under(&flow, radiation);
+        } = self.mission.heating.heat_flux(&flow);
         HeatFlux {
             convective_w_m2: convective_w_m2 * self.numbers.convective_factor,
             radiative_w_m2: radiative_w_m2 * self.numbers.radiative_factor,
@@ -339,7 +340,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
         let [gx, gy, gz] = self.mission.planet.gravity([x_m, y_m, z_m]);
         let omega = self.mission.planet.rotation_rate_rad_s;
-        let heat_flux = self.heat_flux_under(around, &self.radiation);
+        let heat_flux = self.heat_flux(around);
         [
             vx,
             vy,

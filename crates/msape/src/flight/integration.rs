@@ -1,10 +1,10 @@
 //! Integrates equations of motion from the entry state to the end of the flight, whatever their degrees of freedom.
 //!
 //! ```text
-//! y' = f(t, y) in one smooth piece of the atmosphere after the other
+//! y' = f(t, y) by one set of smooth rows after the other
 //! ```
 //!
-//! with y position, velocity (SI, planet-fixed axes), heat loads and what else a motion has. Steps end where the atmosphere changes its formula,
+//! with y position, velocity (SI, planet-fixed axes), heat loads and what else a motion has. Steps end where a row of a table ends,
 //! so that the method keeps its order; between the ends of a step the dense output of the method holds.
 //!
 //! # Valid
@@ -16,6 +16,7 @@
 mod course;
 mod ending;
 mod gate;
+mod ladder;
 mod marks;
 mod node;
 mod phases;
@@ -49,7 +50,7 @@ const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 pub struct Leg<const N: usize, S = f64> {
     /// The step with its dense output.
     pub step: Step<N, S>,
-    /// Piece of the atmosphere and phase.
+    /// Rows that held, and phase.
     pub stage: Stage<S>,
     /// Loads at the end of the step.
     pub loads: Loads<S>,
@@ -60,7 +61,7 @@ pub struct Leg<const N: usize, S = f64> {
 pub struct Record<const N: usize, S = f64> {
     /// State at the start.
     pub start: [S; N],
-    /// Piece of the atmosphere at the start.
+    /// Rows that hold at the start.
     pub start_stage: Stage<S>,
     /// Loads at the start.
     pub start_loads: Loads<S>,

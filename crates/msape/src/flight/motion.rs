@@ -15,15 +15,15 @@
 
 use super::equations::{Equations, STATES, Surroundings};
 use super::freedom::Freedom;
+use super::held::Within;
 use super::integration::point_tolerance;
 use super::lift::{Lift, Source};
 use super::phase::Stage;
 use super::reach::Arguments;
 use super::sample::Loads;
 use crate::aero::{Drag, DragTable};
-use crate::planet::atmosphere::Piece;
 use numerics::ode::Tolerance;
-use numerics::scalar::Scalar;
+use numerics::scalar::{Scalar, Single};
 
 /// A motion with a state of `N` numbers, the first [`STATES`] of which are those of a point mass; of one body, or of one a
 /// lane.
@@ -70,6 +70,12 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         }
     }
 
+    /// Whether it takes that table by the line that holds, so that nothing changes at a row but where a step ends.
+    #[inline]
+    fn holds_drag(&self) -> bool {
+        true
+    }
+
     /// With what tables may be looked up at a time, s; not a number where the motion has none.
     fn arguments(&self, t: S, y: &[S; N]) -> Arguments<S>;
 
@@ -79,7 +85,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// The same motion, before any phase, in a stage of a flight.
     #[inline]
     fn in_stage(self, stage: &Stage<S>) -> Self {
-        let mut motion = self.in_layer(stage.layer);
+        let mut motion = self.within(&stage.within);
         let mission = motion.point().mission;
         for phase in mission.phases.iter().take(stage.phases) {
             motion
@@ -89,12 +95,32 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         motion
     }
 
-    /// The same motion in another piece of the atmosphere.
+    /// The same motion by the rows about a place.
     #[inline]
-    fn in_layer(mut self, layer: usize) -> Self {
-        let piece = self.point().mission.atmosphere.piece(layer);
-        self.point_mut().piece = Piece::everywhere(&piece);
+    fn within(mut self, within: &Within) -> Self {
+        self.point_mut().hold(within);
         self
+    }
+
+    /// Where a state is among the rows of tables.
+    fn place(&self, y: &[S; N]) -> Within
+    where
+        S: Single,
+    {
+        let altitude_m = (self.point().ellipsoid.local([y[0], y[1], y[2]]).altitude_m).value();
+        let here = Within {
+            altitude_m,
+            ..Within::REST
+        };
+        let motion = self.within(&here);
+        let point = motion.point();
+        let around = point.surroundings(&head(y));
+        let mach = around.air_speed_m_s / point.sound_m_s(around.altitude_m);
+        Within {
+            mach: mach.value(),
+            speed_m_s: around.air_speed_m_s.value(),
+            ..here
+        }
     }
 }
 

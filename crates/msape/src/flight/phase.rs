@@ -14,6 +14,7 @@
 //! # References
 //! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
 
+use super::held::Within;
 use super::mission::Mission;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
@@ -144,11 +145,11 @@ impl<S: Scalar> Changed<S> {
     }
 }
 
-/// Where a part of a flight lies: piece of the atmosphere, phases so far, and when the parachute began to inflate.
+/// Where a part of a flight lies: among the rows of tables, phases so far, and when the parachute began to inflate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage<S = f64> {
-    /// Piece of the atmosphere.
-    pub layer: usize,
+    /// A place within the rows of tables that hold.
+    pub within: Within,
     /// Number of phases that have begun.
     pub phases: usize,
     /// When the parachute began to inflate, s after the start.
@@ -156,10 +157,10 @@ pub struct Stage<S = f64> {
 }
 
 impl<S: Scalar> Stage<S> {
-    /// A piece of the atmosphere before any phase.
-    pub fn of_layer(layer: usize) -> Self {
+    /// About a place, before any phase.
+    pub fn about(within: Within) -> Self {
         Stage {
-            layer,
+            within,
             phases: 0,
             canopy_since_s: S::constant(0.0),
         }

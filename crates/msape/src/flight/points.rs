@@ -117,11 +117,11 @@ pub(super) fn add(
 
 fn flow<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, y: &[S; N]) -> Flow<S> {
     let around = motion.point().surroundings(&head(y));
-    Flow {
-        density_kg_m3: around.density_kg_m3,
-        speed_m_s: around.air_speed_m_s,
-        nose_radius_m: motion.point().numbers().nose_radius_m,
-    }
+    Flow::new(
+        around.density_kg_m3,
+        around.air_speed_m_s,
+        motion.point().numbers().nose_radius_m,
+    )
 }
 
 fn with_factors<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(

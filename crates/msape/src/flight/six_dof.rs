@@ -54,7 +54,7 @@ pub fn start(mission: &Mission, rigid: &Rigid) -> [f64; RIGID_STATES] {
 /// The motion of a rigid body.
 pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> RigidMotion<'a> {
     RigidMotion {
-        point: Equations::new(mission, body, 0),
+        point: Equations::new(mission, body),
         rigid,
     }
 }

@@ -34,7 +34,7 @@ pub fn start<S: Scalar>(start: &Start<S>) -> [S; STATES] {
 /// The motion of a point mass.
 pub fn motion<'a>(mission: &'a Mission, body: &'a Body) -> PointMass<'a> {
     PointMass {
-        point: Equations::new(mission, body, 0),
+        point: Equations::new(mission, body),
     }
 }
 
@@ -51,7 +51,7 @@ pub fn fly_with<S: Single>(
     request: Request,
 ) -> (Flight<S>, Outcome, Option<String>) {
     let motion = PointMass {
-        point: Equations::with_numbers(mission, body, 0, numbers),
+        point: Equations::with_numbers(mission, body, numbers),
     };
     let record = integration::integrate(motion, start(&numbers.start), Keep::All);
     let flight = summary::summarize(motion, &record, request);
@@ -65,7 +65,7 @@ pub fn extremes<S: Single>(
     numbers: Numbers<S>,
 ) -> (Extremes<S>, Outcome, Option<String>) {
     let motion = PointMass {
-        point: Equations::with_numbers(mission, body, 0, numbers),
+        point: Equations::with_numbers(mission, body, numbers),
     };
     let record = integration::integrate(motion, start(&numbers.start), Keep::Busy);
     let extremes = summary::extremes(motion, &record);

@@ -67,9 +67,7 @@ impl Convective {
         match self {
             Self::SuttonGraves(model) => model.heat_flux_w_m2(flow),
             Self::BrandisJohnston(model) => model.heat_flux_w_m2(flow),
-            Self::Given(table) => {
-                table.heat_flux_w_m2(Part::Convective, flow.speed_m_s, flow.density_kg_m3)
-            }
+            Self::Given(table) => table.heat_flux_w_m2(Part::Convective, flow),
         }
     }
 

@@ -19,6 +19,7 @@
 pub mod body;
 mod check;
 
+use super::Flow;
 use crate::aero::table::Extrapolation;
 use crate::finding::{Finding, Severity};
 use numerics::math::ln;
@@ -136,8 +137,9 @@ impl GivenHeating {
         [q_00, q_01, log_0, q_10, q_11, log_1, v_0, v_1, rho_0, rho_1]
     }
 
-    fn of_fluxes<S: Scalar>(&self, fluxes: &Fluxes, v: S, rho: S) -> S {
-        let cell = v.lookup_pair(rho, |v, rho| self.cell(fluxes, v, rho));
+    fn of_fluxes<S: Scalar>(&self, fluxes: &Fluxes, flow: &Flow<S>) -> S {
+        let (v, rho) = (flow.speed_m_s, flow.density_kg_m3);
+        let cell = (flow.chosen_by_m_s).lookup_pair(rho, |v, rho| self.cell(fluxes, v, rho));
         let [q_00, q_01, log_0, q_10, q_11, log_1, v_0, v_1, rho_0, rho_1] = cell;
         let (none, rule) = (S::constant(0.0), self.extrapolation);
         let by_log = [log_0, log_1].map(|log| none.less(log));
@@ -166,9 +168,9 @@ impl GivenHeating {
         }
     }
 
-    /// Heat flux, W/m², at a speed relative to the air, m/s, and a density, kg/m³; 0 where the table does not give it.
+    /// Heat flux of a flow, W/m²; 0 where the table does not give it.
     #[inline]
-    pub fn heat_flux_w_m2<S: Scalar>(&self, part: Part, speed_m_s: S, density_kg_m3: S) -> S {
+    pub fn heat_flux_w_m2<S: Scalar>(&self, part: Part, flow: &Flow<S>) -> S {
         let fluxes = match part {
             Part::Convective => &self.convective,
             Part::Radiative => match &self.radiative {
@@ -176,7 +178,7 @@ impl GivenHeating {
                 None => return S::constant(0.0),
             },
         };
-        self.of_fluxes(fluxes, speed_m_s, density_kg_m3)
+        self.of_fluxes(fluxes, flow)
     }
 
     /// Whether the table gives radiative heating, too.

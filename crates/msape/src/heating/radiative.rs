@@ -81,9 +81,7 @@ impl Radiative {
             Self::None => S::constant(0.0),
             Self::TauberSutton(model) => model.heat_flux_w_m2(flow),
             Self::BrandisJohnston(model) => model.heat_flux_w_m2(flow),
-            Self::Given(table) => {
-                table.heat_flux_w_m2(Part::Radiative, flow.speed_m_s, flow.density_kg_m3)
-            }
+            Self::Given(table) => table.heat_flux_w_m2(Part::Radiative, flow),
         }
     }
 
@@ -104,11 +102,7 @@ mod tests {
 
     #[test]
     fn no_radiation_is_zero_and_has_no_onset() {
-        let flow = Flow {
-            density_kg_m3: 1e-3,
-            speed_m_s: 1.4e4,
-            nose_radius_m: 1.0,
-        };
+        let flow = Flow::new(1e-3, 1.4e4, 1.0);
         assert_eq!(Radiative::None.heat_flux_w_m2(&flow), 0.0);
         assert_eq!(Radiative::None.onset_m_s(), None);
     }

@@ -26,7 +26,7 @@ use crate::data::Data;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::quantity::input;
-use numerics::scalar::{Mask, Scalar};
+use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -104,48 +104,6 @@ pub struct HeatFlux<S> {
     pub radiative_w_m2: S,
 }
 
-/// How radiative heating is computed in a flight; the relations end at once below a speed, which the integrator meets with
-/// the end of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Radiation<S: Scalar> {
-    /// Where there is radiation at all.
-    pub on: S::Mask,
-    /// With at least this speed, m/s: continued smoothly beyond the end of the relation, for the stages of a step.
-    pub least_m_s: S::Value,
-}
-
-impl<S: Scalar> Radiation<S> {
-    /// By the relation.
-    #[inline]
-    pub fn exact() -> Self {
-        Self::continued(0.0)
-    }
-
-    /// With at least this speed, m/s.
-    #[inline]
-    pub fn continued(least_m_s: f64) -> Self {
-        Self {
-            on: S::Mask::constant(true),
-            least_m_s: S::Value::constant(least_m_s),
-        }
-    }
-
-    /// Not at all: the vehicle is slower than the relation reaches down.
-    #[inline]
-    pub fn over() -> Self {
-        Self {
-            on: S::Mask::constant(false),
-            ..Self::exact()
-        }
-    }
-
-    /// Replaces the radiation of one lane.
-    pub fn set_lane(&mut self, lane: usize, radiation: &Radiation<S::Lane>) {
-        self.on.set_lane(lane, radiation.on);
-        self.least_m_s.set_lane(lane, radiation.least_m_s);
-    }
-}
-
 impl<S: Scalar> HeatFlux<S> {
     /// Total heat flux, W/m².
     #[inline]
@@ -158,36 +116,16 @@ impl StagnationHeating {
     /// Nominal heat fluxes.
     #[inline]
     pub fn heat_flux<S: Scalar>(&self, flow: &Flow<S>) -> HeatFlux<S> {
-        self.heat_flux_under(flow, &Radiation::exact())
-    }
-
-    /// Nominal heat fluxes, with radiation as a flight has it at the moment.
-    #[inline]
-    pub fn heat_flux_under<S: Scalar>(
-        &self,
-        flow: &Flow<S>,
-        radiation: &Radiation<S>,
-    ) -> HeatFlux<S> {
-        let none = S::constant(0.0);
-        let radiative_w_m2 = if radiation.on.any() {
-            let fast = Flow {
-                speed_m_s: flow.speed_m_s.max(S::from_value(radiation.least_m_s)),
-                ..*flow
-            };
-            S::select(radiation.on, self.radiative.heat_flux_w_m2(&fast), none)
-        } else {
-            none
-        };
         self.at_wall(ColdWall {
             convective_w_m2: self.convective.heat_flux_w_m2(flow),
-            radiative_w_m2,
+            radiative_w_m2: self.radiative.heat_flux_w_m2(flow),
             speed_m_s: flow.speed_m_s,
         })
     }
 
     /// Nominal heat fluxes at another point of the body, by its table.
     pub fn heat_flux_of<S: Scalar>(&self, point: &GivenHeating, flow: &Flow<S>) -> HeatFlux<S> {
-        let flux = |part| point.heat_flux_w_m2(part, flow.speed_m_s, flow.density_kg_m3);
+        let flux = |part| point.heat_flux_w_m2(part, flow);
         self.at_wall(ColdWall {
             convective_w_m2: flux(Part::Convective),
             radiative_w_m2: flux(Part::Radiative),
@@ -261,11 +199,7 @@ impl StagnationHeating {
         if wall != Wall::Cold {
             findings.push(note(
                 "peak_convective_heat_flux_w_m2",
-                self.heat_flux(&Flow {
-                    density_kg_m3: peak.density_kg_m3,
-                    speed_m_s: peak.speed_m_s,
-                    nose_radius_m: peak.nose_radius_m,
-                })
+                self.heat_flux(&Flow::new(peak.density_kg_m3, peak.speed_m_s, peak.nose_radius_m))
                 .convective_w_m2,
                 "Hot-wall heating is below what the mass-estimating relations expect: they take cold-wall values.".into(),
                 "NASA/TM-2014-218507, Table 7",
@@ -311,15 +245,13 @@ mod tests {
         }
     }
 
-    const FLOW: Flow<f64> = Flow {
-        density_kg_m3: 4e-4,
-        speed_m_s: 1.1e4,
-        nose_radius_m: 0.35,
-    };
+    fn flow() -> Flow<f64> {
+        Flow::new(4e-4, 1.1e4, 0.35)
+    }
 
     #[test]
     fn margin_is_on_top_of_the_nominal_flux() {
-        let nominal = portal().heat_flux(&FLOW);
+        let nominal = portal().heat_flux(&flow());
         let margined = portal().margined(&nominal);
         assert_eq!(margined.convective_w_m2, nominal.convective_w_m2 * 1.3);
         assert_eq!(
@@ -346,8 +278,8 @@ mod tests {
             findings[0].message
         );
         assert_eq!(
-            twice.heat_flux(&FLOW).convective_w_m2,
-            portal().heat_flux(&FLOW).convective_w_m2 * 1.33
+            twice.heat_flux(&flow()).convective_w_m2,
+            portal().heat_flux(&flow()).convective_w_m2 * 1.33
         );
     }
 
@@ -358,7 +290,7 @@ mod tests {
             emissivity: hot.gas.wall_emissivity,
         };
         let ratio =
-            hot.heat_flux(&FLOW).convective_w_m2 / portal().heat_flux(&FLOW).convective_w_m2;
+            hot.heat_flux(&flow()).convective_w_m2 / portal().heat_flux(&flow()).convective_w_m2;
         assert!(ratio > 0.85 && ratio < 0.99, "{ratio}");
         let peak = PeakConditions {
             density_kg_m3: 4e-4,

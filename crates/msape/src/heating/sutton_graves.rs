@@ -99,6 +99,7 @@ impl SuttonGraves {
             density_kg_m3: rho,
             speed_m_s: v,
             nose_radius_m: r_n,
+            ..
         } = *flow;
         // q̇ = k √(ρ / Rₙ) V³
         (rho / r_n).sqrt() * self.k * (v * v * v)
@@ -124,11 +125,7 @@ mod tests {
     fn density_of_nose_radius_over_ten_thousand_gives_k_v3_over_a_hundred() {
         // √(1e-4) = 0.01; 1.74153e-4 × 0.01 × 1e12 = 1.74153e6 W/m²
         let model = SuttonGraves::parse(TEXT.into(), "earth").unwrap();
-        let q = model.heat_flux_w_m2(&Flow {
-            density_kg_m3: 1e-4,
-            speed_m_s: 1e4,
-            nose_radius_m: 1.0,
-        });
+        let q = model.heat_flux_w_m2(&Flow::new(1e-4, 1e4, 1.0));
         assert!((q - 1.74153e6).abs() < 1e-6);
     }
 

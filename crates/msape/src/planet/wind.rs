@@ -34,6 +34,9 @@ pub const COLUMNS: [Column; 3] = [
     },
 ];
 
+/// Altitude, m, eastward and northward wind there, m/s, and their slopes, 1/s.
+pub type Row = [f64; 5];
+
 /// A model of the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wind {
@@ -53,8 +56,8 @@ pub enum Wind {
 /// Rows of wind, checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindTable {
-    /// Altitude, m, eastward and northward, m/s, and their slopes, 1/s, one row an interval.
-    intervals: Vec<[f64; 5]>,
+    /// Below the first altitude, between two and above the last.
+    rows: Vec<Row>,
     altitudes_m: Vec<f64>,
 }
 
@@ -73,16 +76,19 @@ impl WindTable {
             rows.iter()
                 .filter_map(|row| <[f64; 3]>::try_from(row.as_slice()).ok())
         };
-        let mut intervals = Vec::with_capacity(rows.len());
-        for ([z, east, north], [z_1, east_1, north_1]) in points().zip(points().skip(1)) {
-            let dz = z_1 - z;
-            intervals.push([z, east, north, (east_1 - east) / dz, (north_1 - north) / dz]);
-        }
-        if let (true, Some([z, east, north])) = (intervals.is_empty(), points().next_back()) {
-            intervals.push([z, east, north, 0.0, 0.0]);
-        }
+        let level = |[z, east, north]: [f64; 3]| [z, east, north, 0.0, 0.0];
+        let between =
+            points()
+                .zip(points().skip(1))
+                .map(|([z, east, north], [z_1, east_1, north_1])| {
+                    let dz = z_1 - z;
+                    [z, east, north, (east_1 - east) / dz, (north_1 - north) / dz]
+                });
+        let (first, last) = (points().next(), points().next_back());
+        let ends = [first, last].map(|end| end.map(level));
+        let [below, above] = ends;
         Ok(Self {
-            intervals,
+            rows: below.into_iter().chain(between).chain(above).collect(),
             altitudes_m: points().map(|[z, ..]| z).collect(),
         })
     }
@@ -94,21 +100,9 @@ impl WindTable {
     }
 
     #[inline]
-    fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {
-        let (first, last) = (self.altitudes_m.first(), self.altitudes_m.last());
-        let (Some(first), Some(last)) = (first, last) else {
-            return [S::constant(0.0); 2];
-        };
-        let held_m = altitude_m.max(S::constant(*first)).min(S::constant(*last));
-        let [z, east, north, east_slope, north_slope] = held_m.lookup(|z| {
-            let i = self
-                .intervals
-                .partition_point(|interval| interval[0] <= z)
-                .saturating_sub(1);
-            self.intervals.get(i).copied().unwrap_or_default()
-        });
-        let above = held_m - z;
-        [east + above * east_slope, north + above * north_slope]
+    fn row(&self, altitude_m: f64) -> Row {
+        let below = self.altitudes_m.partition_point(|z| *z <= altitude_m);
+        self.rows.get(below).copied().unwrap_or_default()
     }
 }
 
@@ -125,7 +119,7 @@ impl Wind {
             Wind::Table(table) => {
                 let rows = table.altitudes_m.iter();
                 let speeds = rows.map(|altitude_m| {
-                    let [east, north] = table.east_north_m_s(*altitude_m);
+                    let [_, east, north, ..] = table.row(*altitude_m);
                     speed(east, north)
                 });
                 speeds.fold(0.0, f64::max)
@@ -133,17 +127,27 @@ impl Wind {
         }
     }
 
-    /// Eastward and northward wind at an altitude, m, in m/s.
+    /// The row that holds at an altitude, m; its first altitude belongs to it.
     #[inline]
-    pub fn east_north_m_s<S: Scalar>(&self, altitude_m: S) -> [S; 2] {
+    pub fn row(&self, altitude_m: f64) -> Row {
         match self {
-            Self::Calm => [S::constant(0.0); 2],
+            Self::Calm => [0.0; 5],
             Self::Constant {
                 eastward_m_s,
                 northward_m_s,
-            } => [S::constant(*eastward_m_s), S::constant(*northward_m_s)],
-            Self::Table(table) => table.east_north_m_s(altitude_m),
+            } => [0.0, *eastward_m_s, *northward_m_s, 0.0, 0.0],
+            Self::Table(table) => table.row(altitude_m),
         }
+    }
+
+    /// Eastward and northward wind, m/s, at an altitude, m, by a row, wherever it ends.
+    #[inline]
+    pub fn east_north_m_s<S: Scalar>(
+        [z, east, north, east_slope, north_slope]: [S; 5],
+        altitude_m: S,
+    ) -> [S; 2] {
+        let above = altitude_m - z;
+        [east + above * east_slope, north + above * north_slope]
     }
 
     /// Altitudes at which the wind has a kink, m, ascending.
@@ -159,6 +163,10 @@ impl Wind {
 mod tests {
     use super::*;
 
+    fn at(wind: &Wind, altitude_m: f64) -> [f64; 2] {
+        Wind::east_north_m_s(wind.row(altitude_m), altitude_m)
+    }
+
     fn table(rows: &[[f64; 3]]) -> Result<Wind, Vec<RowFault>> {
         let rows: Vec<Vec<f64>> = rows.iter().map(|r| r.to_vec()).collect();
         Ok(Wind::Table(WindTable::try_new(&rows)?))
@@ -168,17 +176,17 @@ mod tests {
     fn linear_within_and_held_beyond() {
         let wind = table(&[[0.0, 5.0, 0.0], [1000.0, 15.0, -2.0], [2000.0, 10.0, 0.0]]).unwrap();
         // 250 m: 5 + 10/4, −2/4
-        assert_eq!(wind.east_north_m_s(250.0), [7.5, -0.5]);
-        assert_eq!(wind.east_north_m_s(1500.0), [12.5, -1.0]);
-        assert_eq!(wind.east_north_m_s(-100.0), [5.0, 0.0]);
-        assert_eq!(wind.east_north_m_s(9e4), [10.0, 0.0]);
+        assert_eq!(at(&wind, 250.0), [7.5, -0.5]);
+        assert_eq!(at(&wind, 1500.0), [12.5, -1.0]);
+        assert_eq!(at(&wind, -100.0), [5.0, 0.0]);
+        assert_eq!(at(&wind, 9e4), [10.0, 0.0]);
     }
 
     #[test]
     fn one_row_is_a_constant_wind() {
         let wind = table(&[[0.0, 5.0, 1.0]]).unwrap();
-        assert_eq!(wind.east_north_m_s(12345.0), [5.0, 1.0]);
-        assert_eq!(Wind::Calm.east_north_m_s(0.0), [0.0, 0.0]);
+        assert_eq!(at(&wind, 12345.0), [5.0, 1.0]);
+        assert_eq!(at(&Wind::Calm, 0.0), [0.0, 0.0]);
     }
 
     #[test]

@@ -125,48 +125,66 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
 
 /// Where `g` is largest along `step`, looked for from the part `start` of the step: the zero of its slope where that is
 /// within the step, else the largest value, ends included.
+pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
+    let (t0, t1) = (step.t0.value(), step.t1.value());
+    let length = t1 - t0;
+    if let Some(top) = level(step, &g, t0 + start * length) {
+        return top;
+    }
+    let values = |t: f64| g(step.time(t)).value();
+    let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
+    let near = NEAR_END * length + NEAR_TIME * t1.abs();
+    if t1 - t <= near {
+        // At a jump that ends the step, or at its beginning: it moves with the end.
+        step.t1 + (t - t1)
+    } else if t - t0 <= near {
+        step.t0 + (t - t0)
+    } else {
+        level(step, &g, t).unwrap_or(step.time(t))
+    }
+}
+
+/// Where the slope of `g` is zero within `step`, its curvature being negative, looked for from `t`.
 ///
 /// ```text
 /// t ← t − g'/g'',   g' = (g₁ − g₋₁)/(2d),   g'' = (g₁ − 2 g₀ + g₋₁)/d²
 /// at last  g' = (8 (g₁ − g₋₁) − (g₂ − g₋₂))/(12d)
 /// ```
-pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
+fn level<const N: usize, S: Single>(
+    step: &Step<N, S>,
+    g: &impl Fn(S) -> S,
+    mut t: f64,
+) -> Option<S> {
     let (t0, t1) = (step.t0.value(), step.t1.value());
     let length = t1 - t0;
     let d = TOP_PART * length;
     let values = |t: f64| g(step.time(t)).value();
-    let mut t = t0 + start * length;
     for _ in 0..CORRECTIONS {
         let [before, here, after] = [t - d, t, t + d].map(values);
         let bend = after - 2.0 * here + before;
         let correction = -0.5 * d * (after - before) / bend;
         let next = t + correction;
         if !(bend < 0.0 && t0 <= next && next <= t1) {
-            break;
+            return None;
         }
         if correction.abs() > TOP_TOLERANCE * length {
             t = next;
             continue;
         }
         // The slope to order 4, so that the place does not depend on the length of the step.
-        let slope = |g: &dyn Fn(f64) -> S| {
+        let [first, last] = [t - 2.0 * d, t + 2.0 * d].map(values);
+        let plain = (8.0 * (after - before) - (last - first)) / (12.0 * d);
+        let place = t - plain * (d * d) / bend;
+        // The slope is zero there for every parameter: so the top moves with them.
+        let slope = || {
+            let g = |t: f64| g(S::constant(t));
             let near = g(t + d) - g(t - d);
             (near * 8.0 - (g(t + 2.0 * d) - g(t - 2.0 * d))) / (12.0 * d)
         };
-        let plain =
-            (8.0 * (after - before) - (values(t + 2.0 * d) - values(t - 2.0 * d))) / (12.0 * d);
-        let rate = bend / (d * d);
-        let place = t - plain / rate;
-        // The slope is zero there for every parameter: so the top moves with them.
-        return S::root(place, || slope(&|t| g(S::constant(t))), || rate);
+        let rate = || (16.0 * (before + after) - (first + last) - 30.0 * here) / (12.0 * d * d);
+        return Some(S::root(place, slope, rate));
     }
-    let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
-    if t1 - t <= NEAR_END * length + NEAR_TIME * t1.abs() {
-        // At a jump that ends the step: it moves with the end.
-        step.t1 + (t - t1)
-    } else {
-        step.time(t)
-    }
+    None
 }
 
 #[cfg(test)]

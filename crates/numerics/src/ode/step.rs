@@ -81,6 +81,22 @@ impl<const N: usize, S: Scalar> Step<N, S> {
         self.more = Some(Box::new(more));
     }
 
+    /// Ends the step at a later instant, with a straight line in place of the dense output.
+    #[inline]
+    pub fn draw_out(&mut self, t1: S, y1: [S; N]) {
+        self.rows = [[S::constant(0.0); N]; ROWS];
+        for (i, rise) in self.rows[0].iter_mut().enumerate() {
+            *rise = y1[i] - self.y0[i];
+        }
+        (self.t1, self.y1, self.whole, self.more) = (t1, y1, t1, None);
+    }
+
+    /// End of the step of one lane, and the state there.
+    #[inline]
+    pub fn end_of_lane(&self, lane: usize) -> (S::Lane, [S::Lane; N]) {
+        (self.t1.lane(lane), of_lane(&self.y1, lane))
+    }
+
     /// The step of one lane.
     #[inline]
     pub fn lane(&self, lane: usize) -> Step<N, S::Lane> {
@@ -234,6 +250,13 @@ mod tests {
         let cut = cube().cut(2.0);
         assert_eq!((cut.t1, cut.y1), (2.0, [8.0]));
         assert_eq!((cut.at(1.5), cut.at(2.0)), ([3.375], [8.0]));
+    }
+
+    #[test]
+    fn step_that_is_drawn_out_is_a_line() {
+        let mut step = cube();
+        step.draw_out(5.0, [9.0]);
+        assert_eq!((step.at(3.0), step.at(5.0)), ([5.0], [9.0]));
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! The course of one flight from step to step: what each step runs into, and what follows.
 //!
 //! ```text
-//! boundary of the atmosphere, ground, way out, when slow   the step ends there on its dense output
-//! all of them when fast, kink, end of radiation            the step is taken again so that it ends there
+//! end of a row, ground, way out, when slow   the step ends there on its dense output
+//! all of them when fast, kink                the step is taken again so that it ends there
 //! ```
 //!
-//! Beyond a boundary the formula of the piece goes on smoothly, so that the dense output holds up to it at no cost, but with
+//! Beyond the end of a row the row goes on smoothly, so that the dense output holds up to it at no cost, but with
 //! less accuracy than a step has: that is spent where peaks and heat loads are behind. Across a kink nothing is smooth.
 //!
 //! # Valid
@@ -14,7 +14,8 @@
 //! # References
 //! - Own convention.
 
-use super::gate::{BEHIND_M_S, BEHIND_MACH, Gate};
+use super::gate::Gate;
+use super::ladder::{Of, Rungs};
 use super::marks::Marks;
 use super::node::{Node, Place};
 use super::watch::Energy;
@@ -24,11 +25,10 @@ use crate::flight::motion::Motion;
 use crate::flight::phase::Stage;
 use crate::flight::reach::Span;
 use crate::flight::sample::Loads;
-use crate::heating::Radiation;
 use crate::outcome::Outcome;
 use crate::planet::Gravity;
 use numerics::ode::Step;
-use numerics::scalar::{Mask, Scalar, Single};
+use numerics::scalar::{Scalar, Single};
 
 /// Speed below which a step may end on its dense output, m/s.
 const SLOW_M_S: f64 = 1_000.0;
@@ -42,14 +42,16 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) marks: &'m Marks,
     /// The motion as it was before it began, with which its record is read.
     pub first: M,
-    /// The motion as it is now: in its piece of the atmosphere, with or without radiation.
+    /// The motion as it is now: by the rows that hold, in its phase.
     pub motion: M,
     /// What has been flown.
     pub record: Record<N, S>,
     /// Where the next step must end at the latest, s.
     pub limit_s: S,
-    /// Piece of the atmosphere and phase.
+    /// Rows that hold and phase.
     pub(super) stage: Stage<S>,
+    /// Where it is among the ends of rows.
+    pub(super) rungs: Rungs,
     /// When the parachute is full, s, where that is ahead.
     pub(super) full_s: Option<f64>,
     /// Phases whose value was passed before their turn.
@@ -92,20 +94,14 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let mission = point.mission;
         let local = mission.planet.local([start[0], start[1], start[2]]);
         let altitude_m = local.altitude_m.value();
-        let layer = mission.atmosphere.layer(altitude_m);
         let exit_m = match mission.planet.gravity {
             Gravity::Zonal { .. } => Some(mission.planet.entry_interface_m.max(altitude_m)),
             Gravity::Uniform { .. } => None,
         };
-        motion = motion.in_layer(layer);
-        if let Some(onset_m_s) = marks.onset_m_s {
-            motion.point_mut().radiation = match speed_m_s(&start).value() > onset_m_s {
-                true => Radiation::continued(onset_m_s),
-                false => Radiation::over(),
-            };
-        }
+        let rungs = Rungs::at(&marks.ladders, &motion.place(&start));
+        let stage = Stage::about(rungs.amid());
+        motion = motion.within(&stage.within);
         let (here, loads) = Node::of(&motion, S::constant(0.0), &start).lane(0);
-        let stage = Stage::of_layer(layer);
         let mut course = Self {
             marks,
             first,
@@ -127,6 +123,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             },
             limit_s: S::constant(marks.end_s),
             stage,
+            rungs,
             full_s: None,
             passed: vec![false; mission.phases.len()],
             energy: Energy::UNKNOWN,
@@ -184,7 +181,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         if let Some(gate) = self.awaited {
             // The step was begun again to end at the gate; a part of it may come first.
             if end_s < self.limit_s.value() {
-                self.add(step.lane(lane), there, loads);
+                self.add_lane(step, lane, there, loads);
                 return Next::On;
             }
             self.awaited = None;
@@ -192,7 +189,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             return self.arrive(gate, step.lane(lane), there, loads);
         }
         if !self.is_watched() && self.is_clear(&there) {
-            self.add(step.lane(lane), there, loads);
+            self.add_lane(step, lane, there, loads);
             if end_s >= self.marks.end_s {
                 return self.run_out();
             }
@@ -258,7 +255,11 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             self.add(step, there, loads);
             return self.pass(gate);
         }
-        let smooth = !matches!(gate, Gate::Kink | Gate::Onset | Gate::Full | Gate::Phase);
+        let smooth = match gate {
+            Gate::Row(Of::Mach, _) => self.marks.holds_drag,
+            Gate::Full | Gate::Phase => false,
+            _ => true,
+        };
         let at_once = matches!(gate, Gate::Refused(_)) || smooth && there.speed_m_s <= SLOW_M_S;
         if at_once {
             return self.cut(step, t, gate);
@@ -268,6 +269,31 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         Next::From(step.t0, step.y0)
     }
 
+    /// Takes in the step of a lane.
+    #[inline]
+    fn add_lane<V: Scalar<Lane = S>>(
+        &mut self,
+        step: &Step<N, V>,
+        lane: usize,
+        there: Place,
+        loads: Loads<S>,
+    ) {
+        if self.is_watched() || self.marks.looks_along() {
+            return self.add(step.lane(lane), there, loads);
+        }
+        self.here = there;
+        let (t1, y1) = step.end_of_lane(lane);
+        self.record.altitudes.take(there.altitude_m, t1.value());
+        let passed_over = self.is_passed_over(&loads);
+        match self.record.legs.last_mut() {
+            Some(last) if passed_over => {
+                last.step.draw_out(t1, y1);
+                (last.stage, last.loads) = (self.stage, loads);
+            }
+            _ => self.keep(step.lane(lane), loads),
+        }
+    }
+
     #[inline]
     fn add(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) {
         self.here = there;
@@ -275,36 +301,39 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.record.altitudes.take(there.altitude_m, t_s);
         self.look_along(&step);
         self.look_ahead(&step);
-        let leg = Leg {
-            step,
-            stage: self.stage,
-            loads,
-        };
-        let legs = &mut self.record.legs;
-        if self.marks.keep == Keep::Busy {
-            let heat = &loads.heat_flux;
-            let values = [
-                loads.deceleration_earth_g,
-                loads.dynamic_pressure_pa,
-                heat.convective_w_m2,
-                heat.radiative_w_m2,
-            ];
-            let mut quiet = true;
-            for (largest, value) in self.largest.iter_mut().zip(values.map(S::value)) {
-                *largest = largest.max(value);
-                quiet &= value <= QUIET * *largest;
-            }
-            let [last_quiet, end_quiet] = self.quiet;
-            self.quiet = [end_quiet && quiet, quiet];
-            if last_quiet
-                && self.quiet[0]
-                && let Some(last) = legs.last_mut()
-            {
-                *last = leg;
-                return;
-            }
+        if self.is_passed_over(&loads) {
+            self.record.legs.pop();
         }
-        legs.push(leg);
+        self.keep(step, loads);
+    }
+
+    #[inline]
+    fn keep(&mut self, step: Step<N, S>, loads: Loads<S>) {
+        let stage = self.stage;
+        self.record.legs.push(Leg { step, stage, loads });
+    }
+
+    /// Whether a step that ends under loads is one of little load after another such, of which only the end matters.
+    #[inline]
+    fn is_passed_over(&mut self, loads: &Loads<S>) -> bool {
+        if self.marks.keep == Keep::All {
+            return false;
+        }
+        let heat = &loads.heat_flux;
+        let values = [
+            loads.deceleration_earth_g,
+            loads.dynamic_pressure_pa,
+            heat.convective_w_m2,
+            heat.radiative_w_m2,
+        ];
+        let mut quiet = true;
+        for (largest, value) in self.largest.iter_mut().zip(values.map(S::value)) {
+            *largest = largest.max(value);
+            quiet &= value <= QUIET * *largest;
+        }
+        let [last_quiet, end_quiet] = self.quiet;
+        self.quiet = [end_quiet && quiet, quiet];
+        last_quiet && self.quiet[0]
     }
 
     /// The flight behind a gate.
@@ -329,12 +358,13 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
                 self.refuse(axis);
                 return Next::Over;
             }
-            Gate::Floor => self.enter(self.stage.layer.saturating_sub(1)),
-            Gate::Ceiling => self.enter(self.stage.layer + 1),
-            Gate::Onset => self.motion.point_mut().radiation = Radiation::over(),
+            Gate::Row(of, way) => {
+                self.rungs.leave(&self.marks.ladders, of, way);
+                self.stage.within = self.rungs.amid();
+                self.motion = self.motion.within(&self.stage.within);
+            }
             Gate::Phase => self.begin_phase(),
             Gate::Full => self.full_s = None,
-            Gate::Kink => return Next::On,
         }
         Next::Changed
     }
@@ -342,45 +372,9 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
     /// Whether nothing can have been run into on the way from here to there.
     #[inline]
     fn is_clear(&self, there: &Place) -> bool {
-        let (here, marks) = (&self.here, self.marks);
-        let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
-        let floor_m = match self
-            .stage
-            .layer
-            .checked_sub(1)
-            .and_then(|below| boundaries.get(below))
-        {
-            Some(floor_m) => floor_m.max(marks.ground_m),
-            None => marks.ground_m,
-        };
-        let ceiling_m = boundaries
-            .get(self.stage.layer)
-            .copied()
-            .unwrap_or(f64::INFINITY);
-        let ceiling_m = self
-            .exit_m
-            .map_or(ceiling_m, |exit_m| exit_m.min(ceiling_m));
-        let level = (here.climb_m_s < 0.0) == (there.climb_m_s < 0.0)
-            && there.altitude_m >= floor_m
-            && there.altitude_m <= ceiling_m;
-        let radiates = self.motion.point().radiation.on.any();
-        let steady = match marks.onset_m_s {
-            Some(onset_m_s) if radiates => there.speed_m_s >= onset_m_s,
-            Some(onset_m_s) => there.speed_m_s <= onset_m_s,
-            None => true,
-        };
-        let below = |kinks: &[f64], from: f64| kinks.partition_point(|kink| *kink < from);
-        let same_speeds = below(&marks.kinks_m_s, here.speed_m_s - BEHIND_M_S)
-            <= below(&marks.kinks_m_s, there.speed_m_s);
-        let same_mach = marks.kinks_mach.is_empty()
-            || below(&marks.kinks_mach, here.mach * (1.0 - BEHIND_MACH))
-                <= below(&marks.kinks_mach, there.mach);
-        level && steady && same_speeds && same_mach
-    }
-
-    fn enter(&mut self, layer: usize) {
-        self.stage.layer = layer;
-        self.motion = self.motion.in_layer(layer);
+        let level = (self.here.climb_m_s < 0.0) == (there.climb_m_s < 0.0);
+        let inside = self.exit_m.is_none_or(|exit_m| there.altitude_m <= exit_m);
+        level && inside && there.altitude_m >= self.marks.ground_m && self.rungs.hold(there)
     }
 
     /// Where the integration stands.
@@ -389,10 +383,4 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         (self.record.legs.last())
             .map_or((zero, self.record.start), |leg| (leg.step.t1, leg.step.y1))
     }
-}
-
-/// Speed relative to the planet, m/s.
-#[inline]
-pub(super) fn speed_m_s<const N: usize, S: Single>(y: &[S; N]) -> S {
-    (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt()
 }

@@ -1,10 +1,10 @@
-//! Where a step ends before its time: boundaries of the atmosphere, the ground, the way out, kinks of heating and drag.
+//! Where a step ends before its time: ends of rows of tables, the ground, the way out, phases.
 //!
 //! ```text
 //! g(t) = 0 on the dense output, on parts of the step where the altitude only rises or falls
 //! ```
 //!
-//! with g an altitude less a level, m, or a speed less a level, m/s.
+//! with g an altitude less a level, m, or what a row is of over its end, less one.
 //!
 //! # Valid
 //! Steps in which the vertical speed changes its sign once at most.
@@ -12,37 +12,26 @@
 //! # References
 //! - [`numerics::ode::event`].
 
-use super::course::{Course, speed_m_s};
+use super::course::Course;
+use super::ladder::{Of, Way};
 use super::node::Place;
 use crate::flight::motion::{Motion, head};
-use crate::flight::sample;
-use crate::heating::Radiation;
 use numerics::ode::Step;
 use numerics::ode::event::root_between;
-use numerics::scalar::{Mask, Single};
+use numerics::scalar::Single;
 
 /// A gate is met within this part of a step.
 const TOLERANCE: f64 = 1e-12;
-/// A gate that was met within this speed is behind, m/s.
-pub(super) const BEHIND_M_S: f64 = 1e-2;
-/// The same for a row of the drag table, as a part of its Mach number.
-pub(super) const BEHIND_MACH: f64 = 1e-6;
 
-/// Where a step leaves the piece of the atmosphere, or the flight ends.
+/// Where a step leaves a row of a table, or the flight ends.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Gate {
-    /// Falls into the piece below.
-    Floor,
-    /// Rises into the piece above.
-    Ceiling,
+    /// Leaves the row of a table.
+    Row(Of, Way),
     /// Falls through the altitude that ends the flight.
     Ground,
     /// Rises out of the atmosphere.
     Exit,
-    /// Slows down to where radiative heating ends at once.
-    Onset,
-    /// Slows down to a kink of heating or drag.
-    Kink,
     /// Begins the next phase.
     Phase,
     /// Fills the parachute.
@@ -54,38 +43,26 @@ pub(super) enum Gate {
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     /// The first gate through which a step passes, and when.
     pub(super) fn first_gate(&mut self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
-        let boundaries = self.motion.point().mission.atmosphere.boundaries_m();
-        let layer = self.stage.layer;
-        let floor_m = layer
-            .checked_sub(1)
-            .and_then(|below| boundaries.get(below))
-            .copied();
-        let ceiling_m = boundaries.get(layer).copied();
         let ends = [step.t0.value(), step.t1.value()];
         let falls = [self.here.climb_m_s < 0.0, there.climb_m_s < 0.0];
         let found = if falls[0] == falls[1] {
             let ends_m = [self.here.altitude_m, there.altitude_m];
-            self.gate_in(step, ends, ends_m, [floor_m, ceiling_m])
+            self.gate_in(step, ends, ends_m)
         } else {
             let climb = |y: &[S; N]| self.climb_m_s(y);
             let t_turn = self.when(step, ends, climb).value();
             let turn_m = self.altitude_m(&step.at(step.time(t_turn))).value();
-            let before = self.gate_in(
-                step,
-                [ends[0], t_turn],
-                [self.here.altitude_m, turn_m],
-                [floor_m, ceiling_m],
-            );
+            let before = self.gate_in(step, [ends[0], t_turn], [self.here.altitude_m, turn_m]);
             self.turned_up |= falls[0];
             before.or_else(|| {
                 let ends_m = [turn_m, there.altitude_m];
-                self.gate_in(step, [t_turn, ends[1]], ends_m, [floor_m, ceiling_m])
+                self.gate_in(step, [t_turn, ends[1]], ends_m)
             })
         };
         let refused = self.refused_in(step);
         let kinks = [
-            self.speed_kink(step),
-            self.mach_kink(step, there),
+            self.row_in(step, there.speed_m_s, Of::Speed),
+            self.row_in(step, there.mach, Of::Mach),
             self.phase_in(step),
             self.filled_in(step),
             refused.map(|(t, axis)| (t, Gate::Refused(axis))),
@@ -99,45 +76,34 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             })
     }
 
-    /// Where a step slows down to a row of the drag table.
-    fn mach_kink(&self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
-        let kinks = &self.marks.kinks_mach;
-        let ahead = self.here.mach * (1.0 - BEHIND_MACH);
-        let below = kinks.partition_point(|kink| *kink < ahead);
-        let level = *kinks.get(below.checked_sub(1)?)?;
-        if there.mach >= level {
-            return None;
-        }
-        let ends = [step.t0.value(), step.t1.value()];
-        let gap = |y: &[S; N]| self.mach(y) / level - 1.0;
-        Some((self.when(step, ends, gap), Gate::Kink))
-    }
-
-    /// Where a step slows down to a kink of a heating relation; with radiation over, takes it up again when the speed rises.
-    fn speed_kink(&mut self, step: &Step<N, S>) -> Option<(S, Gate)> {
-        let onset_m_s = self.marks.onset_m_s.unwrap_or(0.0);
-        let [before, after] = [&step.y0, &step.y1].map(|y| speed_m_s(y).value());
-        let mut radiates = self.motion.point().radiation.on.any();
-        if !radiates && after > onset_m_s + BEHIND_M_S {
-            self.motion.point_mut().radiation = Radiation::continued(onset_m_s);
-            radiates = true;
-        }
-        let kinks = &self.marks.kinks_m_s;
-        let below = kinks.partition_point(|kink| *kink < before - BEHIND_M_S);
-        let (level_m_s, gate) = match below.checked_sub(1).and_then(|kink| kinks.get(kink)) {
-            Some(kink) if !radiates || *kink > onset_m_s => (*kink, Gate::Kink),
-            _ if radiates => (onset_m_s, Gate::Onset),
+    /// Where a step leaves a row of drag or heating.
+    fn row_in(&self, step: &Step<N, S>, there: f64, of: Of) -> Option<(S, Gate)> {
+        let [low, high] = self.rungs.ends(of);
+        let (level, way) = match there {
+            there if there < low => (low, Way::Down),
+            there if there > high => (high, Way::Up),
             _ => return None,
         };
-        if after >= level_m_s {
-            return None;
-        }
-        if before <= level_m_s {
-            return Some((step.t0, gate));
-        }
-        let gap = |y: &[S; N]| speed_m_s(y) - level_m_s;
-        let ends = [step.t0.value(), step.t1.value()];
-        Some((self.when(step, ends, gap), gate))
+        let part = |y: &[S; N]| {
+            let point = self.motion.point();
+            let around = point.surroundings(&head(y));
+            let x = match of {
+                Of::Altitude => around.altitude_m,
+                Of::Speed => around.air_speed_m_s,
+                Of::Mach => around.air_speed_m_s / point.sound_m_s(around.altitude_m),
+            };
+            x / level - 1.0
+        };
+        let before = part(&step.y0).value();
+        let beyond = match way {
+            Way::Down => before <= 0.0,
+            Way::Up => before >= 0.0,
+        };
+        let t = match beyond {
+            true => step.t0,
+            false => self.when(step, [step.t0.value(), step.t1.value()], part),
+        };
+        Some((t, Gate::Row(of, way)))
     }
 
     /// The gate of a part of a step in which the altitude only rises or only falls.
@@ -146,15 +112,15 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         step: &Step<N, S>,
         span: [f64; 2],
         [start_m, end_m]: [f64; 2],
-        [floor_m, ceiling_m]: [Option<f64>; 2],
     ) -> Option<(S, Gate)> {
+        let [floor_m, ceiling_m] = self.rungs.ends(Of::Altitude);
         if span[0] >= span[1] {
             return None;
         }
         if end_m < start_m {
-            let (level_m, gate) = match floor_m {
-                Some(floor_m) if floor_m > self.marks.ground_m => (floor_m, Gate::Floor),
-                _ => (self.marks.ground_m, Gate::Ground),
+            let (level_m, gate) = match floor_m > self.marks.ground_m {
+                true => (floor_m, Gate::Row(Of::Altitude, Way::Down)),
+                false => (self.marks.ground_m, Gate::Ground),
             };
             if gate == Gate::Ground && start_m < level_m {
                 // It was below, climbed and now falls: it will not come above any more.
@@ -166,11 +132,9 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         let leaves =
             |exit_m: &f64| end_m > *exit_m && (self.turned_up || self.energy_j_kg(&step.y1) >= 0.0);
         let exit_m = self.exit_m.filter(leaves);
-        let (level_m, gate) = match (ceiling_m, exit_m) {
-            (Some(ceiling_m), Some(exit_m)) if ceiling_m < exit_m => (ceiling_m, Gate::Ceiling),
-            (_, Some(exit_m)) => (exit_m, Gate::Exit),
-            (Some(ceiling_m), None) => (ceiling_m, Gate::Ceiling),
-            (None, None) => return None,
+        let (level_m, gate) = match exit_m {
+            Some(exit_m) if exit_m <= ceiling_m => (exit_m, Gate::Exit),
+            _ => (ceiling_m, Gate::Row(Of::Altitude, Way::Up)),
         };
         (end_m > level_m).then(|| (self.reaches(step, span, level_m), gate))
     }
@@ -205,9 +169,5 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     fn climb_m_s(&self, y: &[S; N]) -> S {
         let [u, v, w] = self.motion.point().ellipsoid.local([y[0], y[1], y[2]]).up;
         y[3] * u + y[4] * v + y[5] * w
-    }
-
-    fn mach(&self, y: &[S; N]) -> S {
-        sample::mach(self.motion.point(), &head(y))
     }
 }

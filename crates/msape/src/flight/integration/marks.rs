@@ -1,7 +1,7 @@
 //! What flights through the same air may run into, found once for all of them.
 //!
 //! ```text
-//! V of kinks and onset,   M of the rows of drag,   h of the ground,   t of the end
+//! h, M and V of the ends of rows,   h of the ground,   t of the end
 //! ```
 //!
 //! with V in m/s, M without unit, h in m, t in s.
@@ -13,6 +13,7 @@
 //! - Own convention.
 
 use super::Keep;
+use super::ladder::{Ladder, Ladders};
 use crate::aero::DragTable;
 use crate::flight::motion::Motion;
 use crate::flight::reach::{Axis, axes, may_push};
@@ -21,18 +22,16 @@ use numerics::scalar::Single;
 
 /// Longest flight, s: 30 days.
 const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
-/// Below this Mach number the rows of a drag table no longer matter to peaks and heat loads.
+/// Below this Mach number the rows of a drag table that is looked up at each stage no longer matter to peaks and heat loads.
 const KINKS_FROM_MACH: f64 = 3.0;
 
 /// What flights through the same air may run into.
 #[derive(Clone, Debug)]
 pub(super) struct Marks {
-    /// Speeds at which a heating relation has a kink, m/s, ascending.
-    pub kinks_m_s: Vec<f64>,
-    /// Speed below which radiative heating is nothing, m/s.
-    pub onset_m_s: Option<f64>,
-    /// Mach numbers of the rows of the drag table, ascending, from [`KINKS_FROM_MACH`] on.
-    pub kinks_mach: Vec<f64>,
+    /// Ends of rows of atmosphere, wind, drag and heating.
+    pub ladders: Ladders,
+    /// Whether drag is taken by the line that holds.
+    pub holds_drag: bool,
     /// Altitude that ends a fall, m.
     pub ground_m: f64,
     /// Time that ends a flight, s.
@@ -52,23 +51,32 @@ pub(super) struct Marks {
 }
 
 impl Marks {
+    /// Whether each step is looked along for what is looked up in tables, or for the drag.
+    #[inline]
+    pub fn looks_along(&self) -> bool {
+        self.may_push || !self.axes.is_empty()
+    }
+
     /// The marks of a motion.
     pub fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, keep: Keep) -> Self {
         let (mission, body) = (motion.point().mission, motion.point().body);
         let axes = axes(mission, body);
         let heating = &mission.heating;
-        let mut kinks_m_s = heating.radiative.kinks_m_s();
-        kinks_m_s.extend(heating.convective.kinks_m_s());
-        kinks_m_s.sort_by(f64::total_cmp);
-        kinks_m_s.dedup();
-        let rows = motion.drag_table().into_iter().flat_map(DragTable::rows);
+        let heated = [
+            heating.radiative.kinks_m_s(),
+            heating.convective.kinks_m_s(),
+        ];
+        let air = mission.atmosphere.boundaries_m().iter();
+        let machs = motion.drag_table().into_iter().flat_map(DragTable::machs);
+        let holds_drag = motion.holds_drag();
+        let matters = |mach: &f64| holds_drag || *mach >= KINKS_FROM_MACH;
         Self {
-            kinks_m_s,
-            onset_m_s: heating.radiative.onset_m_s(),
-            kinks_mach: rows
-                .map(|(mach, _)| mach)
-                .filter(|mach| *mach >= KINKS_FROM_MACH)
-                .collect(),
+            ladders: Ladders {
+                altitude_m: Ladder::new(air.chain(mission.wind.boundaries_m()).copied()),
+                mach: Ladder::new(machs.copied().filter(matters)),
+                speed_m_s: Ladder::new(heated.into_iter().flatten()),
+            },
+            holds_drag,
             ground_m: mission
                 .stop
                 .altitude_m

@@ -1,7 +1,7 @@
 //! What is known of a flight between two steps.
 //!
 //! ```text
-//! h,   ḣ = v·û,   M = |u|/a,   |v|
+//! h,   ḣ = v·û,   M = |u|/a,   |u|
 //! ```
 //!
 //! with h the geodetic altitude in m, v and u the velocity relative to the planet and the air in m/s, û the geodetic
@@ -33,7 +33,7 @@ pub(super) struct Place<V = f64> {
     pub climb_m_s: V,
     /// Mach number where drag depends on it, else 0.
     pub mach: V,
-    /// Speed relative to the planet, m/s.
+    /// Speed relative to the air, m/s.
     pub speed_m_s: V,
 }
 
@@ -52,7 +52,7 @@ impl<S: Scalar> Node<S> {
                 altitude_m: around.altitude_m.value(),
                 climb_m_s: (y[3] * u + y[4] * v + y[5] * w).value(),
                 mach: mach.value(),
-                speed_m_s: (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]).sqrt().value(),
+                speed_m_s: around.air_speed_m_s.value(),
             },
             loads,
         }

@@ -55,7 +55,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     /// Takes in the state at a time: what was looked up in tables, and the drag.
     pub(super) fn look(&mut self, t: S, y: &[S; N]) {
         let marks = self.marks;
-        if marks.axes.is_empty() && !marks.may_push {
+        if !marks.looks_along() {
             return;
         }
         let arguments = self.motion.arguments(t, y).map(S::value);

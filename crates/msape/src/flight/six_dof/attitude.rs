@@ -21,6 +21,7 @@
 use super::quaternion::{of_yaw_pitch_roll, yaw_pitch_roll_rad};
 use crate::flight::mission::{Mission, Start};
 use crate::planet::horizon::Horizon;
+use crate::planet::wind::Wind;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use numerics::math;
 
@@ -44,7 +45,8 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> UnitQuaterni
         Given::YawPitchRoll(angles) => of_yaw_pitch_roll(*angles),
         Given::Quaternion(quaternion) => *quaternion,
         Given::AlphaBetaBank([alpha, beta, bank]) => {
-            let [east_m_s, north_m_s] = mission.wind.east_north_m_s(local.altitude_m);
+            let row = mission.wind.row(local.altitude_m);
+            let [east_m_s, north_m_s] = Wind::east_north_m_s(row, local.altitude_m);
             let [north, east, up] = horizon.parts(start.velocity_m_s);
             let (north, east) = (north - north_m_s, east - east_m_s);
             let along = math::hypot(north, east);

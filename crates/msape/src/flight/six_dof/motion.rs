@@ -158,7 +158,7 @@ impl RigidMotion<'_> {
                     .point
                     .mission
                     .atmosphere
-                    .air_in(&self.point.piece, around.altitude_m);
+                    .air_in(&self.point.held().piece, around.altitude_m);
                 [
                     around.air_speed_m_s / air.speed_of_sound_m_s,
                     air.mean_free_path_m / of_outline.database.diameter_m,
@@ -198,6 +198,11 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
             (Aerodynamics::Drag, Drag::Table(table)) => Some(table),
             _ => None,
         }
+    }
+
+    #[inline]
+    fn holds_drag(&self) -> bool {
+        matches!(self.rigid.aerodynamics, Aerodynamics::Drag)
     }
 
     fn tolerance(&self) -> Tolerance<RIGID_STATES> {

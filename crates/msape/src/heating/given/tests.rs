@@ -8,7 +8,7 @@ fn table(rows: &[[f64; 4]], rule: Extrapolation) -> GivenHeating {
 }
 
 fn flux(table: &GivenHeating, part: Part, v: f64, rho: f64) -> f64 {
-    table.heat_flux_w_m2(part, v, rho)
+    table.heat_flux_w_m2(part, &Flow::new(rho, v, 1.0))
 }
 
 /// q̇ᶜ = 1e-4 √ρ V³; q̇ʳ nothing at 8 km/s, then 1e6 and 4e6 W/m² for 1e-4 kg/m³, as ρ beside it.
@@ -81,8 +81,9 @@ fn derivatives_are_those_of_differences() {
     let table = two_columns(Extrapolation::Extend);
     for part in [Part::Convective, Part::Radiative] {
         for (v, rho) in [(8.5e3, 4e-4), (11e3, 4e-4), (13e3, 3e-2), (9e3, 1e-5)] {
+            let [rho_dual, nose] = [rho, 1.0].map(Dual::constant);
             let dual: Dual<1> =
-                table.heat_flux_w_m2(part, Dual::variable(v, 0), Dual::constant(rho));
+                table.heat_flux_w_m2(part, &Flow::new(rho_dual, Dual::variable(v, 0), nose));
             let h = 1e-3;
             let central =
                 (flux(&table, part, v + h, rho) - flux(&table, part, v - h, rho)) / (2.0 * h);
