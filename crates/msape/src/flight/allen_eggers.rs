@@ -351,7 +351,7 @@ impl<'a> Sum<'a> {
         for (t, state) in &self.rows {
             let motion = three_dof::motion(self.mission, self.body);
             let motion = motion.within(&motion.place(state));
-            sample::record(&mut history, &motion, *t, state, &self.place);
+            history.push(&Sample::new(&motion, *t, state, &self.place));
         }
         Some(history)
     }
