@@ -183,7 +183,7 @@ fn extremes<const N: usize>(bench: &Bench) {
         black_box(flown);
         ControlFlow::Continue(())
     });
-    drop(black_box(ended));
+    let _ = black_box(ended);
 }
 
 fn fall(problem: &FlightProblem) -> Numbers {
