@@ -31,8 +31,9 @@ const PHYSICS: [&str; 7] = [
 ];
 
 /// Files of these folders that hold no equation: lists of parts, input, assembly.
-const NO_EQUATION: [&str; 19] = [
+const NO_EQUATION: [&str; 20] = [
     "flight.rs",
+    "flight/columns.rs",
     "flight/freedom.rs",
     "flight/mission.rs",
     "flight/sample.rs",
