@@ -1,5 +1,6 @@
 //! `cargo bench --package msape-benchmark --bench grid`: designs over a grid, each from the guesses of its case and from the numbers on
-//! which its neighbour settled: seconds of the thread's clock, passes, and how far the entry masses are apart.
+//! which its neighbour settled: seconds of the thread's clock, passes, and how far the entry masses are apart. Then designs drawn about
+//! the run page and a row of Galahad: the slowest by name.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
 #[path = "solve/clock.rs"]
@@ -78,6 +79,66 @@ fn tell(name: &str, begin: Begin, seconds: f64, rows: &[Row], guessed: &[Row]) {
     );
 }
 
+/// Designs one by one: mean time, and the slowest.
+fn slowest(name: &str, library: &Library, cases: impl Iterator<Item = (String, Case)>) {
+    let mut all: Vec<(f64, String)> = Vec::new();
+    for (told, case) in cases {
+        let start = clock::now();
+        let Ok(problem) = DesignProblem::check(&case, library) else {
+            continue;
+        };
+        let coupled = coupling::solve(&problem.input, None, &mut Unwatched);
+        let ms = 1e3 * (clock::now() - start).as_secs_f64();
+        let (outcome, passes) = (coupled.outcome().name(), coupled.passes().len());
+        all.push((ms, format!("{told}: {outcome}, {passes} passes")));
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mean = all.iter().map(|(ms, _)| ms).sum::<f64>() / all.len() as f64;
+    let median = all.get(all.len() / 2).map_or(0.0, |(ms, _)| *ms);
+    println!(
+        "{name}: {} designs, mean {mean:.1} ms, median {median:.1} ms",
+        all.len()
+    );
+    for (ms, told) in all.iter().take(8) {
+        println!("  {ms:8.1} ms  {told}");
+    }
+}
+
+/// Cases about the run page, spread evenly.
+fn about_the_run_page(count: u32) -> impl Iterator<Item = (String, Case)> {
+    (0..count).map(|i| {
+        let mut case = Case::run_page();
+        let mut told = Vec::new();
+        case.set("design.msr_mode", ["true", "false"][i as usize % 2]);
+        case.set("design.payload_diameter_ratio", "");
+        for (key, [low, high], step) in [
+            ("entry.speed_m_s", [10e3, 16e3], 0.754_877_666),
+            ("entry.flight_path_angle_deg", [-30.0, -5.5], 0.569_840_290),
+            ("design.diameter_m", [0.5, 2.0], 0.430_159_709),
+            ("design.nose_radius_ratio", [0.25, 0.9], 0.324_717_957),
+            ("design.shoulder_radius_ratio", [0.02, 0.1], 0.245_122_333),
+            ("design.payload_mass_kg", [5.0, 20.0], 0.618_033_988),
+            (
+                "design.payload_density_kg_m3",
+                [500.0, 8000.0],
+                0.414_213_562,
+            ),
+            ("design.mass_margin", [0.0, 1.0], 0.732_050_808),
+            (
+                "design.crush_load_limit_earth_g",
+                [500.0, 5000.0],
+                0.236_067_977,
+            ),
+        ] {
+            let part = ((f64::from(i) + 0.5) * step).fract();
+            let value = format!("{:.4}", low + (high - low) * part);
+            case.set(key, &value);
+            told.push(format!("{key}={value}"));
+        }
+        (told.join(" "), case)
+    })
+}
+
 fn main() {
     let library = Library::builtin().unwrap();
     let text = msape::library::data_file("cases/msr-eev-pica.toml").unwrap();
@@ -113,4 +174,14 @@ fn main() {
             tell(&name, begin, seconds, &rows, &guessed[n]);
         }
     }
+    let galahad =
+        Case::from_text(msape::library::data_file("cases/galahad.toml").unwrap()).unwrap();
+    let row = (0..=30).map(|n| {
+        let diameter_m = format!("{:.2}", 1.0 + 0.01 * f64::from(n));
+        let mut case = galahad.clone();
+        case.set("design.diameter_m", &diameter_m);
+        (format!("design.diameter_m={diameter_m}"), case)
+    });
+    slowest("Galahad, 1.00 to 1.30 m", &library, row);
+    slowest("about the run page", &library, about_the_run_page(200));
 }

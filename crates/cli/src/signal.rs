@@ -29,8 +29,8 @@ fn heard() {
 
 /// Does long work, which asks whether it is stopped.
 pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
-    listen();
     AT_WORK.store(true, Ordering::SeqCst);
+    listen();
     let done = work(&mut |_| match STOPPED.load(Ordering::SeqCst) {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),

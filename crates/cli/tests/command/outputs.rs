@@ -146,6 +146,52 @@ fn a_signal_leaves_no_unfinished_file() {
     }
 }
 
+/// Whether a process hears Ctrl-C.
+#[cfg(target_os = "linux")]
+fn hears_ctrl_c(process: u32) -> bool {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+    let caught = caught.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    caught.is_some_and(|mask| mask & 2 != 0)
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_a_long_design_and_keeps_what_is_done() {
+    let child = command(&[
+        "design",
+        "cases/run-page.toml",
+        "--json",
+        "--set",
+        "design.max_iterations=10000",
+        "--set",
+        "design.relaxation=1e-6",
+        "--set",
+        "design.mass_criterion_kg=1e-15",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::null())
+    .spawn()
+    .unwrap();
+    let start = Instant::now();
+    while !hears_ctrl_c(child.id()) && start.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let pid = child.id().to_string();
+    let sent = std::process::Command::new("kill")
+        .args(["-s", "INT", &pid])
+        .status()
+        .unwrap();
+    assert!(sent.success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("gave-up") && text.contains("after which it was stopped"),
+        "{text}"
+    );
+}
+
 #[test]
 fn a_name_is_no_formula_and_no_command_of_a_terminal() {
     let named = |name: &str, form: &str| {
