@@ -63,7 +63,11 @@ const AIR_WITHOUT_EQUATION: [&str; 3] = ["/lib.rs", "/definition.rs", "/sample.r
 fn every_physics_file_has_equation_validity_and_references() {
     let mut faults = Vec::new();
     let air = files("crates/us1976/src").into_iter();
-    let air = air.filter(|file| !AIR_WITHOUT_EQUATION.iter().any(|name| file.path.ends_with(name)));
+    let air = air.filter(|file| {
+        !AIR_WITHOUT_EQUATION
+            .iter()
+            .any(|name| file.path.ends_with(name))
+    });
     for file in air {
         faults.extend(missing_parts(&file));
     }
@@ -83,7 +87,9 @@ fn every_physics_file_has_equation_validity_and_references() {
 fn missing_parts(file: &File) -> Vec<String> {
     let parts = ["//! ```text", "//! # Valid", "//! # References"];
     let missing = parts.iter().filter(|part| !file.text.contains(**part));
-    missing.map(|part| format!("{}: no {part:?}", file.path)).collect()
+    missing
+        .map(|part| format!("{}: no {part:?}", file.path))
+        .collect()
 }
 
 #[test]
