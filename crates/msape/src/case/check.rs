@@ -48,7 +48,7 @@ impl<'a> Reader<'a> {
         }
         let more = unknown.count();
         if more > 0 {
-            reader.fault("", format!("and {more} more unknown keys"));
+            reader.fault(&"", format!("and {more} more unknown keys"));
         }
         for file in FILES {
             if reader.given(file) {
@@ -59,7 +59,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Notes a fault, at an input or at a section.
-    pub fn fault(&mut self, key: impl fmt::Display, message: impl Into<String>) {
+    pub fn fault(&mut self, key: &dyn fmt::Display, message: impl Into<String>) {
         self.faults.push(InputError {
             key: cut(&key.to_string()),
             message: message.into(),
@@ -74,7 +74,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Notes a remark at an input.
-    pub fn remark(&mut self, key: impl fmt::Display, message: impl Into<String>) {
+    pub fn remark(&mut self, key: &dyn fmt::Display, message: impl Into<String>) {
         self.findings.push(remark("input", key, message));
     }
 
@@ -154,13 +154,13 @@ impl<'a> Reader<'a> {
             Some(Value::Text(text)) => match parse_number(text, dimension, unit) {
                 Ok(value) => value,
                 Err(error) => {
-                    self.fault(key, format!("{error}; {}", must_be(&allowed, unit.symbol)));
+                    self.fault(&key, format!("{error}; {}", must_be(&allowed, unit.symbol)));
                     return None;
                 }
             },
             Some(other) => {
                 self.fault(
-                    key,
+                    &key,
                     format!(
                         "got {}, {}",
                         shown(other, false),
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
         };
         if !allowed.contains(value) {
             self.fault(
-                key,
+                &key,
                 format!(
                     "got {}, {}",
                     with_unit(value, unit.symbol),
@@ -182,7 +182,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         if whole && value % 1.0 != 0.0 {
-            self.fault(key, format!("got {}, must be a whole number", told(value)));
+            self.fault(&key, format!("got {}, must be a whole number", told(value)));
             return None;
         }
         if let Some((min, max)) = usual
@@ -256,7 +256,7 @@ impl<'a> Reader<'a> {
         match self.value(key)? {
             Value::Text(text) => Some(text.clone()),
             other => {
-                self.fault(key, format!("got {}, must be text", shown(other, false)));
+                self.fault(&key, format!("got {}, must be text", shown(other, false)));
                 None
             }
         }
@@ -286,7 +286,7 @@ impl<'a> Reader<'a> {
             (None, _) => return None,
             (Some(other), _) => {
                 self.fault(
-                    key,
+                    &key,
                     format!(
                         "got {}, must be one of {}",
                         shown(other, false),
@@ -305,7 +305,7 @@ impl<'a> Reader<'a> {
                 .map(|n| format!("; did you mean \"{n}\"?"))
                 .unwrap_or_default();
             self.fault(
-                key,
+                &key,
                 format!(
                     "got \"{}\", must be one of {}{hint}",
                     cut(&wanted),
@@ -327,7 +327,7 @@ impl<'a> Reader<'a> {
             Value::Rows(rows) => rows.clone(),
             other => {
                 self.fault(
-                    key,
+                    &key,
                     format!(
                         "got {}, must be rows of {}",
                         shown(other, true),
@@ -341,7 +341,7 @@ impl<'a> Reader<'a> {
         let before = self.faults.len();
         if rows.is_empty() {
             self.fault(
-                key,
+                &key,
                 format!("got no rows, must be rows of {}", column_names(input)),
             );
         }
@@ -356,7 +356,7 @@ impl<'a> Reader<'a> {
                     row.len(),
                     column_names(input)
                 );
-                self.fault(key, message);
+                self.fault(&key, message);
             }
             for (cell, column) in row.iter().zip(columns) {
                 let allowed = column.allowed;
@@ -372,7 +372,7 @@ impl<'a> Reader<'a> {
                 }
                 let (row, name, cell) = (i + 1, column.name, told(*cell));
                 let message = format!("row {row}, {name}: got {cell}, {wrong}");
-                self.fault(key, message);
+                self.fault(&key, message);
             }
         }
         (self.faults.len() == before).then_some(rows)

@@ -36,7 +36,7 @@ impl fmt::Display for InputError {
 impl std::error::Error for InputError {}
 
 /// A remark of a check at an input.
-pub fn remark(model: &str, key: impl fmt::Display, message: impl Into<String>) -> Finding {
+pub fn remark(model: &str, key: &dyn fmt::Display, message: impl Into<String>) -> Finding {
     Finding {
         severity: Severity::Note,
         model: model.to_string(),

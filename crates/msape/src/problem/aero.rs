@@ -120,7 +120,7 @@ impl AeroProblem {
 fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<Body> {
     if !case.gives_any(input::design::INPUTS) {
         reader.fault(
-            "outline",
+            &"outline",
             "missing; give [outline], as a preset, by dimensions or by points, or the case of a design",
         );
         return None;

@@ -87,7 +87,7 @@ pub(super) fn named_drag(
 #[derive(Clone, Debug)]
 pub(super) enum Coefficients {
     /// A table of the case.
-    Table(OwnTable),
+    Table(Box<OwnTable>),
     /// Computed from the outline.
     Computed(Box<Computed>),
 }
@@ -107,7 +107,8 @@ impl Coefficients {
         let wall = reader.number(&input::vehicle::AERODYNAMICS_WALL_TEMPERATURE_RATIO);
         let accommodation = reader.number(&input::vehicle::AERODYNAMICS_ACCOMMODATION);
         if reader.given(TABLE) {
-            return OwnTable::read(reader, library, medium, diameter_m).map(Coefficients::Table);
+            return OwnTable::read(reader, library, medium, diameter_m)
+                .map(|table| Coefficients::Table(Box::new(table)));
         }
         if reader.faults.len() > before {
             return None;

@@ -21,7 +21,7 @@ pub(super) fn one_row<const N: usize>(
     };
     if row.is_none() {
         let message = format!("got {} rows, must be one row of {N} numbers", rows.len());
-        reader.fault(key, message);
+        reader.fault(&key, message);
     }
     row.map(Some)
 }
@@ -39,5 +39,5 @@ pub(super) fn beyond(reader: &mut Reader, input: &'static Input) -> Extrapolatio
 /// The fault that an input is given together with another in whose place it stands.
 pub(super) fn together(reader: &mut Reader, input: impl Into<Key>, other: &'static Input) {
     let message = format!("given together with {other}; give one of them");
-    reader.fault(input.into(), message);
+    reader.fault(&input.into(), message);
 }

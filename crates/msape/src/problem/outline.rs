@@ -135,7 +135,7 @@ fn of_dimensions(reader: &mut Reader) -> Option<RigidBody> {
         Ok(body) => Some(body),
         Err(faults) => {
             for (key, message) in faults {
-                reader.fault(format!("outline.{key}"), message);
+                reader.fault(&format!("outline.{key}"), message);
             }
             None
         }

@@ -43,7 +43,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                 "got \"{}\", which an earlier phase is called, too",
                 phase.name
             );
-            reader.fault(phase::NAME.of_phase(number), message);
+            reader.fault(&phase::NAME.of_phase(number), message);
         }
         if phase.begin.mark == Mark::Time {
             if phase.begin.value < earlier_s {
@@ -51,7 +51,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                     "got {} s, must be at least {earlier_s} s of an earlier phase: phases begin in their order",
                     phase.begin.value
                 );
-                reader.fault(phase::TIME_S.of_phase(number), message);
+                reader.fault(&phase::TIME_S.of_phase(number), message);
             }
             earlier_s = phase.begin.value;
         }
@@ -79,7 +79,7 @@ fn of_number(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> 
     let key = phase::NAME.of_phase(number);
     let name = reader.words(key).filter(|name| !name.trim().is_empty());
     if name.is_none() {
-        reader.fault(key, "missing; every phase has a name");
+        reader.fault(&key, "missing; every phase has a name");
     }
     let begin = begin(reader, number);
     let change = change(reader, number, flown);
@@ -111,7 +111,7 @@ fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
                 let time = phase::name(input);
                 let message =
                     format!("given together with {time}, which only rises; leave it away");
-                reader.fault(key, message);
+                reader.fault(&key, message);
             }
             Some(Begin {
                 mark: *mark,
@@ -121,12 +121,12 @@ fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
         }
         [] => {
             let message = format!("missing; give one of {}", ways());
-            reader.fault(phase::ALTITUDE_M.of_phase(number), message);
+            reader.fault(&phase::ALTITUDE_M.of_phase(number), message);
             None
         }
         [_, (second, _), ..] => {
             let message = format!("a phase begins in one way; give one of {}", ways());
-            reader.fault(second.of_phase(number), message);
+            reader.fault(&second.of_phase(number), message);
             None
         }
     }
@@ -158,7 +158,7 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
         for key in [phase::INFLATION_S.of_phase(number), attachment_key] {
             if reader.given(key) {
                 let message = format!("given without {drag_area}, to which it belongs");
-                reader.fault(key, message);
+                reader.fault(&key, message);
             }
         }
     }
@@ -168,14 +168,14 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
                 let message = format!(
                     "is of a point mass; the drag of a rigid body follows from its attitude and one number does not tell its moments: give {area}, by which all its forces and moments are scaled, or {drag_area}, a parachute"
                 );
-                reader.fault(drag_coefficient_key, message);
+                reader.fault(&drag_coefficient_key, message);
             }
             if reference_area_m2.is_some() {
                 let message = "Forces and moments of the vehicle are scaled with its reference area when the phase begins; coefficients and reference lengths stay.";
                 note(reader, &phase::REFERENCE_AREA_M2, number, message);
             }
             if out && drag_area_m2 != Some(0.0) && !reader.given(attachment_key) {
-                reader.fault(attachment_key, "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
+                reader.fault(&attachment_key, "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
             }
             if mass_kg.is_some() {
                 let message = "The inertia of the vehicle is scaled with its mass, and its centre of gravity stays, when the phase begins.";
@@ -211,7 +211,7 @@ pub(super) fn not_flown(reader: &mut Reader, by: &str) {
 }
 
 fn note(reader: &mut Reader, input: &'static Input, number: usize, message: impl Into<String>) {
-    let note = remark("phases", input.of_phase(number), message);
+    let note = remark("phases", &input.of_phase(number), message);
     reader.findings.push(note);
 }
 

@@ -59,7 +59,7 @@ pub(super) fn planet<'l>(reader: &mut Reader, library: &'l Library) -> Option<(P
     };
     let faults = planet.check();
     for fault in &faults {
-        reader.fault("planet", fault.to_string());
+        reader.fault(&"planet", fault.to_string());
     }
     faults.is_empty().then_some((planet, world))
 }
@@ -181,7 +181,7 @@ pub(super) fn atmosphere(
     }
     if ways.len() > 1 {
         reader.fault(
-            "atmosphere",
+            &"atmosphere",
             "given in more than one way; give one of table, file and exponential",
         );
         return None;
@@ -210,7 +210,7 @@ pub(super) fn atmosphere(
         let density = reader.required_number(&input::atmosphere::EXPONENTIAL_DENSITY_KG_M3);
         let height = reader.required_number(&input::atmosphere::EXPONENTIAL_SCALE_HEIGHT_M);
         let model = Exponential::try_new(density?, height?, air.clone());
-        all_faults(reader, "atmosphere.exponential", model)
+        all_faults(reader, &"atmosphere.exponential", model)
             .map(|model| Atmosphere::Exponential(Arc::new(model)))
     }?;
     let input = match way == table {
@@ -318,7 +318,7 @@ fn assumed(
 /// A model, or `None` with all its faults noted.
 fn all_faults<T, F: Display>(
     reader: &mut Reader,
-    key: impl Display + Copy,
+    key: &dyn Display,
     model: Result<T, Vec<F>>,
 ) -> Option<T> {
     match model {
