@@ -10,8 +10,8 @@ fn a_design_asks_for_memory_a_bounded_number_of_times() {
     let bench = Bench::new().unwrap();
     let count = |work: &dyn Fn()| allocation_counter::measure(work).count_total;
     for (name, problem, most) in [
-        ("MSR", &bench.msr, [2500, 4000]),
-        ("Galahad", &bench.galahad, [6000, 8000]),
+        ("MSR", &bench.msr, [2_500, 4_000]),
+        ("Galahad", &bench.galahad, [12_000, 13_000]),
     ] {
         let passes = count(&|| drop(coupling::solve(&problem.input, None, &mut Unwatched)));
         let answer = count(&|| drop(problem.solve("", Request::Nothing)));
