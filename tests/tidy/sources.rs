@@ -31,7 +31,7 @@ const PHYSICS: [&str; 7] = [
 ];
 
 /// Files of these folders that hold no equation: lists of parts, input, assembly.
-const NO_EQUATION: [&str; 19] = [
+const NO_EQUATION: [&str; 22] = [
     "flight.rs",
     "flight/freedom.rs",
     "flight/mission.rs",
