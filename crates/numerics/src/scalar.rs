@@ -131,6 +131,10 @@ pub trait Single:
     /// ```
     fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self;
 
+    /// The place near `at` at which `f` is what it is there without its derivatives: a root that was found by value. `f` is asked
+    /// for only where there are derivatives, on the branch that it takes at `at`.
+    fn implicit(at: f64, f: impl Fn(Self) -> Self) -> Self;
+
     /// The same for as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
     fn roots<const K: usize>(
         at: [f64; K],
@@ -292,6 +296,10 @@ impl Scalar for f64 {
 impl Single for f64 {
     #[inline]
     fn root(at: f64, _residual: impl FnOnce() -> f64, _rate: impl FnOnce() -> f64) -> f64 {
+        at
+    }
+    #[inline]
+    fn implicit(at: f64, _f: impl Fn(f64) -> f64) -> f64 {
         at
     }
     #[inline]

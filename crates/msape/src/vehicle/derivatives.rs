@@ -27,6 +27,7 @@ use crate::vehicle::kinds::Concept;
 use crate::vehicle::layout::{Depths, Frame, Trial};
 use crate::vehicle::mass::{Densities, Masses, masses, parts, total};
 use crate::vehicle::structure::{Governs, Structure, Wall, size};
+use numerics::math::FRAC_PI_2;
 use numerics::scalar::{Dual, Scalar, Single};
 
 /// Diameter, place, and three numbers of each of three walls.
@@ -60,6 +61,8 @@ pub struct Branches {
     pub foam_thickened: bool,
     /// Whether the gap under the lid is that of the rules.
     pub whole_gap: bool,
+    /// Whether the wing is at most as steep as the rules have it, and not as the forebody.
+    pub steepest_by_rule: bool,
     /// Whether payload and foam rest in the nose and not in the cone.
     pub in_nose: bool,
     /// What sets each wall.
@@ -221,7 +224,8 @@ impl System {
             Concept::Msr => rules.body_foam_gap_m + rules.lid_insulation_gap_m,
             Concept::NonMsr => rules.payload_lid_gap_m,
         };
-        let nose_m = layout.outline.forebody.nose_radius_m - layout.depths.fore_m();
+        let forebody = &layout.outline.forebody;
+        let nose_m = forebody.nose_radius_m - layout.depths.fore_m();
         let ball_m = match input.concept {
             Concept::Msr => layout.impact_sphere_radius_m(),
             Concept::NonMsr => layout.payload_radius_m + layout.foam_thickness_m,
@@ -235,6 +239,8 @@ impl System {
             },
             foam_thickened: (layout.foam_thickness_m - rule.least_thickness_m).value() > ROUNDING_M,
             whole_gap: (gap_m - wanted_m).abs() <= ROUNDING_M,
+            steepest_by_rule: (forebody.cone_half_angle_rad + rules.wing_slope_max_rad).value()
+                < FRAC_PI_2,
             in_nose: ball_m.less(nose_m),
             walls: self.governs,
         }

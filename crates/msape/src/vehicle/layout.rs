@@ -25,7 +25,7 @@ use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::{implicit, sin_cos};
+use numerics::scalar::functions::sin_cos;
 use serde::{Deserialize, Serialize};
 
 /// Depths of the layers under the outer mould line and thickness of the inner walls.
@@ -258,7 +258,7 @@ impl<S: Single> Frame<'_, S> {
         }
         let lack_with_m = |floor_m: S| lack_m(&lay_out(floor_m));
         let lack_at_m = |floor_m: f64| lack_with_m(S::constant(floor_m)).value();
-        let widest = |[one, other]: [f64; 2]| implicit(one.max(other), one, lack_with_m);
+        let widest = |[one, other]: [f64; 2]| S::implicit(one.max(other), lack_with_m);
         let mut found = root::bracket(lack_at_m, low_m.value(), high_m.value(), tolerance_m);
         let mut trial = lay_out(found.map_or(high_m, widest));
         if found.is_none() && trial.room_m.value() > NEARLY_M {
@@ -304,7 +304,7 @@ impl<S: Single> Frame<'_, S> {
         let (low_m, high_m) = (floor_m.value(), asked_m.value());
         let found = root::bracket(clearance_m, low_m, high_m, LID_TOLERANCE_M);
         self.wing(found.map_or(floor_m, |[one, other]| {
-            implicit(one.min(other), one, clearance)
+            S::implicit(one.min(other), clearance)
         }))
     }
 

@@ -219,7 +219,7 @@ fn part<S: Single>(
     }
 }
 
-/// Every component as a number of numbers: those that the concept does not have are empty.
+/// Every component, in the order of the kinds; empty where the concept does not have it.
 pub fn parts<S: Single>(
     input: &VehicleInput<S>,
     layout: &Layout<S>,

@@ -27,7 +27,7 @@ use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI};
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::{implicit, sin_cos};
+use numerics::scalar::functions::sin_cos;
 
 impl<S: Single> Frame<'_, S> {
     fn msr_lid(&self, foam_m: S, gap_m: S) -> Lid<S> {
@@ -86,7 +86,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
         foam = if wing.is_aft_of_steepest(narrowest(most)) {
             let clearance_m = |foam_m: f64| clearance(S::constant(foam_m)).value();
             let found = root::brent(clearance_m, foam.value(), most.value(), LID_TOLERANCE_M);
-            found.map_or(most, |foam_m| implicit(foam_m, foam_m, clearance))
+            found.map_or(most, |foam_m| S::implicit(foam_m, clearance))
         } else {
             most
         };

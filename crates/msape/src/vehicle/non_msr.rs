@@ -31,7 +31,6 @@ use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, PI};
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::implicit;
 
 impl<S: Single> Frame<'_, S> {
     fn payload_x_m(&self) -> S {
@@ -83,7 +82,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
         let clearance_m = |radius_m: f64| clearance(S::constant(radius_m)).value();
         let (low, high) = (radius.value(), radius.value() + MOST_RAISED_M);
         let raised = root::brent(clearance_m, low, high, LID_TOLERANCE_M);
-        raised.map(|radius_m| frame.narrowest_lid(implicit(radius_m, radius_m, clearance)))
+        raised.map(|radius_m| frame.narrowest_lid(S::implicit(radius_m, clearance)))
     } else {
         Some(lowest_lid(frame, &wing, narrowest))
     };
@@ -130,9 +129,7 @@ fn lowest_lid<S: Single>(frame: &Frame<S>, wing: &Wing<S>, narrowest: Lid<S>) ->
     let clearance_m = |foot_x_m: f64| clearance(S::constant(foot_x_m)).value();
     let (low, high) = (frame.cg_x_m.value(), narrowest.foot_x_m.value());
     let found = root::brent(clearance_m, low, high, LID_TOLERANCE_M);
-    found.map_or(narrowest, |foot_x_m| {
-        at(implicit(foot_x_m, high - low, clearance))
-    })
+    found.map_or(narrowest, |foot_x_m| at(S::implicit(foot_x_m, clearance)))
 }
 
 /// Draws what is inside the primary structure and under the lid.

@@ -240,6 +240,16 @@ impl<const N: usize> Single for Dual<N> {
     fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self {
         residual().chain(at, -1.0 / rate())
     }
+    fn implicit(at: f64, f: impl Fn(Self) -> Self) -> Self {
+        let residual = f(Self::constant(at));
+        let Some(index) = residual.slope.iter().position(|slope| *slope != 0.0) else {
+            return Self::constant(at);
+        };
+        // one more where the place itself moves with that parameter
+        let moved = f(Self::variable(at, index));
+        let rate = moved.slope[index] - residual.slope[index];
+        residual.chain(at, -1.0 / rate)
+    }
     fn roots<const K: usize>(
         at: [f64; K],
         residual: impl FnOnce() -> [Self; K],

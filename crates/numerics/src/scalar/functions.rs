@@ -41,21 +41,6 @@ pub fn hypot<S: Single>(x: S, y: S) -> S {
     S::root(length, || x * x + y * y - length * length, || -2.0 * length)
 }
 
-/// The place near `at` at which `f` of it is what it is there without its derivatives: a root that was found by value.
-///
-/// The rate of change of `f` is that of differences over two steps, to about ten digits.
-pub fn implicit<S: Single>(at: f64, scale: f64, f: impl Fn(S) -> S) -> S {
-    let rate = || {
-        let over = |h: f64| {
-            let [low, high] = [at - h, at + h].map(|x| f(S::constant(x)).value());
-            (high - low) / (2.0 * h)
-        };
-        let h = 1e-3 * scale;
-        (4.0 * over(0.5 * h) - over(h)) / 3.0
-    };
-    S::root(at, || f(S::constant(at)), rate)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -26,7 +26,6 @@ use crate::vehicle::kinds::Concept;
 use numerics::math::PI;
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::implicit;
 use serde::{Deserialize, Serialize};
 
 /// Relative rounding.
@@ -195,7 +194,7 @@ impl<S: Single> Absorber<S> {
         let at_j = |crush_m: f64| left_j(S::constant(crush_m)).value();
         let tolerance_m = ROUNDING * self.thickness_m.value();
         root::brent(at_j, 0.0, longest_m.value(), tolerance_m)
-            .map_or(longest_m, |stop_m| implicit(stop_m, stop_m, left_j))
+            .map_or(longest_m, |stop_m| S::implicit(stop_m, left_j))
     }
 
     /// Energy taken by each Pa of plateau up to a crush on the plateau, m³: the volume swept by the footprint, less what the
@@ -233,7 +232,7 @@ impl<S: Single> Absorber<S> {
         };
         let at_j = |thickness_m: f64| left_j(S::constant(thickness_m)).value();
         let needed = root::brent(at_j, 0.0, 10.0, 1e-9);
-        needed.map(|thickness_m| implicit(thickness_m, thickness_m, left_j))
+        needed.map(|thickness_m| S::implicit(thickness_m, left_j))
     }
 }
 

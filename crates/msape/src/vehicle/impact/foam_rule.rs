@@ -37,7 +37,6 @@ use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::implicit;
 
 /// Fraction from which a usable one is looked for, assumed: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
@@ -151,9 +150,7 @@ impl<S: Single> FoamRule<'_, S> {
         let excess_at = |efficiency: f64| excess(S::constant(efficiency)).value();
         // stronger foam is denser and its plateau shorter: the excess falls throughout
         root::brent(excess_at, LEAST_EFFICIENCY, softest.value(), RESOLUTION)
-            .map_or(softest, |efficiency| {
-                implicit(efficiency, efficiency, excess)
-            })
+            .map_or(softest, |efficiency| S::implicit(efficiency, excess))
     }
 
     /// Strength asked for at a thickness, Pa.
@@ -187,7 +184,7 @@ impl<S: Single> FoamRule<'_, S> {
             .map(|i| softest - f64::from(i) * step)
             .find(|strain| left_at(*strain) >= 0.0)
             .and_then(|low| root::brent(left_at, low, low + step, RESOLUTION));
-        strength_pa(strain.map_or(self.plateau_strain, |strain| implicit(strain, strain, left)))
+        strength_pa(strain.map_or(self.plateau_strain, |strain| S::implicit(strain, left)))
     }
 
     /// Strength that takes the energy at a thickness within a crush on the plateau, m, Pa.

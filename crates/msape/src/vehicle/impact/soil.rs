@@ -20,7 +20,6 @@ use crate::vehicle::impact::young::AREA_EXPONENT;
 use crate::vehicle::kinds::EARTH_G_M_S2;
 use numerics::root;
 use numerics::scalar::Single;
-use numerics::scalar::functions::implicit;
 
 /// Relative error of the depth of a rigid vehicle.
 const DEPTH_TOLERANCE: f64 = 1e-13;
@@ -98,7 +97,7 @@ impl<S: Single> Soil<S> {
             deep_m *= 2.0;
         }
         let depth_m = root::brent(missing_j, 0.0, deep_m, DEPTH_TOLERANCE * deep_m);
-        depth_m.map_or(S::constant(deep_m), |z| implicit(z, z, missing))
+        depth_m.map_or(S::constant(deep_m), |z| S::implicit(z, missing))
     }
 
     /// Peak load of a rigid vehicle, Earth g; zero at rest.
