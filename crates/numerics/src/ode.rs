@@ -49,6 +49,14 @@ pub enum Method {
     },
 }
 
+impl Method {
+    /// Whether the last evaluation of a step that is accepted is at its end.
+    #[inline]
+    pub fn ends_at_end(self) -> bool {
+        matches!(self, Method::DormandPrince54)
+    }
+}
+
 /// What is spent on the interpolation within a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dense {

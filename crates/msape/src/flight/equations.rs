@@ -320,15 +320,6 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
     }
 
-    /// The derivative of the state of a point mass with drag alone.
-    #[inline]
-    pub fn derivative(&self, y: &[S; STATES]) -> [S; STATES] {
-        let around = self.surroundings(y);
-        let rate = self.drag_rate(&around);
-        let [ux, uy, uz] = around.air_velocity_m_s;
-        self.moved_by(y, &around, [-(rate * ux), -(rate * uy), -(rate * uz)])
-    }
-
     /// The derivative of the state under an aerodynamic force over mass, planet-fixed axes, m/s².
     #[inline]
     pub fn moved_by(

@@ -210,12 +210,19 @@ where
             }
             return ControlFlow::Break(());
         }
-        let attempt = {
-            let mut f = |t: S, y: &[S; N]| all.derivative(t, y);
-            integrator.attempt(&mut f, limit_s, active)
+        let mut last = None;
+        let mut f = |t: S, y: &[S; N]| {
+            let around = all.around(y);
+            let slope = all.derivative_in(t, y, &around);
+            last = Some(around);
+            slope
         };
+        let attempt = integrator.attempt(&mut f, limit_s, active);
         let step = integrator.last_step();
-        let node = (attempt.accepted.any()).then(|| Node::of(&all, step.t1, &step.y1));
+        let node = (attempt.accepted.any()).then(|| match &last {
+            Some(around) if method.ends_at_end() => Node::within(&all, step.t1, &step.y1, around),
+            _ => Node::of(&all, step.t1, &step.y1),
+        });
         for (lane, place) in courses.iter_mut().enumerate() {
             let Some((index, course)) = place else {
                 continue;

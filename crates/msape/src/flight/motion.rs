@@ -46,19 +46,31 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// Error allowed in a step.
     fn tolerance(&self) -> Tolerance<N>;
 
-    /// The derivative of the state at a time, s.
-    fn derivative(&self, t: S, y: &[S; N]) -> [S; N];
+    /// The derivative of the state at a time, s, and in its surroundings.
+    fn derivative_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> [S; N];
 
-    /// What changes fast, at a time, s, and what surrounds the body there.
-    fn loads_around(&self, t: S, y: &[S; N]) -> (Loads<S>, Surroundings<S>);
+    /// What changes fast, at a time, s, and in its surroundings.
+    fn loads_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> Loads<S>;
 
     /// Coefficient of the force against the velocity relative to the air.
     fn drag_coefficient(&self, t: S, y: &[S; N]) -> S;
 
+    /// What surrounds the body.
+    #[inline]
+    fn around(&self, y: &[S; N]) -> Surroundings<S> {
+        self.point().surroundings(&head(y))
+    }
+
+    /// The derivative of the state at a time, s.
+    #[inline]
+    fn derivative(&self, t: S, y: &[S; N]) -> [S; N] {
+        self.derivative_in(t, y, &self.around(y))
+    }
+
     /// What changes fast, at a time, s.
     #[inline]
     fn loads(&self, t: S, y: &[S; N]) -> Loads<S> {
-        self.loads_around(t, y).0
+        self.loads_in(t, y, &self.around(y))
     }
 
     /// Axial force or drag against Mach number, whose rows are kinks.
@@ -204,29 +216,21 @@ impl<'a, S: Scalar> Motion<'a, STATES, S> for PointMass<'a, S> {
     }
 
     #[inline]
-    fn derivative(&self, t: S, y: &[S; STATES]) -> [S; STATES] {
-        match self.lift() {
-            None if !self.point.is_phased() => self.point.derivative(y),
-            _ => {
-                let around = self.point.surroundings(y);
-                self.point
-                    .moved_by(y, &around, self.force_over_mass_m_s2(t, &around))
-            }
-        }
+    fn derivative_in(&self, t: S, y: &[S; STATES], around: &Surroundings<S>) -> [S; STATES] {
+        let force = self.force_over_mass_m_s2(t, around);
+        self.point.moved_by(y, around, force)
     }
 
     #[inline]
-    fn loads_around(&self, t: S, y: &[S; STATES]) -> (Loads<S>, Surroundings<S>) {
-        let around = self.point.surroundings(y);
+    fn loads_in(&self, t: S, _y: &[S; STATES], around: &Surroundings<S>) -> Loads<S> {
         let deceleration_m_s2 = match self.lift() {
-            None if !self.point.is_phased() => self.point.drag_rate(&around) * around.air_speed_m_s,
+            None if !self.point.is_phased() => self.point.drag_rate(around) * around.air_speed_m_s,
             _ => {
-                let [x, y, z] = self.force_over_mass_m_s2(t, &around);
+                let [x, y, z] = self.force_over_mass_m_s2(t, around);
                 (x * x + y * y + z * z).sqrt()
             }
         };
-        let loads = Loads::new(&self.point, &around, deceleration_m_s2);
-        (loads, around)
+        Loads::new(&self.point, around, deceleration_m_s2)
     }
 
     #[inline]

@@ -11,7 +11,8 @@
 //!
 //! Derivatives exist but for single flights: of two peaks of equal height, of a nose radius at a cap of the exponent of radiative
 //! heating (1 and 2 m), and of a peak on the row of a drag table, whose ballistic coefficient has a kink there. A peak at the end of
-//! a row (onset of radiation) moves with it. Those of the time and place of a peak in the U.S. Standard Atmosphere are those of one
+//! a row (onset of radiation) moves with it. Those of the time and place of a peak are by the interpolation within its step, less exact
+//! than a step; in the U.S. Standard Atmosphere they are those of one
 //! cell of its table, 2e-5 beside the mean of neighbors, for curvature jumps from cell to cell. Where the exponent of radiative heating
 //! meets its cap, between densities of a table of heating, and at layers of a temperature that is lent to a table or an exponential, no
 //! step ends: derivatives there have the error of a step across a kink, which falls with the tolerance.

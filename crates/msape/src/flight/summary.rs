@@ -208,7 +208,8 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         let (y, stage) = self.state(t);
         let motion = self.motion.in_stage(&stage);
         let mission = motion.point().mission;
-        let (loads, around) = motion.loads_around(t, &y);
+        let around = motion.around(&y);
+        let loads = motion.loads_in(t, &y, &around);
         let margined = mission.heating.margined(&loads.heat_flux);
         sample::wall_temperature_k(mission, &margined, around.air_speed_m_s)
     }

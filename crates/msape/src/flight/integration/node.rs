@@ -13,6 +13,7 @@
 //! # References
 //! - Own convention.
 
+use crate::flight::equations::Surroundings;
 use crate::flight::motion::Motion;
 use crate::flight::sample::Loads;
 use numerics::scalar::Scalar;
@@ -41,7 +42,18 @@ impl<S: Scalar> Node<S> {
     /// The node of one state.
     #[inline]
     pub fn of<'a, const N: usize>(motion: &impl Motion<'a, N, S>, t: S, y: &[S; N]) -> Self {
-        let (loads, around) = motion.loads_around(t, y);
+        Self::within(motion, t, y, &motion.around(y))
+    }
+
+    /// The same in its surroundings.
+    #[inline]
+    pub fn within<'a, const N: usize>(
+        motion: &impl Motion<'a, N, S>,
+        t: S,
+        y: &[S; N],
+        around: &Surroundings<S>,
+    ) -> Self {
+        let loads = motion.loads_in(t, y, around);
         let [u, v, w] = around.up;
         let mach = match motion.drag_table() {
             None => S::constant(0.0),

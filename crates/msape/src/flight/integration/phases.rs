@@ -38,16 +38,11 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         (step.t1.value() >= full_s).then(|| (step.time(full_s.max(step.t0.value())), Gate::Full))
     }
 
-    /// Takes in a step: which later phases had their value passed in their direction, before their turn.
+    /// Takes in a step: which phases had their value passed in their direction, before their turn or where another gate ended the step.
     pub(super) fn look_ahead(&mut self, step: &Step<N, S>) {
         let mission = self.motion.point().mission;
         let ends = [(step.t0, &step.y0), (step.t1, &step.y1)];
-        for (index, phase) in mission
-            .phases
-            .iter()
-            .enumerate()
-            .skip(self.stage.phases + 1)
-        {
+        for (index, phase) in mission.phases.iter().enumerate().skip(self.stage.phases) {
             let beyond = ends.map(|(t, y)| self.is_beyond(&phase.begin, t, y));
             if let (Some(passed), true) = (self.passed.get_mut(index), beyond[0] != beyond[1]) {
                 *passed = beyond[1];

@@ -74,8 +74,12 @@ fn seen_alpha_rad(attitude: Quaternion<f64>, velocity_m_s: &Vector3<f64>) -> f64
 impl RigidMotion<'_> {
     #[inline]
     fn instant(&self, y: &[f64; RIGID_STATES]) -> Instant {
-        let point = head(y);
-        let around = self.point.surroundings(&point);
+        self.instant_in(y, &self.around(y))
+    }
+
+    #[inline]
+    fn instant_in(&self, y: &[f64; RIGID_STATES], around: &Surroundings<f64>) -> Instant {
+        let (point, around) = (head(y), *around);
         let attitude = quaternion_of(y);
         let to_planet = quaternion::unit(attitude).to_rotation_matrix();
         let stream = Stream {
@@ -222,14 +226,19 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
     }
 
     #[inline]
-    fn derivative(&self, t: f64, y: &[f64; RIGID_STATES]) -> [f64; RIGID_STATES] {
+    fn derivative_in(
+        &self,
+        t: f64,
+        y: &[f64; RIGID_STATES],
+        around: &Surroundings<f64>,
+    ) -> [f64; RIGID_STATES] {
         let Instant {
             point,
             around,
             attitude,
             to_planet,
             stream,
-        } = self.instant(y);
+        } = self.instant_in(y, around);
         let Load {
             force_n,
             moment_n_m,
@@ -253,12 +262,11 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         })
     }
 
-    fn loads_around(&self, t: f64, y: &[f64; RIGID_STATES]) -> (Loads, Surroundings<f64>) {
-        let Instant { around, stream, .. } = self.instant(y);
+    fn loads_in(&self, t: f64, y: &[f64; RIGID_STATES], around: &Surroundings<f64>) -> Loads {
+        let Instant { stream, .. } = self.instant_in(y, around);
         let force_n = self.whole_load(t, &stream).force_n.norm_squared().sqrt();
         let deceleration_m_s2 = force_n / self.point.numbers().mass_kg;
-        let loads = Loads::new(&self.point, &around, deceleration_m_s2);
-        (loads, around)
+        Loads::new(&self.point, around, deceleration_m_s2)
     }
 
     fn drag_coefficient(&self, _t: f64, y: &[f64; RIGID_STATES]) -> f64 {
