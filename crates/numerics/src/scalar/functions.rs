@@ -49,9 +49,7 @@ mod tests {
     /// Each function once.
     fn mixture<S: Single>(x: S, y: S) -> S {
         let (s, c) = sin_cos(x);
-        let root = implicit(math::cbrt(x.value() + y.value()), 1.0, |z: S| {
-            z * z * z - x - y
-        });
+        let root = S::implicit(math::cbrt(x.value() + y.value()), |z| z * z * z - x - y);
         s * y + c / y + cbrt(x * y) + asin(x / y) + hypot(x, y) * root
     }
 
