@@ -142,24 +142,24 @@ impl<S: Single> Absorber<S> {
     /// Energy taken up to a crush, J: the integral of the force.
     pub fn energy_j(&self, crush_m: S) -> S {
         let [yield_m, plateau_m, last_m] = self.bends_m();
-        // footprint and stress are polynomials there, of degree 3 together: Simpson's rule is exact
+        // at a bend the crush is taken, not the bend: the energy grows with it; footprint and stress are polynomials there, of degree 3 together: Simpson's rule is exact
         let simple = |from_m: S, to_m: S, stress_pa: &dyn Fn(S) -> S| {
             let force_n = |s: S| self.area_m2(s) * stress_pa(s / self.thickness_m);
             let middle_n = force_n((from_m + to_m) * 0.5);
             (to_m - from_m) / 6.0 * (force_n(from_m) + middle_n * 4.0 + force_n(to_m))
         };
         let law = &self.law;
-        let elastic = simple(S::constant(0.0), crush_m.min(yield_m), &|strain| {
+        let elastic = simple(S::constant(0.0), yield_m.min(crush_m), &|strain| {
             law.modulus_pa * strain
         });
         if crush_m.value() <= yield_m.value() {
             return elastic;
         }
-        let plateau = simple(yield_m, crush_m.min(plateau_m), &|_| law.plateau_pa);
+        let plateau = simple(yield_m, plateau_m.min(crush_m), &|_| law.plateau_pa);
         if crush_m.value() <= plateau_m.value() {
             return elastic + plateau;
         }
-        let dense = self.dense_j(plateau_m, crush_m.min(last_m));
+        let dense = self.dense_j(plateau_m, last_m.min(crush_m));
         if crush_m.value() <= last_m.value() {
             return elastic + plateau + dense;
         }
