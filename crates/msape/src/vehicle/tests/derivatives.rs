@@ -13,13 +13,12 @@ use numerics::scalar::{Dual, Scalar, Single};
 /// Largest difference over the derivative.
 const RELATIVE: f64 = 1e-6;
 /// Difference that the search leaves, over the number itself.
-const NOISE: f64 = 2e-7;
+const NOISE: f64 = 1e-8;
 /// Step over the input.
-const STEP: f64 = 3e-4;
-/// Difference of both sides over the larger one at a bend that no branch names.
-const BEND: f64 = 0.01;
-/// Difference of the crush load over itself where the payload stops at the end of the plateau: there the law bends.
-const AT_PLATEAU: f64 = 2e-3;
+const STEP: f64 = 1e-4;
+
+/// Of the inputs of a random vehicle one in so many is compared, another for each vehicle: all together take a minute.
+const EVERY: usize = 4;
 
 const NAMES: [&str; 20] = [
     "mass",
@@ -95,18 +94,16 @@ fn at(input: &VehicleInput, index: usize, by: f64) -> Option<([f64; NAMES.len()]
     Some((numbers(&input, &found), branches))
 }
 
-/// Compared, left out since a branch changes within the step or since the number bends at the place, without a
-/// derivative, and what differs.
+/// Compared, left out since a branch changes within the step, and what differs.
 #[derive(Default)]
 struct Tally {
     compared: usize,
     kinks: usize,
-    bends: usize,
-    without: usize,
     wrong: Vec<String>,
 }
 
-fn compare(name: &str, input: &VehicleInput, tally: &mut Tally) {
+/// Compares the derivatives by every input, or by every `every`-th from `first` on.
+fn compare(name: &str, input: &VehicleInput, [first, every]: [usize; 2], tally: &mut Tally) {
     let mut input = input.clone();
     // what the search leaves is far below the step
     input.rules.diameter_resolution_m = 1e-13;
@@ -120,7 +117,7 @@ fn compare(name: &str, input: &VehicleInput, tally: &mut Tally) {
         return;
     };
     let here = numbers(&input, &here);
-    for (index, x) in inputs.into_iter().enumerate() {
+    for (index, x) in inputs.into_iter().enumerate().skip(first).step_by(every) {
         let mut k = 0;
         let dual = input.lift(|x: f64| {
             k += 1;
@@ -151,22 +148,11 @@ fn compare(name: &str, input: &VehicleInput, tally: &mut Tally) {
             let (wide, near) = ((d[i] - a[i]) / (2.0 * h), (c[i] - b[i]) / h);
             let difference = (4.0 * near - wide) / 3.0;
             let slope = dual[i].slope[0];
-            let scale = if x == 0.0 { 1e-2 } else { x.abs() };
+            let scale = x.abs().max(1e-2);
             let allowed = RELATIVE * slope.abs() * scale + NOISE * here[i].abs();
-            let sides = [(here[i] - b[i]) / (0.5 * h), (c[i] - here[i]) / (0.5 * h)];
-            let bend = (sides[1] - sides[0]).abs();
-            let bent = bend > BEND * sides[0].abs().max(sides[1].abs()) && bend * scale > allowed;
-            if slope.is_nan() || bent {
-                tally.bends += usize::from(bent);
-                tally.without += usize::from(!bent);
-                continue;
-            }
-            let allowed = match *name_of {
-                "crush load" => AT_PLATEAU * here[i].abs(),
-                _ => allowed,
-            };
             tally.compared += 1;
-            if (slope - difference).abs() * scale > allowed {
+            if (slope - difference).abs() * scale > allowed || slope.is_nan() {
+                let sides = [(here[i] - b[i]) / (0.5 * h), (c[i] - here[i]) / (0.5 * h)];
                 tally.wrong.push(format!(
                     "{name}: {name_of} by input {index} ({x}): {slope} against {difference}, sides {sides:?}, {branches:?}"
                 ));
@@ -187,29 +173,26 @@ fn derivatives_of_shipped_designs_and_fifty_others_are_those_of_central_differen
     ] {
         let case = Case::from_text(crate::library::data_file(path).unwrap()).unwrap();
         let problem = DesignProblem::check(&case, &library).unwrap();
-        compare(path, &problem.input.vehicle, &mut tally);
+        compare(path, &problem.input.vehicle, [0, 1], &mut tally);
     }
     let mut sequence = Sequence(7);
     for k in 0..50 {
-        compare(&format!("random {k}"), &sampled(&mut sequence), &mut tally);
+        let name = format!("random {k}");
+        compare(
+            &name,
+            &sampled(&mut sequence),
+            [k % EVERY, EVERY],
+            &mut tally,
+        );
     }
     let first: Vec<_> = tally.wrong.iter().take(60).collect();
     let Tally {
-        compared,
-        kinks,
-        bends,
-        without,
-        ..
+        compared, kinks, ..
     } = tally;
     assert!(
         first.is_empty(),
-        "{compared} compared, {kinks}, {bends} and {without} left out, {} differ: {first:#?}",
+        "{compared} compared, {kinks} left out, {} differ: {first:#?}",
         tally.wrong.len()
     );
-    assert!(compared > 60_000, "{compared}");
-    // one vehicle stands where a choice is a tie: not a number
-    assert!(
-        kinks < 20 && bends < 100 && without < 20,
-        "{kinks} {bends} {without}"
-    );
+    assert!(compared > 8_000 && kinks < 200, "{compared} {kinks}");
 }
