@@ -29,28 +29,33 @@ use crate::planet::gas::{FreePath, HeatCapacityRatio};
 use hermite::Cubic;
 use numerics::scalar::{Dual, Mask, Scalar};
 use stratum::{Cells, State, Stratum};
-use us1976::Knot;
 use us1976::definition::Definition;
-use us1976::heterosphere::{SPANS, SpanKnots};
+use us1976::heterosphere::{Heterosphere, SPANS, SpanKnots};
 use us1976::lower::{self, Lower};
 use us1976::temperature::{StandardTemperature, Upper};
 
-/// What the build integrated of the shipped definition, for each of [`SPANS`]: at each knot density, kg/m³, and its slope,
-/// molar mass, kg/kmol, and its slope.
-static SHIPPED_GASES: &[&[[f64; 4]]] = include!(concat!(env!("OUT_DIR"), "/us_1976.rs"));
-
-fn of_build(knots: &[[f64; 4]]) -> SpanKnots {
-    let knot = |value, slope_per_m| Knot { value, slope_per_m };
-    SpanKnots {
-        density: knots
-            .iter()
+/// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for a
+/// definition of one's own.
+#[cfg(feature = "prepared-air")]
+fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
+    // At each knot density, kg/m³, and its slope, molar mass, kg/kmol, and its slope.
+    static SHIPPED: &[&[[f64; 4]]] = include!(concat!(env!("OUT_DIR"), "/us_1976.rs"));
+    let knot = |value, slope_per_m| us1976::Knot { value, slope_per_m };
+    let of_span = |knots: &&[[f64; 4]]| SpanKnots {
+        density: { knots.iter() }
             .map(|[rho, slope, ..]| knot(*rho, *slope))
             .collect(),
-        molar_mass: knots
-            .iter()
+        molar_mass: { knots.iter() }
             .map(|[.., m, slope]| knot(*m, *slope))
             .collect(),
-    }
+    };
+    matches!(data, Data::Shipped(_)).then(|| SHIPPED.iter().map(of_span).collect())
+}
+
+/// None: the gases are integrated at the start.
+#[cfg(not(feature = "prepared-air"))]
+fn prepared_gases(_: Data) -> Option<Vec<SpanKnots>> {
+    None
 }
 
 /// Distance of the knots below 86 km, m.
@@ -101,11 +106,8 @@ impl UsStandard1976 {
         let definition: Definition = data.read()?;
         let definition = definition.checked()?;
         let upper = Upper::new(&definition);
-        let gases = match data {
-            #[cfg(feature = "own-data")]
-            Data::Own(_) => us1976::heterosphere::Heterosphere::new(&definition, &upper).knots(),
-            Data::Shipped(_) => SHIPPED_GASES.iter().map(|knots| of_build(knots)).collect(),
-        };
+        let gases =
+            prepared_gases(data).unwrap_or_else(|| Heterosphere::new(&definition, &upper).knots());
         let atmosphere = Self::new(&definition, upper, gases);
         Ok((definition.title, atmosphere))
     }
