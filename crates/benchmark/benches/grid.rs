@@ -10,6 +10,7 @@ use msape::design::coupling;
 use msape::design::start::Start;
 use msape::problem::DesignProblem;
 use msape::progress::Unwatched;
+use msape::quantity::input;
 use msape::{Case, Library, Outcome};
 
 /// Of one design: outcome, entry mass in kg, passes.
@@ -41,9 +42,9 @@ fn grid(library: &Library, case: &Case, sides: Sides, begin: Begin) -> (f64, Vec
         for speed_m_s in &speeds {
             for angle_deg in &angles {
                 let mut case = case.clone();
-                case.set("design.diameter_m", diameter_m);
-                case.set("entry.speed_m_s", speed_m_s);
-                case.set("entry.flight_path_angle_deg", angle_deg);
+                case.set(input::design::DIAMETER_M.key, diameter_m);
+                case.set(input::entry::SPEED_M_S.key, speed_m_s);
+                case.set(input::entry::FLIGHT_PATH_ANGLE_DEG.key, angle_deg);
                 let problem = DesignProblem::check(&case, library).unwrap();
                 let coupled = coupling::solve(&problem.input, from.as_ref(), &mut Unwatched);
                 if begin == Begin::Neighbour {
@@ -109,23 +110,42 @@ fn about_the_run_page(count: u32) -> impl Iterator<Item = (String, Case)> {
     (0..count).map(|i| {
         let mut case = Case::run_page();
         let mut told = Vec::new();
-        case.set("design.msr_mode", ["true", "false"][i as usize % 2]);
-        case.set("design.payload_diameter_ratio", "");
+        case.set(
+            input::design::MSR_MODE.key,
+            ["true", "false"][i as usize % 2],
+        );
+        case.set(input::design::PAYLOAD_DIAMETER_RATIO.key, "");
         for (key, [low, high], step) in [
-            ("entry.speed_m_s", [10e3, 16e3], 0.754_877_666),
-            ("entry.flight_path_angle_deg", [-30.0, -5.5], 0.569_840_290),
-            ("design.diameter_m", [0.5, 2.0], 0.430_159_709),
-            ("design.nose_radius_ratio", [0.25, 0.9], 0.324_717_957),
-            ("design.shoulder_radius_ratio", [0.02, 0.1], 0.245_122_333),
-            ("design.payload_mass_kg", [5.0, 20.0], 0.618_033_988),
+            (input::entry::SPEED_M_S.key, [10e3, 16e3], 0.754_877_666),
             (
-                "design.payload_density_kg_m3",
+                input::entry::FLIGHT_PATH_ANGLE_DEG.key,
+                [-30.0, -5.5],
+                0.569_840_290,
+            ),
+            (input::design::DIAMETER_M.key, [0.5, 2.0], 0.430_159_709),
+            (
+                input::design::NOSE_RADIUS_RATIO.key,
+                [0.25, 0.9],
+                0.324_717_957,
+            ),
+            (
+                input::design::SHOULDER_RADIUS_RATIO.key,
+                [0.02, 0.1],
+                0.245_122_333,
+            ),
+            (
+                input::design::PAYLOAD_MASS_KG.key,
+                [5.0, 20.0],
+                0.618_033_988,
+            ),
+            (
+                input::design::PAYLOAD_DENSITY_KG_M3.key,
                 [500.0, 8000.0],
                 0.414_213_562,
             ),
-            ("design.mass_margin", [0.0, 1.0], 0.732_050_808),
+            (input::design::MASS_MARGIN.key, [0.0, 1.0], 0.732_050_808),
             (
-                "design.crush_load_limit_earth_g",
+                input::design::CRUSH_LOAD_LIMIT_EARTH_G.key,
                 [500.0, 5000.0],
                 0.236_067_977,
             ),
@@ -179,7 +199,7 @@ fn main() {
     let row = (0..=30).map(|n| {
         let diameter_m = format!("{:.2}", 1.0 + 0.01 * f64::from(n));
         let mut case = galahad.clone();
-        case.set("design.diameter_m", &diameter_m);
+        case.set(input::design::DIAMETER_M.key, &diameter_m);
         (format!("design.diameter_m={diameter_m}"), case)
     });
     slowest("Galahad, 1.00 to 1.30 m", &library, row);
