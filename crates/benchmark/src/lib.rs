@@ -65,9 +65,6 @@ jobs! {
     "bare kernel: order 5, exponential air, no results" => |bench| {
         black_box(kernel::bare_flight(bench.constant.mission.solver.tolerance));
     },
-    "bare kernel, exact: right-hand side of m2 at 1e-6" => |bench| {
-        black_box(kernel::exact_flight(&bench.constant, 1e-6));
-    },
     "1000 densities of US76, 0 to 125 km" => |bench| {
         let atmosphere = &bench.constant.mission.atmosphere;
         let sum: f64 = (0..1000)
@@ -91,9 +88,6 @@ jobs! {
         let FlightProblem { mission, body, .. } = &bench.constant;
         black_box(three_dof::extremes(mission, body, bench.fall));
     },
-    "100 such entries, alone: peaks, loads, end" => |bench| extremes::<1>(bench),
-    "100 such entries, 8 lanes" => |bench| extremes::<8>(bench),
-    "100 such entries, 16 lanes" => |bench| extremes::<16>(bench),
     "vehicle: closing, mass, structure (MSR)" => |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
     "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
     "half-section: profiles, volumes, moments (MSR)" => |bench| {
@@ -176,7 +170,9 @@ impl Bench {
     }
 }
 
-fn extremes<const N: usize>(bench: &Bench) {
+/// Entries of the list, `N` at a time in lanes: peaks, loads, end. Not one of [`JOBS`]: each `N` is a copy of the integrator,
+/// which the page would have to fetch.
+pub fn extremes<const N: usize>(bench: &Bench) {
     let FlightProblem { mission, body, .. } = &bench.constant;
     let queue = bench.entries.iter().copied();
     let ended = extremes_of_all::<N>(mission, body, queue, |flown| {

@@ -5,17 +5,31 @@
 mod clock;
 mod measure;
 
-use benchmark::{Bench, JOBS, NAMES, kernel};
+use benchmark::{Bench, JOBS, NAMES, extremes, kernel};
 use measure::Measurement;
 use msape::flight::{self, Request};
 
+/// Jobs that the page has not: the exact kernel, and flights in lanes.
+const NATIVE: [(&str, fn(&Bench)); 4] = [
+    (
+        "bare kernel, exact: right-hand side of m2 at 1e-6",
+        |bench| {
+            std::hint::black_box(kernel::exact_flight(&bench.constant, 1e-6));
+        },
+    ),
+    ("100 such entries, alone: peaks, loads, end", extremes::<1>),
+    ("100 such entries, 8 lanes", extremes::<8>),
+    ("100 such entries, 16 lanes", extremes::<16>),
+];
+
 fn main() {
     let bench = Bench::new().unwrap();
-    let measurement = |(name, job): (&&'static str, &'static fn(&Bench))| {
+    let measurement = |(name, job): (&'static str, fn(&Bench))| {
         let bench = &bench;
         Measurement::new(name, move || job(bench))
     };
-    let jobs = NAMES.iter().zip(JOBS);
+    let jobs = NAMES.iter().copied().zip(JOBS.iter().copied());
+    let jobs = jobs.chain(NATIVE);
     measure::report(&mut jobs.map(measurement).collect::<Vec<_>>());
     let constant = &bench.constant;
     let m2 = flight::fly(&constant.mission, &constant.body, Request::Nothing).0;
