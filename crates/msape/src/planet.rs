@@ -1,7 +1,7 @@
 //! A planet: figure, rotation, gravity; with its atmosphere and winds.
 //!
 //! ```text
-//! x, y in the equator (x through longitude nought), z along the pole, planet-centred and turning with it
+//! x, y in the equator (x through longitude zero), z along the pole, planet-centered and turning with it
 //! ```
 //!
 //! with lengths in m, rates in rad/s, accelerations in m/s².

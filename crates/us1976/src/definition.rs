@@ -76,7 +76,7 @@ pub struct Lower {
 pub struct UpperTemperature {
     /// 86 to 91 km, K.
     pub isothermal_k: f64,
-    /// Centre of the ellipse, K.
+    /// Center of the ellipse, K.
     pub ellipse_centre_k: f64,
     /// Axis of the ellipse in temperature, K.
     pub ellipse_axis_k: f64,

@@ -57,7 +57,7 @@ pub struct Span {
     pub cell_m: f64,
 }
 
-/// The smooth pieces, upwards.
+/// The smooth pieces, upward.
 pub const SPANS: [Span; 7] = [
     Span {
         from_m: 86e3,
@@ -164,7 +164,7 @@ impl<'a> Heterosphere<'a> {
         }
     }
 
-    /// The knots of all spans, upwards.
+    /// The knots of all spans, upward.
     pub fn knots(&mut self) -> Vec<SpanKnots> {
         self.knots_of(&SPANS)
     }

@@ -117,7 +117,7 @@ impl MolarMassRatio {
 /// The layers below 86 km and the molar mass in the last of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lower {
-    /// Layers, upwards.
+    /// Layers, upward.
     pub layers: Vec<Layer>,
     /// Upper ends of the layers, geometric m.
     pub tops_m: Vec<f64>,

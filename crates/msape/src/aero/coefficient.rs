@@ -24,7 +24,7 @@ pub enum Coefficient {
     Cn,
     /// Pitching moment about the virtual apex.
     CmApex,
-    /// Pitching moment about the centre of gravity.
+    /// Pitching moment about the center of gravity.
     CmCg,
     /// Drag.
     Cd,

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with A, N, C the Newtonian coefficients of the outline for C_p,max = 1, A₀ that at α = 0, C_A0(M) the axial force nose first, w the bridging weight,
-//! x_cp the Newtonian centre of pressure in diameters from the virtual apex, α the total angle of attack in rad. Between Mach 0.5
+//! x_cp the Newtonian center of pressure in diameters from the virtual apex, α the total angle of attack in rad. Between Mach 0.5
 //! and 1.5, and between 60 and 100 deg, both are blended by a smooth step. C_fm is cubic in 1/S
 //! through S = 5, 10, 25 and ∞.
 //!
@@ -17,7 +17,7 @@
 //! beyond 60 deg are assumed.
 //!
 //! # References
-//! - \[samareh-2014\] sections 3.3.1 to 3.3.7, equation 7; \[mitcheltree-1997\] (hypersonic axial force and centre of
+//! - \[samareh-2014\] sections 3.3.1 to 3.3.7, equation 7; \[mitcheltree-1997\] (hypersonic axial force and center of
 //!   pressure); \[schaaf-chambre-1961\]; \[wilmoth-1999\]. Base pressure and blends: \[assumed\].
 
 use super::DragTable;

@@ -1,4 +1,4 @@
-//! Static margin and trims of an outline about its centre of gravity, in free-molecular and in hypersonic flow.
+//! Static margin and trims of an outline about its center of gravity, in free-molecular and in hypersonic flow.
 //!
 //! ```text
 //! margin = x_cp − x_cg,  x_cp = −C_m/C_N as α → 0        in diameters
@@ -11,7 +11,7 @@
 //! C_N and C_m of impact theory are only scaled.
 //!
 //! # Valid
-//! Bodies of revolution with the centre of gravity on the axis. Impact theory for a vehicle that flies backwards knows no
+//! Bodies of revolution with the center of gravity on the axis. Impact theory for a vehicle that flies backward knows no
 //! wake and no separated flow.
 //!
 //! # References
@@ -40,19 +40,19 @@ const COARSE: Effort = Effort {
     short: f64::INFINITY,
     thermal_panel: 4.6,
 };
-/// Normal force below which there is no centre of pressure.
+/// Normal force below which there is no center of pressure.
 const NO_FORCE: f64 = 1e-12;
 
 /// Stability in one regime.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RegimeStability {
-    /// Distance of the centre of pressure, nose first, aft of the centre of gravity, diameters.
+    /// Distance of the center of pressure, nose first, aft of the center of gravity, diameters.
     pub static_margin: Option<f64>,
     /// Every trim from 0 to 180 deg, ascending.
     pub trims: Vec<Trim>,
 }
 
-/// Stability of a body about its centre of gravity.
+/// Stability of a body about its center of gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stability {
     /// In free-molecular flow.
@@ -98,7 +98,7 @@ impl RegimeStability {
 }
 
 impl Stability {
-    /// Stability of a body in a gas of a ratio of heat capacities; nothing where its centre of gravity is not known.
+    /// Stability of a body in a gas of a ratio of heat capacities; nothing where its center of gravity is not known.
     pub fn new(body: &AeroBody, heat_capacity_ratio: f64) -> Option<Stability> {
         let [x, _] = body.cg_over_diameter()?;
         let laws = [

@@ -32,7 +32,7 @@ pub struct AeroBody {
     pub surface: Surface,
     /// Dimensions of its forebody, where that is a sphere-cone.
     pub sphere_cone: Option<SphereCone>,
-    /// Centre of gravity, m: x aft of the virtual apex, y to the right, z down.
+    /// Center of gravity, m: x aft of the virtual apex, y to the right, z down.
     pub cg_m: Option<[f64; 3]>,
 }
 
@@ -55,7 +55,7 @@ impl AeroBody {
         }
     }
 
-    /// A designed vehicle with its centre of gravity.
+    /// A designed vehicle with its center of gravity.
     pub fn of_vehicle(name: &str, vehicle: &Vehicle) -> AeroBody {
         let d = &vehicle.dimensions;
         let radius_m = 0.5 * d.diameter_m;
@@ -71,7 +71,7 @@ impl AeroBody {
         }
     }
 
-    /// Centre of gravity in diameters: aft of the apex, and off the axis.
+    /// Center of gravity in diameters: aft of the apex, and off the axis.
     pub fn cg_over_diameter(&self) -> Option<[f64; 2]> {
         let diameter_m = self.surface.diameter_m();
         self.cg_m.map(|[x, _, z]| [x / diameter_m, z / diameter_m])
@@ -132,7 +132,7 @@ impl Standard {
 pub struct AxialForces {
     /// Published tables by the half-angle of their cone, deg, ascending.
     tables: Vec<(f64, DragTable)>,
-    /// Of impact theory, towards solutions of the Euler equations.
+    /// Of impact theory, toward solutions of the Euler equations.
     correction: EulerCorrection,
     /// Ratio of specific heats of the gas.
     heat_capacity_ratio: f64,

@@ -46,11 +46,11 @@ pub enum Piece {
     },
     /// A circular arc.
     Arc {
-        /// Centre (x, r), diameters.
+        /// Center (x, r), diameters.
         center: [f64; 2],
         /// Radius, diameters.
         radius: f64,
-        /// Direction from the centre to the start, rad.
+        /// Direction from the center to the start, rad.
         start_rad: f64,
         /// Angle run through, rad.
         sweep_rad: f64,
@@ -89,7 +89,7 @@ impl Piece {
         }
     }
 
-    /// Whether a piece bulges outwards, away from the axis and along the meridian, where a station of it is: then it never shades what
+    /// Whether a piece bulges outward, away from the axis and along the meridian, where a station of it is: then it never shades what
     /// faces the air on it.
     pub fn bulges(&self, station: &Station) -> bool {
         let along = match self {

@@ -1,4 +1,4 @@
-//! Angles at which the moment about the centre of gravity vanishes.
+//! Angles at which the moment about the center of gravity vanishes.
 //!
 //! ```text
 //! C_m,cg(α) = 0;   stable where dC_m,cg/dα < 0
@@ -20,12 +20,12 @@ use serde::{Deserialize, Serialize};
 pub const END_STEP_RAD: f64 = 1e-3;
 /// On the axis the moment about a point of the axis vanishes by symmetry, but for rounding.
 const NOTHING: f64 = 1e-9;
-/// Slope that is rounding: a sphere about its centre is stable nowhere, per rad.
+/// Slope that is rounding: a sphere about its center is stable nowhere, per rad.
 const NEUTRAL_PER_RAD: f64 = 1e-6;
 /// Part of the rise over a secant that may be left of the moment at its root: 2 % of its length.
 const STRAIGHT: f64 = 0.02;
 
-/// An angle at which the moment about the centre of gravity vanishes.
+/// An angle at which the moment about the center of gravity vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trim {
     /// Angle of attack, deg.

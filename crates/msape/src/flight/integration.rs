@@ -8,7 +8,7 @@
 //! so that the method keeps its order; between the ends of a step the dense output of the method holds.
 //!
 //! # Valid
-//! Steps end within a millimetre of a boundary of the atmosphere.
+//! Steps end within a millimeter of a boundary of the atmosphere.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.2.

@@ -51,7 +51,7 @@ pub enum Source {
     Coefficient(f64),
     /// A coefficient against Mach number, and the rule beyond its ends.
     Table(Table1, Extrapolation),
-    /// Lift and drag at the angle of attack where the moment about the centre of gravity is nothing.
+    /// Lift and drag at the angle of attack where the moment about the center of gravity is nothing.
     Trim(Trim),
 }
 

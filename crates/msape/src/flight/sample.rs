@@ -121,7 +121,7 @@ pub struct Sample {
     pub azimuth_rad: f64,
     /// Speed in the frame that does not rotate, m/s.
     pub inertial_speed_m_s: f64,
-    /// Velocity relative to the planet towards north, east and up, m/s.
+    /// Velocity relative to the planet toward north, east and up, m/s.
     pub velocity_m_s: [f64; 3],
     /// Distance from the start over the planet, m.
     pub downrange_m: f64,

@@ -11,7 +11,7 @@
 //! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
 //! - [`quaternion`], [`attitude`]: its attitude.
 //! - [`events`], [`remarks`]: what happens to the attitude, and what must be known of it.
-//! - [`reorientation`], [`turning`]: backward entries, over places of the centre of gravity, and from a set of attitudes and rates.
+//! - [`reorientation`], [`turning`]: backward entries, over places of the center of gravity, and from a set of attitudes and rates.
 //!
 //! # Valid
 //! Rigid bodies of constant mass.

@@ -5,7 +5,7 @@
 //! C_D = C_A cos α + C_N sin α,   C_L = |C_N cos α − C_A sin α|
 //! ```
 //!
-//! with α the angle of trim in rad, x the centre of gravity aft of the virtual apex and e its distance from the axis in m, D
+//! with α the angle of trim in rad, x the center of gravity aft of the virtual apex and e its distance from the axis in m, D
 //! the diameter in m, coefficients about the virtual apex. Both are linear in log₁₀ M and log₁₀ Kn between the nodes of a
 //! grid, so that a flight at trim costs what a flight of a point mass does.
 //!
@@ -44,7 +44,7 @@ pub struct Trim {
 }
 
 impl Trim {
-    /// The trim of a database with the centre of gravity `cg_m`: x aft of the virtual apex, y and z off the axis, m.
+    /// The trim of a database with the center of gravity `cg_m`: x aft of the virtual apex, y and z off the axis, m.
     pub fn new(database: &Database, [x, y, z]: [f64; 3]) -> Trim {
         let ([low, high], intervals) = MACH;
         let node = |ends: [f64; 2], i: usize, n: usize| {
@@ -142,7 +142,7 @@ fn place<S: Scalar>(x: S, ends: [f64; 2], intervals: usize) -> S {
     (held / a).ln() / math::ln(b / a) * intervals as f64
 }
 
-/// Drag, lift and angle at which the moment about the centre of gravity vanishes.
+/// Drag, lift and angle at which the moment about the center of gravity vanishes.
 fn at_trim(database: &Database, [mach, knudsen]: [f64; 2], [x, off_axis_m]: [f64; 2]) -> [f64; 3] {
     let d = database.diameter_m;
     let moment = |alpha: f64| {

@@ -126,7 +126,7 @@ impl<S: Scalar> Line<S> {
         let (east, north) = (cos_2 * sin_l, cos_1 * sin_2 - sin_1 * cos_2 * cos_l);
         let sin_sigma = (east * east + north * north).sqrt();
         let cos_sigma = sin_1 * sin_2 + cos_1 * cos_2 * cos_l;
-        // nought where the positions are one
+        // zero where the positions are one
         let sin_alpha = cos_1 * cos_2 * sin_l / sin_sigma.max(tiny);
         let cos2_alpha = (S::constant(1.0) - sin_alpha * sin_alpha).max(S::constant(0.0));
         let along_equator = cos2_alpha.less(S::constant(1e-14));

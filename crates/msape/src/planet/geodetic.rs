@@ -100,7 +100,7 @@ impl Ellipsoid {
         ]
     }
 
-    /// Geodetic position of planet-fixed coordinates, m; the latitude is nought at the centre.
+    /// Geodetic position of planet-fixed coordinates, m; the latitude is zero at the center.
     pub fn geodetic<S: Scalar>(&self, r: [S; 3]) -> Geodetic<S> {
         let [x, y, z] = r;
         let Foot {
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn there_and_back() {
-        // 4 units in the last place of the distance from the centre, which the coordinates carry.
+        // 4 units in the last place of the distance from the center, which the coordinates carry.
         for (ellipsoid, name) in [(WGS84, "wgs84"), (SATURN, "saturn"), (SPHERE, "sphere")] {
             for position in positions(&[-10e3, 0.0, 125e3, 1e6]) {
                 let back = ellipsoid.geodetic(ellipsoid.cartesian_m(&position));

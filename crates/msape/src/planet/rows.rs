@@ -10,7 +10,7 @@ pub const MOST_FAULTS: usize = 100;
 pub enum Rule {
     /// Each above the one before.
     Ascending,
-    /// Above nought.
+    /// Above zero.
     Positive,
     /// Anything.
     Finite,
@@ -69,7 +69,7 @@ pub enum RowFault {
         /// Unit.
         unit: &'static str,
     },
-    /// Nought or negative.
+    /// Zero or negative.
     #[error("row {row}: {column}: got {value} {unit}, must be above 0 {unit}")]
     NotPositive {
         /// Row.

@@ -33,7 +33,7 @@ impl Default for Options {
     }
 }
 
-/// The lowest eigenvalue; `None` when the mass is nought or the iteration does not settle.
+/// The lowest eigenvalue; `None` when the mass is zero or the iteration does not settle.
 pub fn lowest_eigenvalue(stiffness: &Factor, mass: &Sparse, options: Options) -> Option<f64> {
     let size = mass.size();
     // any vector that is orthogonal to no mode: multiples of the golden section

@@ -35,7 +35,7 @@ pub struct Skyline {
 }
 
 impl Skyline {
-    /// A matrix of noughts; `first` is the first row kept of each column, at most the column itself.
+    /// A matrix of zeros; `first` is the first row kept of each column, at most the column itself.
     pub fn new(first: &[usize]) -> Self {
         let first: Vec<usize> = first.iter().enumerate().map(|(j, &f)| f.min(j)).collect();
         let mut start = Vec::with_capacity(first.len() + 1);

@@ -188,7 +188,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Why a lane cannot go on from where it stands towards `t_limit`.
+    /// Why a lane cannot go on from where it stands toward `t_limit`.
     pub fn fault(&self, lane: usize, t_limit: f64) -> OdeError {
         let t = self.t.value().lane(lane);
         let ahead = t < t_limit;
@@ -348,7 +348,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Lanes that may take a step towards `t_limit`.
+    /// Lanes that may take a step toward `t_limit`.
     #[inline]
     fn able(&self, active: S::Mask, t_limit: S) -> S::Mask {
         let trials = self.accepted + self.rejected;

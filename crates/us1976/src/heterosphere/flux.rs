@@ -8,7 +8,7 @@
 //! with z, U, u in km, Q, q, W, w in 1/km³ and v in 1/km.
 //!
 //! # Valid
-//! 86 to 150 km; nought above.
+//! 86 to 150 km; zero above.
 //!
 //! # References
 //! - \[coesa-1976\] equation 37 and Table 7.
@@ -16,7 +16,7 @@
 use crate::definition::Species;
 use numerics::math;
 
-/// Above this v is nought, km.
+/// Above this v is zero, km.
 pub const FLUX_TOP_KM: f64 = 150.0;
 
 /// v, 1/m.

@@ -346,7 +346,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Gate::Exit => {
                 let bound = self.energy_j_kg(&self.now().1) < 0.0;
                 if bound && self.record.exits < self.marks.exits {
-                    // It comes back: the next way out is that after the next turn upwards.
+                    // It comes back: the next way out is that after the next turn upward.
                     self.record.exits += 1;
                     self.turned_up = false;
                     return Next::On;

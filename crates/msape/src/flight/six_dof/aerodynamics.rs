@@ -6,9 +6,9 @@
 //! p̂ = p b/(2 V),   q̂ = q d/(2 V),   r̂ = r b/(2 V)
 //! ```
 //!
-//! with F in N and M in N·m about the centre of gravity, axes of the body (x forward, y right, z down); (u, v, w) the
+//! with F in N and M in N·m about the center of gravity, axes of the body (x forward, y right, z down); (u, v, w) the
 //! velocity relative to the air and V its size in m/s, q the dynamic pressure in Pa, S in m², d and b the reference length
-//! and span in m, r from the centre of gravity to the point to which C_m belongs, m; p, q, r the inertial rates in rad/s;
+//! and span in m, r from the center of gravity to the point to which C_m belongs, m; p, q, r the inertial rates in rad/s;
 //! α the total angle of attack in rad. C_m is positive when it lifts the nose away from the velocity.
 //!
 //! # Valid
@@ -45,7 +45,7 @@ pub struct OfOutline {
     pub axial_force: Option<DragTable>,
 }
 
-/// Coefficients that do not depend on Mach number, moment about the centre of gravity.
+/// Coefficients that do not depend on Mach number, moment about the center of gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constants {
     /// Axial force coefficient.
@@ -95,7 +95,7 @@ pub struct Stream {
     pub mach_knudsen: [f64; 2],
 }
 
-/// Force and moment about the centre of gravity, axes of the body.
+/// Force and moment about the center of gravity, axes of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
     /// Force, N.
@@ -113,7 +113,7 @@ impl Load {
         }
     }
 
-    /// The same with a parachute that pulls at a point, given like the centre of gravity, m, against the velocity that the
+    /// The same with a parachute that pulls at a point, given like the center of gravity, m, against the velocity that the
     /// point has relative to the air.
     ///
     /// ```text
@@ -126,7 +126,7 @@ impl Load {
         attachment_m: [f64; 3],
         cg_m: [f64; 3],
     ) -> Load {
-        // x aft, y right, z down become forward, right, down from the centre of gravity.
+        // x aft, y right, z down become forward, right, down from the center of gravity.
         let (cg_m, attachment_m) = (Vector3::from(cg_m), Vector3::from(attachment_m));
         let arm_m = (attachment_m - cg_m).component_mul(&Vector3::new(-1.0, 1.0, 1.0));
         let velocity_m_s = stream.velocity_m_s + stream.rates_rad_s.cross(&arm_m);
@@ -149,7 +149,7 @@ struct Static {
     cmq: f64,
     /// Length of `cm` and `cmq`, m.
     length_m: f64,
-    /// From the centre of gravity to the point of `cm`, axes of the body, m.
+    /// From the center of gravity to the point of `cm`, axes of the body, m.
     arm_m: Vector3<f64>,
 }
 
@@ -345,7 +345,7 @@ mod tests {
         for (force, expected) in load.force_n.iter().zip([-0.15, 0.0, -0.2]) {
             assert!((force - expected).abs() < 1e-15);
         }
-        // M = r × F: (−0.5, 0, 0) × (−0.15, 0, −0.2) = (0, −0.1, 0): nose down, towards the velocity
+        // M = r × F: (−0.5, 0, 0) × (−0.15, 0, −0.2) = (0, −0.1, 0): nose down, toward the velocity
         assert!((load.moment_n_m[1] + 0.1).abs() < 1e-15, "{load:?}");
     }
 

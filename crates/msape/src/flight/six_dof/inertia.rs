@@ -1,4 +1,4 @@
-//! Inertia of a rigid body about its centre of gravity, and Euler's equations.
+//! Inertia of a rigid body about its center of gravity, and Euler's equations.
 //!
 //! ```text
 //! I ω̇ = M − ω × (I ω)

@@ -28,7 +28,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 
-/// Total angles of attack at the start, deg: nearly backwards, about the trims of shipped vehicles, beyond broadside.
+/// Total angles of attack at the start, deg: nearly backward, about the trims of shipped vehicles, beyond broadside.
 const ALPHAS_DEG: [f64; 3] = [175.0, 145.0, 120.0];
 /// Pitch rates at the start, deg/s.
 const RATES_DEG_S: [f64; 3] = [-2.0, 0.0, 2.0];
@@ -137,7 +137,7 @@ pub fn turn(
     let slow_s = slow_s(mission, body);
     short.stop.time_s = earlier(mission.stop.time_s, slow_s);
     let (mut flight, ..) = fly_watched(&short, body, &rigid, Request::Nothing, &mut watch);
-    // Backwards a vehicle may be slower to stop: it flies on where its heat still grows.
+    // Backward a vehicle may be slower to stop: it flies on where its heat still grows.
     if slow_s.is_some() && !watch.stopped && heats_at_its_end(&flight) {
         (flight, ..) = fly_watched(mission, body, &rigid, Request::Nothing, &mut watch);
     }

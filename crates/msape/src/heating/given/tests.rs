@@ -50,7 +50,7 @@ fn rows_with_nought_are_linear_and_the_two_forms_meet() {
     // half-way from 8 to 10 km/s at 1e-4 kg/m³: half of 1e6; at 3e-4, a power law of ρ, half of 3e6
     assert!((flux(&table, Part::Radiative, 9e3, 1e-4) / 5e5 - 1.0).abs() < 1e-12);
     assert!((flux(&table, Part::Radiative, 9e3, 3e-4) / 1.5e6 - 1.0).abs() < 1e-12);
-    // both rows above nought: geometric; √(1 · 4) at the geometric mean of the speeds
+    // both rows above zero: geometric; √(1 · 4) at the geometric mean of the speeds
     let middle = (10e3_f64 * 12e3).sqrt();
     assert!((flux(&table, Part::Radiative, middle, 1e-4) / 2e6 - 1.0).abs() < 1e-12);
     let [below, above] = [10e3 - 1e-7, 10e3 + 1e-7].map(|v| flux(&table, Part::Radiative, v, 2e-4));

@@ -21,7 +21,7 @@ pub struct Piece<V> {
     layer: V,
     /// Where the first row begins, m.
     first_m: V,
-    /// Rows in a metre, 1/m.
+    /// Rows in a meter, 1/m.
     rows_per_m: V,
     /// Index of the first row in the table.
     first_row: V,

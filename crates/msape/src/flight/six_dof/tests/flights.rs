@@ -97,7 +97,7 @@ body_rates_deg_s = [3.0, 20.0, -5.0]
     assert!((six.downrange_m / three.downrange_m - 1.0).abs() < 1e-5);
 }
 
-/// A centre of gravity off the axis, above it: trimmed nose down, a blunt body lifts up. With lift the point mass at trim and
+/// A center of gravity off the axis, above it: trimmed nose down, a blunt body lifts up. With lift the point mass at trim and
 /// the rigid body that starts at trim, in continuum flow, fly one path to a thousandth.
 #[test]
 fn at_trim_with_lift_three_and_six_degrees_of_freedom_agree_to_a_thousandth() {

@@ -64,7 +64,7 @@ impl Curve {
         }
     }
 
-    /// The cubics of the cells, upwards.
+    /// The cubics of the cells, upward.
     pub fn into_cells(self) -> Vec<Cubic> {
         self.cells
     }
