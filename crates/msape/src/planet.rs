@@ -48,7 +48,7 @@ pub struct Planet {
     /// Key in the bibliography, of the gravity; empty where it is that of the figure.
     #[serde(default)]
     pub gravity_source: String,
-    /// What the reader of the figures must know.
+    /// Note on the figures.
     #[serde(default)]
     pub note: String,
     /// Equatorial radius, m.
@@ -88,7 +88,7 @@ pub struct PlanetFault {
     pub value: f64,
     /// Unit.
     pub unit: &'static str,
-    /// What it must be.
+    /// Rule that it breaks.
     pub rule: &'static str,
 }
 

@@ -50,8 +50,9 @@ pub struct Proposal<const N: usize> {
     pub next: [f64; N],
     /// The damped step alone, where `next` does not do.
     pub damped: [f64; N],
-    /// Distance of the watched number from its value at the fixed point, as the remembered steps tell it; absent while
-    /// there are none. What they leave unexplained of the residual counts as much as the steepest of them.
+    /// Estimated distance of the watched number from its value at the fixed point, from the remembered steps; absent
+    /// while there are none. The part of the residual that they leave unexplained counts as much as the steepest of
+    /// them.
     pub distance: Option<f64>,
 }
 
@@ -184,7 +185,7 @@ impl<const N: usize> Anderson<N> {
         slopes.fold(0.0, f64::max)
     }
 
-    /// γ of the remembered steps, the newest first; zero for one that says the same as the newest.
+    /// γ of the remembered steps, the newest first; zero for an older step nearly parallel to it.
     fn coefficients(&self, r: &[f64; N], size: &[f64; N]) -> [f64; DEPTH] {
         let Some(newest) = self.steps.first() else {
             return [0.0; DEPTH];

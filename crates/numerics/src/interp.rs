@@ -22,7 +22,7 @@ pub use hermite::HermiteTable;
 pub use linear::Table1;
 pub use log_linear::LogTable1;
 
-/// What holds beyond the ends of a table.
+/// Rule beyond the ends of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The last value.
@@ -53,7 +53,7 @@ pub enum TableError {
     NotFinite {
         /// Row, from 0.
         index: usize,
-        /// What stands there.
+        /// Value in the row.
         value: f64,
     },
     /// An abscissa not above the one before.
@@ -71,7 +71,7 @@ pub enum TableError {
     NotPositive {
         /// Row, from 0.
         index: usize,
-        /// What stands there.
+        /// Value in the row.
         value: f64,
     },
 }

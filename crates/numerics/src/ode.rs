@@ -2,7 +2,7 @@
 //!
 //! An [`Integrator`] takes one step at a time and knows nothing of what it integrates; the caller looks at each
 //! [`Step`], finds events on it ([`event`]), takes it again so that it ends there ([`Integrator::retake`]) or goes on from
-//! within it ([`Integrator::put`]), and says when the right-hand side has changed ([`Integrator::renew`]). Over
+//! within it ([`Integrator::put`]), and reports when the right-hand side has changed ([`Integrator::renew`]). Over
 //! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps ([`Integrator::attempt`]).
 //!
 //! ```
@@ -57,7 +57,7 @@ impl Method {
     }
 }
 
-/// What is spent on the interpolation within a step.
+/// Effort spent on the interpolation within a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dense {
     /// The interpolation that belongs to the method, computed with every step.

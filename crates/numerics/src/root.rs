@@ -98,7 +98,7 @@ fn inverse_quadratic([a, fa]: [f64; 2], [b, fb]: [f64; 2], [c, fc]: [f64; 2]) ->
 
 /// Where `f` is largest between `a` and `b`, within `tolerance`, and its value there.
 ///
-/// Of several maxima one is found; the ends are among the candidates. About half the digits of x are attainable.
+/// Finds one of several maxima; the ends are among the candidates. About half the digits of x are attainable.
 ///
 /// ```
 /// let (x, f) = numerics::root::maximum(|x| x * (2.0 - x), 0.0, 3.0, 1e-9);

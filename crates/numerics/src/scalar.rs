@@ -135,7 +135,7 @@ pub trait Single:
     /// for only where there are derivatives, on the branch that it takes at `at`.
     fn implicit(at: f64, f: impl Fn(Self) -> Self) -> Self;
 
-    /// The same for as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
+    /// The roots of as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
     fn roots<const K: usize>(
         at: [f64; K],
         residual: impl FnOnce() -> [Self; K],
@@ -145,7 +145,7 @@ pub trait Single:
 
 /// The outcome of a comparison: one truth value a lane.
 pub trait Mask: Copy + Debug {
-    /// The same truth value in every lane.
+    /// Equal truth values in every lane.
     fn constant(holds: bool) -> Self;
     /// Where both hold.
     fn and(self, other: Self) -> Self;
@@ -333,7 +333,7 @@ mod tests {
         let found = [0.0, 0.4, 0.6, 1.9, 2.4].map(|x: f64| x.gather(&rows)[0]);
         assert_eq!(found, [10.0, 10.0, 20.0, 30.0, 30.0]);
         assert_eq!(7.0.gather(&rows), [0.0]);
-        // What is not a number takes the first row and stays no number in what is made of both.
+        // A NaN takes the first row and stays NaN in results of both.
         assert_eq!(f64::NAN.gather(&rows), [10.0]);
     }
 

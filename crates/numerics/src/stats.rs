@@ -15,7 +15,7 @@ pub fn sample_standard_deviation(sample: &[f64]) -> Option<f64> {
     let n = sample.len();
     let mean = mean(sample).filter(|_| n > 1)?;
     let squares: f64 = sample.iter().map(|x| (x - mean) * (x - mean)).sum();
-    // What is left of the deviations is the rounding of the mean.
+    // The remaining sum of the deviations is the rounding of the mean.
     let rest: f64 = sample.iter().map(|x| x - mean).sum();
     Some(
         ((squares - rest * rest / n as f64) / (n - 1) as f64)

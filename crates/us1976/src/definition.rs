@@ -14,7 +14,7 @@ pub struct Definition {
     pub source: String,
     /// Place in the source.
     pub place: String,
-    /// What the reader of the figures must know.
+    /// Note on the figures.
     pub note: String,
     /// Primary constants.
     pub constants: Constants,

@@ -175,7 +175,7 @@ impl Lower {
         }
     }
 
-    /// What [`Self::kinetic_temperature_k`] needs of the layer that an altitude belongs to.
+    /// Constants of [`Self::kinetic_temperature_k`] for the layer that an altitude belongs to.
     fn row(&self, altitude_m: f64) -> [f64; 3] {
         let i = self
             .tops_m

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! # Valid
-//! What [`super::database::Database`] does; nothing is computed from it. The axial force of the transonic tables is in part constructed
-//! and counts as assumed; so does all that is blended there.
+//! Range of [`super::database::Database`]; nothing is computed from the origins. The axial force of the transonic
+//! tables is in part constructed and counts as assumed; so does everything blended there.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.3.1 to 3.3.7; the sentences of [`Regime::provenance`] say it at length.

@@ -50,7 +50,7 @@ pub struct DampingData {
     pub normal_force_coefficient: f64,
     /// C_A nose first.
     pub axial_force_coefficient: f64,
-    /// What C_A loses with sin² α.
+    /// Decrease of C_A per sin² α.
     pub axial_force_loss_coefficient: f64,
     /// r² used.
     pub gyration_ratio: f64,
@@ -94,12 +94,12 @@ impl DampingData {
     /// Reads the data file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of the file.
     pub fn parse(data: Data) -> Result<DampingData, String> {
         data.read()
     }
 
-    /// What must be known of the placeholder.
+    /// Note on the placeholder.
     pub fn placeholder_note(&self) -> &str {
         &self.viking.note
     }
@@ -166,7 +166,7 @@ pub enum Damping {
         /// Radius of gyration.
         reading: Reading,
     },
-    /// A table of one's own.
+    /// A table of the user.
     Table(Grid),
 }
 

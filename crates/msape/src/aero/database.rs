@@ -41,7 +41,7 @@ pub use provenance::Regime;
 pub const GAMMA: f64 = 1.4;
 /// Normal force of equation 7 over the sine of the angle of attack.
 const SUBSONIC_NORMAL: f64 = 0.749;
-/// What equation 7 takes from the axial force with sin² α.
+/// Decrease of the axial force in equation 7 per sin² α.
 const SUBSONIC_AXIAL_LOSS: f64 = 0.5;
 /// Mach numbers between which equation 7 gives way.
 const MACH_BLEND: [f64; 2] = [0.5, 1.5];
@@ -80,7 +80,7 @@ pub struct Coefficients {
     pub cm: f64,
     /// Pitch damping coefficient per unit of q D/(2V).
     pub cmq: f64,
-    /// What they come from.
+    /// Regime of origin.
     pub regime: Regime,
 }
 
@@ -118,7 +118,7 @@ enum Source {
 #[derive(Clone, Debug, PartialEq)]
 struct Computed {
     newtonian: Curve,
-    /// Of C_fm = c₀ + y (c₁ + (y − y₁) (c₂ + (y − y₂) c₃)), y = 1/S.
+    /// Coefficients of C_fm = c₀ + y (c₁ + (y − y₁) (c₂ + (y − y₂) c₃)), y = 1/S.
     free_molecular: [Curve; 4],
     axial_force: DragTable,
     pressure_coefficient: Vec<f64>,

@@ -12,7 +12,7 @@
 //! integral is adaptive: a panel is halved until two halves agree with the whole.
 //!
 //! # Valid
-//! As its pressure law. A circle of latitude on the lee side feels thermal motion where its own horizon is lit.
+//! Range of the pressure law. A circle of latitude on the lee side feels thermal motion where its own horizon is lit.
 //!
 //! # References
 //! - Definitions of the coefficients: \[samareh-2014\] section 3.3.1 (moments about the virtual apex).
@@ -64,7 +64,7 @@ impl Loads {
     }
 }
 
-/// What a surface element feels.
+/// Law of pressure and shear on a surface element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// Newton's pressure with C_p,max.
@@ -246,7 +246,7 @@ fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], j: &[f64; 4]) {
     sums[3] += c3 * (p * j[1] + q * j[2]);
 }
 
-/// What the molecules reach: the lit side, and beyond a lit horizon as far as thermal motion carries.
+/// Region that the molecules reach: the lit side, and beyond a lit horizon as far as thermal motion carries.
 fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
     // s = −zone
     let edge = if q == 0.0 { p } else { (-zone - p) / q };

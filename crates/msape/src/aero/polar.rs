@@ -101,7 +101,7 @@ const TRIMS: Search = Search {
     slope_step_rad: END_STEP_RAD,
 };
 
-/// What answers at one angle.
+/// Aerodynamic model evaluated at one angle at a time.
 pub struct Aero<'a> {
     body: &'a AeroBody,
     theory: Theory,

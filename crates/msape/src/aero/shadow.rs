@@ -8,7 +8,7 @@
 //! with lengths in diameters, φ the azimuth and α the angle of attack in rad. A piece of the meridian upstream of the circle therefore shades
 //! the azimuths whose cosines h takes on it, from its smallest to its largest value. On a line
 //! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is the zero of dh beside the extreme samples.
-//! What is left of the windward side is a few intervals of cos φ.
+//! The rest of the windward side is a few intervals of cos φ.
 //!
 //! # Valid
 //! Any meridian, re-entrant ones too. At angles within 1e-9 rad of 0, 90 and 180 deg the shadow is that of the angle beside.

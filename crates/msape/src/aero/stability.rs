@@ -70,7 +70,7 @@ impl RegimeStability {
             .find(|t| t.is_stable() == stable)
     }
 
-    /// The first unstable trim between 0 and 180 deg: up to there the moment turns the nose forward.
+    /// The first unstable trim between 0 and 180 deg: up to this angle the moment turns the nose forward.
     pub fn turning_point(&self) -> Option<&Trim> {
         self.inner(false)
     }
@@ -98,7 +98,7 @@ impl RegimeStability {
 }
 
 impl Stability {
-    /// Stability of a body in a gas of a ratio of heat capacities; nothing where its center of gravity is not known.
+    /// Stability of a body in a gas of a ratio of heat capacities; `None` where its center of gravity is not known.
     pub fn new(body: &AeroBody, heat_capacity_ratio: f64) -> Option<Stability> {
         let [x, _] = body.cg_over_diameter()?;
         let laws = [

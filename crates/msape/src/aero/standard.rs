@@ -109,7 +109,7 @@ pub struct Standard {
 }
 
 impl Standard {
-    /// The same in a gas of another ratio of specific heats.
+    /// The data for a gas with another ratio of specific heats.
     #[must_use]
     pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
         Self {
@@ -132,7 +132,7 @@ impl Standard {
 pub struct AxialForces {
     /// Published tables by the half-angle of their cone, deg, ascending.
     tables: Vec<(f64, DragTable)>,
-    /// Of impact theory, toward solutions of the Euler equations.
+    /// Correction of impact theory toward solutions of the Euler equations.
     correction: EulerCorrection,
     /// Ratio of specific heats of the gas.
     heat_capacity_ratio: f64,
@@ -151,7 +151,7 @@ impl AxialForces {
         }
     }
 
-    /// The same in a gas of another ratio of specific heats.
+    /// The data for a gas with another ratio of specific heats.
     #[must_use]
     pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
         Self {

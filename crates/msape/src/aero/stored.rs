@@ -5,7 +5,7 @@
 //! ```
 //!
 //! # Valid
-//! As the database it is taken from.
+//! Range of the source database.
 //!
 //! # References
 //! - \[samareh-2014\] Appendix A, Figures A1 to A10 (the Mach numbers of its database V_021).

@@ -182,7 +182,7 @@ impl Surface {
         Surface::about(outline, diameter_m, 0.0)
     }
 
-    /// The same for an outline whose virtual apex is at `apex_x_m`.
+    /// The surface of an outline whose virtual apex is at `apex_x_m`; otherwise as [`Surface::new`].
     pub fn about(outline: &Profile, diameter_m: f64, apex_x_m: f64) -> Surface {
         let forward: f64 = outline.segments.iter().map(|s| s.integrals().r_dx).sum();
         let run = if forward < 0.0 {
@@ -270,7 +270,7 @@ fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64, apex_x_m: f6
     }
 }
 
-/// An arc cut where x turns and where it is long.
+/// An arc divided where x has an extremum and where it is long.
 fn parts(start_rad: f64, sweep_rad: f64) -> Vec<[f64; 2]> {
     let end = start_rad + sweep_rad;
     let (low, high) = (start_rad.min(end), start_rad.max(end));

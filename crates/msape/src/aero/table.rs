@@ -1,4 +1,4 @@
-//! A table of coefficients of one's own, over Mach number, total angle of attack and, if wanted, Knudsen number.
+//! A user's table of coefficients, over Mach number, total angle of attack and, if wanted, Knudsen number.
 //!
 //! ```text
 //! linear in M and in log₁₀ Kn;  cubic in α with slopes kept monotone between rows
@@ -44,9 +44,9 @@ pub enum Content {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Given {
-    /// It is.
+    /// In the table.
     Yes,
-    /// It is not, and counts as zero.
+    /// Not in the table; counts as zero.
     No,
 }
 
@@ -162,7 +162,7 @@ impl Grid {
         cmq
     }
 
-    /// What lies beyond the table at a place, as one sentence each.
+    /// Sentences about a place beyond the table, one for each argument.
     pub fn beyond(&self, mach: f64, knudsen: f64, alpha_rad: f64) -> Vec<String> {
         let mut found = Vec::new();
         let mut look =

@@ -22,13 +22,14 @@ use crate::outcome::Outcome;
 use crate::quantity::input;
 use numerics::ode::Method;
 
-/// Tolerance above which an adaptive method is looked at: assumed. It is thirty times the default, which gives peaks to 1e-5.
+/// Tolerance above which an adaptive method is checked: assumed. It is thirty times the default, which gives peaks to
+/// 1e-5.
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// Difference at which the step is called too long: assumed, a tenth of the 10 % within which the heating relations are known
 /// (\[samareh-2014\] section 3.4.3 corrects by 33 %). At order four the error itself is a fifteenth, 0.07 %.
 const COARSE: f64 = 0.01;
 
-/// What is said of a flight at a fixed step or a coarse tolerance.
+/// Finding of a flight computed with a fixed step or a coarse tolerance.
 pub fn finding(mission: &Mission, body: &Body, flight: &Flight) -> Option<Finding> {
     if flight.model == Model::AllenEggers {
         return None;

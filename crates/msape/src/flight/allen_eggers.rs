@@ -10,7 +10,8 @@
 //!
 //! # Valid
 //! Steep entry: gravity, lift, rotation and the curvature of the planet are left out; β is that of Mach 25. A shallow
-//! entry decelerates less than this says (a third less at −8 deg). An atmosphere that is not exponential is replaced by
+//! entry decelerates less than computed here (a third less at −8 deg). An atmosphere that is not exponential is
+//! replaced by
 //! the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
 //!
 //! # References

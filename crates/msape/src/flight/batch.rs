@@ -38,7 +38,7 @@ pub struct Flown<R> {
     pub reason: Option<String>,
 }
 
-/// Flies a queue of flights, `N` at a time; `done` is told of each as it ends, and may stop the rest.
+/// Flies a queue of flights, `N` at a time; `done` gets each flight as it ends, and may stop the rest.
 ///
 /// The vehicle gives the kind of drag and lift; its numbers are those of the queue.
 pub fn fly_all<const N: usize>(
@@ -52,7 +52,8 @@ pub fn fly_all<const N: usize>(
     all::<N, Flight>(mission, body, (Keep::All, results), queue, done)
 }
 
-/// The same for the few results that sizing a vehicle needs, in less time.
+/// Flies a queue of flights as [`fly_all`] does, but finds only the few results that sizing a vehicle needs, in less
+/// time.
 pub fn extremes_of_all<const N: usize>(
     mission: &Mission,
     body: &Body,

@@ -36,7 +36,7 @@ pub const CONVECTIVE: usize = 6;
 /// Index of the radiative heat load in the state.
 pub const RADIATIVE: usize = 7;
 
-/// What surrounds the vehicle at one state.
+/// Surroundings of the vehicle at one state.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<S> {
     /// Geodetic altitude, m.
@@ -64,7 +64,7 @@ pub struct Equations<'a, S: Scalar = f64> {
     pub ellipsoid: Ellipsoid,
     held: Held<S::Value>,
     numbers: Numbers<S>,
-    /// What the phases so far have changed besides.
+    /// Changes made by the phases begun so far, apart from the numbers.
     changed: Changed<S>,
     /// Number of phases so far, of one lane.
     phase: usize,
@@ -80,7 +80,7 @@ impl<'a> Equations<'a> {
 }
 
 impl<'a, S: Scalar> Equations<'a, S> {
-    /// The same with numbers of their own.
+    /// The equations with the given numbers, by the rows at rest on the ground.
     pub fn with_numbers(mission: &'a Mission, body: &'a Body, numbers: Numbers<S>) -> Self {
         Equations {
             mission,
@@ -162,7 +162,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         self.half_area_over_mass = numbers.reference_area_m2 * 0.5 / numbers.mass_kg;
     }
 
-    /// What the phases so far have changed besides the numbers.
+    /// Changes made by the phases begun so far, apart from the numbers.
     #[inline]
     pub fn changed(&self) -> &Changed<S> {
         &self.changed
@@ -192,7 +192,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         &self.numbers
     }
 
-    /// What surrounds the vehicle.
+    /// Surroundings of the vehicle.
     #[inline]
     pub fn surroundings(&self, y: &[S; STATES]) -> Surroundings<S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;

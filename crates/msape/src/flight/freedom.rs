@@ -1,4 +1,4 @@
-//! What moves a vehicle besides its drag: nothing, lift at an angle of bank, or its attitude.
+//! Motion of a vehicle beyond its drag: none, lift at an angle of bank, or attitude.
 
 use super::lift::Lift;
 use super::six_dof::rigid::Rigid;

@@ -69,7 +69,7 @@ impl Held<f64> {
 }
 
 impl<V: Scalar<Value = V, Lane = f64>> Held<V> {
-    /// The same rows in every lane.
+    /// Equal rows in every lane.
     pub fn everywhere(held: &Held<f64>) -> Self {
         Held {
             piece: Piece::everywhere(&held.piece),

@@ -69,7 +69,7 @@ pub struct Record<const N: usize, S = f64> {
     pub legs: Vec<Leg<N, S>>,
     /// Altitudes between two steps, m.
     pub altitudes: Span,
-    /// What was looked up in each axis of the tables of the case.
+    /// Range of the values looked up in each axis of the tables of the case.
     pub spans: Vec<Span>,
     /// Axis of a table at whose end the flight was ended.
     pub refused: Option<usize>,
@@ -105,7 +105,8 @@ where
     one(motion, start, keep, &mut Unwatched)
 }
 
-/// The same with all its steps; who watches hears before each step which part of the fall is done, and may stop it there.
+/// Integrates a motion and keeps all steps; `progress` gets the part of the fall completed before each step, and may
+/// stop there.
 pub fn integrate_watched<'a, M, const N: usize>(
     motion: M,
     start: [f64; N],
@@ -141,7 +142,7 @@ where
 /// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes the
 /// same steps as it would alone.
 ///
-/// `done` is told the number of a flight in the queue, its motion and its record, in the order in which they end; it may
+/// `done` gets the number of a flight in the queue, its motion and its record, in the order in which they end; it may
 /// stop the rest. Who watches hears before each step the part of the fall that the flights under way have done on average,
 /// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
 pub fn integrate_all<'a, M, const N: usize, S>(

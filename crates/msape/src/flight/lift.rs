@@ -38,7 +38,7 @@ pub struct Lift {
     pub source: Source,
     /// Its direction.
     pub bank: Bank,
-    /// What holds beyond the ends of a table of it.
+    /// Rule beyond the ends of a table of the bank angle.
     pub beyond_bank: Extrapolation,
 }
 
@@ -51,7 +51,7 @@ pub enum Source {
     Coefficient(f64),
     /// A coefficient against Mach number, and the rule beyond its ends.
     Table(Table1, Extrapolation),
-    /// Lift and drag at the angle of attack where the moment about the center of gravity is nothing.
+    /// Lift and drag at the angle of attack where the moment about the center of gravity vanishes.
     Trim(Trim),
 }
 

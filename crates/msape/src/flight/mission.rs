@@ -1,4 +1,4 @@
-//! What is flown, through what, from where, until when, how exactly.
+//! Mission: vehicle, planet and air, entry state, end of the flight and accuracy.
 
 use super::freedom::Freedom;
 use super::phase::Phase;
@@ -27,7 +27,7 @@ pub struct Body {
     pub drag: Drag,
     /// Length of the Knudsen number: the largest diameter, m.
     pub reference_length_m: f64,
-    /// What moves it besides its drag.
+    /// Motion beyond drag.
     pub freedom: Freedom,
 }
 
@@ -97,18 +97,18 @@ pub struct Mission {
     pub phases: Vec<Phase>,
     /// End of the flight.
     pub stop: Stop,
-    /// What holds beyond the ends of its tables.
+    /// Rules beyond the ends of the tables.
     pub beyond: Beyond,
     /// How it is computed.
     pub solver: Solver,
 }
 
-/// What holds beyond the ends of the tables of a mission.
+/// Rules beyond the ends of the tables of a mission.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beyond {
-    /// Of the atmosphere.
+    /// Rule for the atmosphere.
     pub atmosphere: Extrapolation,
-    /// Of the wind.
+    /// Rule for the wind.
     pub wind: Extrapolation,
 }
 

@@ -1,4 +1,5 @@
-//! What the integrator, the search for peaks and the time history ask of a motion, whatever its degrees of freedom.
+//! Interface of a motion to the integrator, the search for peaks and the time history, for any number of degrees of
+//! freedom.
 //!
 //! ```text
 //! y = (r, v, Q, …)
@@ -40,7 +41,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// The part that does not depend on attitude.
     fn point(&self) -> &Equations<'a, S>;
 
-    /// The same, to be changed.
+    /// Mutable access to the part that does not depend on attitude.
     fn point_mut(&mut self) -> &mut Equations<'a, S>;
 
     /// Error allowed in a step.
@@ -49,13 +50,13 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// The derivative of the state at a time, s, and in its surroundings.
     fn derivative_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> [S; N];
 
-    /// What changes fast, at a time, s, and in its surroundings.
+    /// Loads at a time, s, in known surroundings.
     fn loads_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> Loads<S>;
 
     /// Coefficient of the force against the velocity relative to the air.
     fn drag_coefficient(&self, t: S, y: &[S; N]) -> S;
 
-    /// What surrounds the body.
+    /// Surroundings of the body.
     #[inline]
     fn around(&self, y: &[S; N]) -> Surroundings<S> {
         self.point().surroundings(&head(y))
@@ -67,7 +68,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         self.derivative_in(t, y, &self.around(y))
     }
 
-    /// What changes fast, at a time, s.
+    /// Loads at a time, s.
     #[inline]
     fn loads(&self, t: S, y: &[S; N]) -> Loads<S> {
         self.loads_in(t, y, &self.around(y))
@@ -94,7 +95,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// Attitude and rates, where the motion has them.
     fn attitude(&self, y: &[S; N]) -> Option<AttitudeSample>;
 
-    /// The same motion, before any phase, in a stage of a flight.
+    /// This motion, given before any phase, in a stage of a flight.
     #[inline]
     fn in_stage(self, stage: &Stage<S>) -> Self {
         let mut motion = self.within(&stage.within);
@@ -107,7 +108,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         motion
     }
 
-    /// The same motion by the rows about a place.
+    /// This motion with the rows that hold at a place.
     #[inline]
     fn within(mut self, within: &Within) -> Self {
         self.point_mut().hold(within);

@@ -4,7 +4,7 @@
 //! ρ = f_ρ ρ(h),   C_D = f_D C_D(M),   w = f_w w(h),   q̇ = f_q q̇(ρ, V, Rₙ)
 //! ```
 //!
-//! with factors f without unit, one where a case says nothing.
+//! with factors f without unit, 1 where a case does not give them.
 //!
 //! # Valid
 //! One planet, one atmosphere, one kind of drag and lift for all lanes.
@@ -107,12 +107,12 @@ macro_rules! each {
 }
 
 impl<S: Scalar> Numbers<S> {
-    /// The same numbers in every lane, without derivatives.
+    /// Equal numbers in every lane, without derivatives.
     pub fn constant(numbers: &Numbers) -> Self {
         each!(numbers, S::constant)
     }
 
-    /// The same numbers in every lane.
+    /// Equal numbers in every lane.
     pub fn everywhere(numbers: &Numbers<S::Lane>) -> Self {
         each!(numbers, |number: S::Lane| {
             let mut all = S::constant(0.0);

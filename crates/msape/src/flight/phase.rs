@@ -8,8 +8,9 @@
 //! t₀ the begin of the phase and t_i the time of inflation in s.
 //!
 //! # Valid
-//! Phases begin in the order in which they are given, one whose value was passed before its turn with the one before. A parachute is a drag along the velocity of its attachment point; it has
-//! no mass of its own, and its drag area grows evenly while it inflates.
+//! Phases begin in the order in which they are given; a phase whose value was passed before it was next in order begins
+//! with the one before. A parachute is a drag along the velocity of its attachment point; it has no mass of its own,
+//! and its drag area grows evenly while it inflates.
 //!
 //! # References
 //! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
@@ -30,7 +31,7 @@ pub struct Phase {
     pub name: String,
     /// When it begins.
     pub begin: Begin,
-    /// What it changes.
+    /// Changes that it makes.
     pub change: Change,
 }
 
@@ -45,7 +46,7 @@ pub struct Begin {
     pub direction: Direction,
 }
 
-/// What begins a phase.
+/// Quantity that begins a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Time after the start, s.
@@ -73,7 +74,7 @@ impl Mark {
     }
 }
 
-/// What a phase changes; what is absent stays.
+/// Changes made by a phase; absent values stay as they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Change {
     /// Mass from then on, kg.
@@ -97,7 +98,7 @@ pub struct Canopy {
     pub attachment_m: [f64; 3],
 }
 
-/// What the phases so far have changed in the equations of a point mass, one a lane.
+/// Changes made by the phases so far in the equations of a point mass, one per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changed<S> {
     /// 1 where the drag coefficient is the same at every Mach number by a phase, else 0.

@@ -1,4 +1,4 @@
-//! Tables of a case that a flight looks up: where it leaves them, and what is said of it.
+//! Tables of a case that a flight looks up: where it leaves them, and the findings about it.
 //!
 //! ```text
 //! x < first or x > last        with x what a table is looked up with
@@ -102,11 +102,11 @@ pub struct Axis {
     pub argument: Argument,
     /// First and last row.
     pub ends: [f64; 2],
-    /// What holds beyond.
+    /// Rule beyond the ends.
     pub rule: Extrapolation,
     /// Whether the table is level at each end: its last two rows are alike, so that every rule goes on with them.
     pub level: [bool; 2],
-    /// How far beyond an end nothing is said yet.
+    /// Distance beyond an end up to which there is no finding.
     pub slack: f64,
 }
 
@@ -154,7 +154,7 @@ impl Axis {
     }
 }
 
-/// What a flight looked up in one axis: the least and the greatest value, each with its time, s.
+/// Range of an axis used in a flight: the least and the greatest value, each with its time, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     least: [f64; 2],
@@ -203,7 +203,7 @@ pub struct Passed {
     pub ends: [f64; 2],
     /// The farthest value beyond, and its time, s.
     pub farthest: [f64; 2],
-    /// What holds there.
+    /// Rule beyond the ends.
     pub rule: Extrapolation,
 }
 
@@ -276,7 +276,7 @@ impl Passed {
         }
     }
 
-    /// The same of the atmosphere, with the input that leads there.
+    /// Finding for the atmosphere, with the input that leads beyond the table.
     fn of_atmosphere(&self) -> Finding {
         let ([bottom_m, top_m], value) = (self.ends, self.farthest[0]);
         let key = match value > top_m {
@@ -362,7 +362,7 @@ mod tests {
         span.take(f64::NAN, 1.0);
         span.take(25.0, 2.0);
         assert!(passed(&[MACH], &[span], None).is_empty());
-        // Where the flight was ended at the end of the table, that is said.
+        // A flight that was ended at the end of the table gets a finding of that.
         let mut ended = Span::EMPTY;
         ended.take(24.0, 0.0);
         ended.take(25.0, 9.0);

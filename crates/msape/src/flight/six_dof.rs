@@ -80,7 +80,7 @@ pub fn fly(
     fly_watched(mission, body, rigid, request, &mut Unwatched)
 }
 
-/// The same; who watches hears of each step and may stop the flight there.
+/// Flies a rigid body as [`fly`] does; `progress` is called at each step and may stop the flight there.
 pub fn fly_watched(
     mission: &Mission,
     body: &Body,

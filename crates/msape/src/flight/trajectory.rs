@@ -60,7 +60,7 @@ impl Trajectory {
         }
     }
 
-    /// What is said of a history whose step was made longer.
+    /// Finding of a history whose step was lengthened.
     pub fn finding(&self) -> Option<Finding> {
         let [asked_s, taken_s] = self.coarsened_s?;
         Some(Finding {

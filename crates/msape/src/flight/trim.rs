@@ -1,4 +1,4 @@
-//! Drag and lift at the angle of attack at which a body of revolution does not turn, tabulated beforehand.
+//! Drag and lift of a body of revolution at its trim angle of attack, tabulated beforehand.
 //!
 //! ```text
 //! C_m(α) + C_N(α) x/D + C_A(α) e/D = 0

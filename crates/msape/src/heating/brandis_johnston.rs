@@ -33,7 +33,7 @@ pub struct BrandisJohnston {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// What is doubtful about the numbers.
+    /// Note on doubtful coefficients.
     pub note: String,
     /// Names of the planets whose gas they are for.
     pub planets: Vec<String>,
@@ -124,7 +124,7 @@ impl BrandisJohnstonConvective {
         exponent.exp() * pick(|set| set.c) * PER_CM2
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         self.valid
             .findings("brandis-johnston convective", SOURCE, peak)
@@ -167,7 +167,7 @@ impl BrandisJohnstonRadiative {
         S::select(below, zero, q)
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         if peak.speed_m_s < self.onset_m_s {
             return Vec::new();

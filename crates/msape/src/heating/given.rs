@@ -10,8 +10,9 @@
 //! everywhere.
 //!
 //! # Valid
-//! The vehicle and the gas for which the fluxes were found. Beyond the ends the last slope goes on, below the least speed and density
-//! never so that the flux grows, or the ends are held, or the flight is ended, as the case says.
+//! The vehicle and the gas for which the fluxes were found. Beyond the ends, by the rule of the case, the last slope
+//! continues (below the least speed and density only so that the flux does not grow), or the end values are held, or
+//! the flight is ended.
 //!
 //! # References
 //! - Own convention; \[samareh-2014\] section 5 asks for such hooks to higher fidelity.
@@ -25,7 +26,7 @@ use crate::finding::{Finding, Severity};
 use numerics::math::ln;
 use numerics::scalar::{Mask, Scalar};
 
-/// Where a finding says that a number came from.
+/// Source named in findings for numbers given by the user.
 pub const USERS: &str = "given by the user";
 
 /// Least speed, m/s, and density, kg/m³, of a logarithm, assumed: below those of any flight, and its logarithm is finite.

@@ -7,7 +7,7 @@
 //! with a₀, m, n from the data, V in m/s, ρ in kg/m³, Rₙ in m. The caps are steps in Rₙ, as printed.
 //!
 //! # Valid
-//! As the correlation that uses it.
+//! Range of the correlation that uses it.
 //!
 //! # References
 //! - \[tauber-sutton-1991\]; \[brandis-johnston-2014\].

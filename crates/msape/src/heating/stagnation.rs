@@ -10,7 +10,7 @@
 //! the portal's, margin 1.3 on plain Sutton-Graves with a factor of 1. Both above 1 are reported.
 //!
 //! # Valid
-//! As the models; the hot wall for the gas of the planet, undissociated.
+//! Ranges of the models; the hot wall for the gas of the planet, undissociated.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.4.3 and the run page of appendix D.
@@ -133,7 +133,7 @@ impl StagnationHeating {
         })
     }
 
-    /// What a relation gives for a cold wall, corrected by its factor, at the wall.
+    /// Heat flux at the wall: that of a relation for a cold wall, corrected by its factor.
     #[inline]
     fn at_wall<S: Scalar>(&self, relation: ColdWall<S>) -> HeatFlux<S> {
         let cold = ColdWall {
@@ -163,7 +163,7 @@ impl StagnationHeating {
         }
     }
 
-    /// What a reader must know: ranges of the models at peak heating, factor and margin together, warm wall.
+    /// Findings: ranges of the models at peak heating, factor and margin together, warm wall.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         let mut findings = self.convective.findings(peak);
         findings.extend(self.radiative.findings(peak));

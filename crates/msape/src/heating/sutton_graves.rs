@@ -105,7 +105,7 @@ impl SuttonGraves {
         (rho / r_n).sqrt() * self.k * (v * v * v)
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         self.valid.findings(
             "sutton-graves",

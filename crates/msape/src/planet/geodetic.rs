@@ -33,7 +33,7 @@ pub struct Geodetic<S> {
     pub longitude_rad: S,
 }
 
-/// What the air and the horizon need of a position.
+/// Altitude and vertical of a position, for the atmosphere and the local horizon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Local<S> {
     /// Height above the ellipsoid, m.

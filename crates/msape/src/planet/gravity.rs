@@ -37,7 +37,7 @@ pub enum Gravity {
         /// Radius to which the harmonics refer, m.
         reference_radius_m: f64,
     },
-    /// The same magnitude everywhere, toward the center.
+    /// Constant magnitude, toward the center.
     Uniform {
         /// Acceleration, m/s².
         acceleration_m_s2: f64,

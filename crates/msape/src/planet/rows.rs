@@ -5,7 +5,7 @@ use thiserror::Error;
 /// Faults are listed up to this number, assumed; a file that is not a table at all would else name every line.
 pub const MOST_FAULTS: usize = 100;
 
-/// What the numbers of a column must be, besides finite.
+/// Rule for the numbers of a column, besides being finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Each above the one before.
@@ -23,7 +23,7 @@ pub struct Column {
     pub name: &'static str,
     /// Unit.
     pub unit: &'static str,
-    /// What its numbers must be.
+    /// Rule for its numbers.
     pub rule: Rule,
 }
 
@@ -54,7 +54,7 @@ pub enum RowFault {
         row: usize,
         /// Numbers in it.
         columns: usize,
-        /// What is allowed.
+        /// Allowed values.
         expected: String,
     },
     /// Not a number, or infinite.

@@ -40,9 +40,9 @@ pub type Row = [f64; 5];
 /// A model of the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wind {
-    /// The air turns with the planet.
+    /// No wind: the air rotates with the planet.
     Calm,
-    /// The same at every altitude.
+    /// Constant wind at every altitude.
     Constant {
         /// Eastward, m/s.
         eastward_m_s: f64,

@@ -15,7 +15,7 @@ use crate::scalar::Single;
 
 /// Width of the bracket that is left, as a part of the step.
 const CROSSING_TOLERANCE: f64 = 1e-13;
-/// The place of a maximum cannot be told better than about the square root of the rounding.
+/// Tolerance of the place of a maximum, which rounding limits to about its square root.
 const MAXIMUM_TOLERANCE: f64 = 1e-9;
 /// Distance at which the slope along a step is taken, as a part of the step.
 const SLOPE_PART: f64 = 1e-2;
@@ -28,7 +28,7 @@ const TOP_PART: f64 = 1e-2;
 const TOP_TOLERANCE: f64 = 1e-4;
 /// Another maximum is placed within this part of a step.
 const COARSE_TOLERANCE: f64 = 1e-6;
-/// The same as a part of t: a search by values sees no finer.
+/// Tolerance as a part of t: a search by values resolves no finer.
 const NEAR_TIME: f64 = 1e-6;
 /// A maximum this close to the end of a step, as a part of it, moves with the end.
 const NEAR_END: f64 = 1e-4;

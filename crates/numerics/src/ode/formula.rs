@@ -1,4 +1,4 @@
-//! What the integrator asks of a Runge-Kutta formula.
+//! Interface of a Runge-Kutta formula to the integrator.
 
 use super::Dense;
 use super::control::{Control, Tolerance};

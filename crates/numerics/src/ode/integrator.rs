@@ -17,7 +17,7 @@ pub use account::{Attempt, Statistics};
 const RETREAT: f64 = 0.1;
 /// A step that would end this close before the limit, as a part of itself, ends at the limit.
 const STRETCH: f64 = 0.01;
-/// The same for a fixed step: only the rounding of the sum of the steps.
+/// Limit of the stretch of a fixed step: only the rounding of the sum of the steps.
 const FIXED_STRETCH: f64 = 1e-9;
 /// Least adaptive step, in units of the last place of t.
 const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
@@ -127,7 +127,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         &self.step
     }
 
-    /// What the integration of a lane has cost so far.
+    /// Cost of the integration of a lane so far.
     pub fn statistics_of(&self, lane: usize) -> Statistics {
         let count = |of: S::Value| of.lane(lane) as u64;
         Statistics {
@@ -278,7 +278,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     fn plan(&mut self, control: &Control, ln_error: S::Value, h: S::Value, accepted: S::Mask) {
         let next = h * control.factor_accepted(ln_error, self.before);
         let cut_short = self.fresh.and(h.less(self.planned));
-        // A step cut short by its limit says little: the plan stands.
+        // A step cut short by its limit gives no information on the step size: the planned size stays.
         let after_refusal = S::Value::select(self.fresh, next, next.min(h));
         let planned = S::Value::select(cut_short, next.max(self.planned), after_refusal);
         self.planned = S::Value::select(accepted, planned, self.planned);
@@ -340,7 +340,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             for (known, slope) in self.slope.iter_mut().zip(slope) {
                 *known = S::select(unknown, slope, *known);
             }
-            // What was accepted is finite; what was put here need not be.
+            // An accepted state is finite; one set by `put` need not be.
             let sound = finite(&self.y).and(finite(&self.slope));
             self.unsound = self.unsound.and(unknown.not()).or(unknown.and(sound.not()));
             self.sloped = self.sloped.or(active);

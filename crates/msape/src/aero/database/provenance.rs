@@ -28,7 +28,7 @@ pub enum Regime {
     Transonic,
     /// Continuum below Mach 0.5.
     Subsonic,
-    /// A table of one's own.
+    /// A table of the user.
     Table,
 }
 

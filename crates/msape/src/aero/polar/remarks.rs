@@ -1,4 +1,4 @@
-//! What a reader of coefficients must know: which part is measured, computed, assumed.
+//! Findings about coefficients: which part is measured, computed or assumed.
 //!
 //! ```text
 //! one finding a regime, one for damping, one for what lies beyond a table

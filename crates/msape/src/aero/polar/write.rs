@@ -5,7 +5,7 @@
 //! ```
 //!
 //! # Valid
-//! What is not known, such as a moment about a center of gravity that was not given, is `null`, or an empty column.
+//! Unknown values, such as a moment about a center of gravity that was not given, are `null`, or an empty column.
 //!
 //! # References
 //! - Own convention.

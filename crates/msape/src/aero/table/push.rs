@@ -21,8 +21,8 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, sin_cos};
 const PUSH: f64 = 2e-3;
 /// Angles that end at this part of π are taken for radians.
 const OF_PI: [f64; 6] = [1.0, 2.0 / 3.0, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0];
-/// The same within this: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at most, and cut after three,
-/// 3.141, by less.
+/// Tolerance of these parts: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at
+/// most, and cut after three, 3.141, by less.
 const OF_PI_WITHIN: f64 = 0.005;
 
 /// Rows by which the air would push the body: C_A cos α + C_N sin α < 0.

@@ -82,7 +82,7 @@ impl Row {
         cells
     }
 
-    /// What orders rows beside Mach number and angle: Knudsen number, or altitude above the lowest.
+    /// Quantity that orders rows besides Mach number and angle: Knudsen number, or altitude above the lowest.
     pub(super) fn height(&self) -> Option<f64> {
         self.knudsen
             .or(self.altitude_m.map(|altitude_m| altitude_m + 1e4))

@@ -7,7 +7,7 @@
 //! with h the altitude in m and t the time after the start in s.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.

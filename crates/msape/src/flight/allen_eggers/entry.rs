@@ -7,7 +7,7 @@
 //! with the symbols and units of [`super`].
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.

@@ -9,7 +9,7 @@
 //! less accuracy than a step has: that is spent where peaks and heat loads are behind. Across a kink nothing is smooth.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.
@@ -44,7 +44,7 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub first: M,
     /// The motion as it is now: by the rows that hold, in its phase.
     pub motion: M,
-    /// What has been flown.
+    /// Record of the flight so far.
     pub record: Record<N, S>,
     /// Where the next step must end at the latest, s.
     pub limit_s: S,
@@ -54,7 +54,7 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) rungs: Rungs,
     /// When the parachute is full, s, where that is ahead.
     pub(super) full_s: Option<f64>,
-    /// Phases whose value was passed before their turn.
+    /// Whether each phase's value was passed before the phase was next in order.
     pub(super) passed: Vec<bool>,
     /// Energy so far, where it is watched.
     pub(super) energy: Energy,
@@ -66,7 +66,7 @@ pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) turned_up: bool,
     /// Where the integration stands.
     pub(super) here: Place,
-    /// What the step that ends at the limit runs into.
+    /// Event expected at the end of a step that ends at its limit.
     awaited: Option<Gate>,
     /// The largest of each load so far: deceleration, dynamic pressure, convective and radiative heating.
     largest: [f64; 4],
@@ -76,9 +76,9 @@ pub(super) struct Course<'m, M, const N: usize, S> {
 
 /// How a flight goes on after a step.
 pub(super) enum Next<const N: usize, S> {
-    /// As it stands.
+    /// From the present state.
     On,
-    /// As it stands, under another right-hand side.
+    /// From the present state, with another right-hand side.
     Changed,
     /// From another instant and state.
     From(S, [S; N]),
@@ -159,7 +159,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         ((self.start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0)
     }
 
-    /// What has been flown.
+    /// The record of the flight.
     pub fn into_record(self) -> Record<N, S> {
         self.record
     }
@@ -346,7 +346,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Gate::Exit => {
                 let bound = self.energy_j_kg(&self.now().1) < 0.0;
                 if bound && self.record.exits < self.marks.exits {
-                    // It comes back: the next way out is that after the next turn upward.
+                    // Gravity brings the vehicle back: the next exit is the one after the next turn upward.
                     self.record.exits += 1;
                     self.turned_up = false;
                     return Next::On;

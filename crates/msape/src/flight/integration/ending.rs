@@ -7,7 +7,7 @@
 //! with E in J/kg, v_i the inertial speed in m/s, μ in m³/s² and r in m.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.

@@ -123,7 +123,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
                 false => (self.marks.ground_m, Gate::Ground),
             };
             if gate == Gate::Ground && start_m < level_m {
-                // It was below, climbed and now falls: it will not come above any more.
+                // The vehicle was below the ground, climbed and now falls: it will not rise above it any more.
                 return Some((step.time(span[0]), gate));
             }
             let below = end_m < level_m;
@@ -149,7 +149,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.when_at(step, span, |y, _| g(y))
     }
 
-    /// The same for a quantity that depends on the time, too.
+    /// Time of a zero as in `when`, for a quantity that also depends on the time.
     pub(super) fn when_at(
         &self,
         step: &Step<N, S>,

@@ -15,7 +15,7 @@
 use super::node::Place;
 use crate::flight::held::Within;
 
-/// What the ends of rows are ends of.
+/// Argument of the tables whose rows end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Of {
     /// Geodetic altitude, m: atmosphere and wind.

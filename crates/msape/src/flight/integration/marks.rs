@@ -1,4 +1,4 @@
-//! What flights through the same air may run into, found once for all of them.
+//! Events that flights through the same air may meet, collected once for all of them.
 //!
 //! ```text
 //! h, M and V of the ends of rows,   h of the ground,   t of the end
@@ -25,7 +25,7 @@ const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 /// Below this Mach number the rows of a drag table that is looked up at each stage no longer matter to peaks and heat loads.
 const KINKS_FROM_MACH: f64 = 3.0;
 
-/// What flights through the same air may run into.
+/// Events that flights through the same air may meet.
 #[derive(Clone, Debug)]
 pub(super) struct Marks {
     /// Ends of rows of atmosphere, wind, drag and heating.

@@ -38,7 +38,9 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         (step.t1.value() >= full_s).then(|| (step.time(full_s.max(step.t0.value())), Gate::Full))
     }
 
-    /// Takes in a step: which phases had their value passed in their direction, before their turn or where another gate ended the step.
+    /// Records from a step which phases had their value passed in their direction, before they were next in order or
+    /// where another
+    /// gate ended the step.
     pub(super) fn look_ahead(&mut self, step: &Step<N, S>) {
         let mission = self.motion.point().mission;
         let ends = [(step.t0, &step.y0), (step.t1, &step.y1)];
@@ -62,7 +64,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
     }
 
-    /// The same of each phase that has not begun.
+    /// Whether the quantity of each phase that has not begun stands beyond its value.
     fn beyond(&self, t: S, y: &[S; N]) -> Vec<bool> {
         let phases = self.motion.point().mission.phases.iter();
         let ahead = phases.skip(self.stage.phases);

@@ -1,11 +1,11 @@
-//! What is watched from step to step: tables of the case, the drag, the energy.
+//! Checks from step to step: tables of the case, drag, energy.
 //!
 //! ```text
 //! E = v²/2 − μ/r − ω² (x² + y²)/2
 //! ```
 //!
-//! with E in J/kg, v relative to the planet in m/s, μ in m³/s², ω in rad/s: air that turns with the planet takes E away and
-//! gives none.
+//! with E in J/kg, v relative to the planet in m/s, μ in m³/s², ω in rad/s: air that rotates with the planet takes E
+//! away and gives none.
 //!
 //! # Valid
 //! Wind may give the square of its speed.

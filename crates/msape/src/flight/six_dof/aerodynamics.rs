@@ -105,7 +105,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// As many times the load.
+    /// The load multiplied by a factor.
     pub fn times(self, factor: f64) -> Load {
         Load {
             force_n: self.force_n * factor,
@@ -113,8 +113,8 @@ impl Load {
         }
     }
 
-    /// The same with a parachute that pulls at a point, given like the center of gravity, m, against the velocity that the
-    /// point has relative to the air.
+    /// The load with that of a parachute, which pulls at a point, given like the center of gravity, m, against the
+    /// velocity of the point relative to the air.
     ///
     /// ```text
     /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F

@@ -1,4 +1,5 @@
-//! What happens to the attitude along a flight: largest angles, the first time below 10 deg, turns to the other side.
+//! Events of the attitude along a flight: largest angles, first time below 10 deg, changes from nose first to backward
+//! and back.
 //!
 //! ```text
 //! α(t) on the dense output, five points a step; the largest by Brent's method beside the highest point
@@ -65,7 +66,7 @@ pub struct AttitudeEvents {
     pub final_total_alpha_rad: f64,
     /// Largest total angle of attack in the last 10 s, rad.
     pub final_amplitude_rad: f64,
-    /// Largest rate of turn across the axis, rad/s, at the points looked at.
+    /// Largest transverse angular rate, rad/s, at the sampled points.
     pub maximum_transverse_rate_rad_s: f64,
 }
 

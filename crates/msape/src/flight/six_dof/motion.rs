@@ -99,7 +99,7 @@ impl RigidMotion<'_> {
         }
     }
 
-    /// The same within a step, at the cost of the components that it takes.
+    /// Total angle of attack within a step, rad, from only those components of the dense output that it needs.
     #[inline]
     pub fn total_alpha_in_rad(&self, step: &Step<RIGID_STATES>, t: f64) -> f64 {
         match &self.point.mission.wind {

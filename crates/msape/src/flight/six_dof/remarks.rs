@@ -1,4 +1,4 @@
-//! What a reader of attitudes must know.
+//! Findings about the attitude.
 //!
 //! ```text
 //! α beyond the range of constants;  heating with the nose away from the air;  damping that is assumed

@@ -42,11 +42,11 @@ pub struct Reorientation {
     pub total_alpha_rad: Vec<f64>,
     /// How it faces the heat.
     pub facing: Facing,
-    /// What happens to the attitude.
+    /// Events of the attitude.
     pub attitude: AttitudeEvents,
 }
 
-/// Flies a body with the center of gravity at several places aft of the virtual apex, m; nothing where the body has no
+/// Flies a body with the center of gravity at several places aft of the virtual apex, m; empty where the body has no
 /// attitude.
 pub fn study(mission: &Mission, body: &Body, cg_x_m: &[f64]) -> Vec<Reorientation> {
     let entries = cg_x_m.iter().map(|x| entry(mission, body, *x));

@@ -1,4 +1,4 @@
-//! Whether a vehicle turns nose first: the same entry from a small fixed set of attitudes and pitch rates.
+//! Whether a vehicle turns nose first: one entry from a small fixed set of attitudes and pitch rates.
 //!
 //! ```text
 //! share = n(α < 90 deg at peak heating)/n
@@ -67,7 +67,7 @@ pub struct Turn {
     pub facing: Facing,
     /// Altitude of the largest total heat flux, m.
     pub peak_heating_altitude_m: f64,
-    /// What happens to the attitude as far as it is flown.
+    /// Events of the attitude up to the end of the flight.
     pub attitude: AttitudeEvents,
 }
 
@@ -85,7 +85,7 @@ impl Turning {
         those.filter(|e| e.facing != Facing::Backward).count()
     }
 
-    /// The same over those flown; nothing where none was.
+    /// Share of the flown entries that are nose first at peak heating; `None` where none was flown.
     pub fn nose_first_share(&self) -> Option<f64> {
         let flown = self.entries.len();
         (flown > 0).then(|| self.nose_first() as f64 / flown as f64)
@@ -110,7 +110,7 @@ pub fn turning(mission: &Mission, body: &Body, progress: &mut dyn Progress) -> O
     Some(Turning { entries })
 }
 
-/// One entry; nothing where it was stopped or the body has no attitude.
+/// Flies one entry; `None` where it was stopped or the body has no attitude.
 pub fn turn(
     mission: &Mission,
     body: &Body,

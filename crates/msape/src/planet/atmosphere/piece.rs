@@ -73,7 +73,7 @@ impl Piece<f64> {
 }
 
 impl<V: Scalar<Value = V, Lane = f64>> Piece<V> {
-    /// The same piece in every lane.
+    /// Equal pieces in every lane.
     pub fn everywhere(piece: &Piece<f64>) -> Self {
         let of = V::constant;
         Self {

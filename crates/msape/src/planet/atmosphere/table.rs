@@ -349,7 +349,7 @@ impl Interval {
         }
     }
 
-    /// The same columns at one row, at every altitude.
+    /// Constant columns: the values at one row, at every altitude.
     fn level_at(&self, row: &Row) -> Self {
         let level = |line: Line| Line {
             value: line.value + (row.altitude_m - self.from_m) * line.slope_per_m,

@@ -34,8 +34,8 @@ use us1976::heterosphere::{Heterosphere, SPANS, SpanKnots};
 use us1976::lower::{self, Lower};
 use us1976::temperature::{StandardTemperature, Upper};
 
-/// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for a
-/// definition of one's own.
+/// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for
+/// a definition of the user.
 #[cfg(feature = "prepared-air")]
 fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
     // At each knot density, kg/m³, and its slope, molar mass, kg/kmol, and its slope.
@@ -73,7 +73,7 @@ pub struct UsStandard1976 {
     gas: Gas,
 }
 
-/// What the equation of state needs.
+/// Constants of the equation of state.
 #[derive(Clone, Debug, PartialEq)]
 struct Gas {
     heat_capacity_ratio: f64,

@@ -1,4 +1,4 @@
-//! What an integration of one lane offers besides: a step at a time as a result, and a step taken again.
+//! Methods of an integration of one lane only: a step at a time as a result, and a step taken again.
 
 use super::super::dormand_prince_54::DormandPrince54;
 use super::super::dormand_prince_853::DormandPrince853;
@@ -17,7 +17,7 @@ impl<const N: usize, S: Single> Integrator<N, S> {
         self
     }
 
-    /// What the integration has cost so far.
+    /// Cost of the integration so far.
     #[inline]
     pub fn statistics(&self) -> Statistics {
         self.statistics_of(0)

@@ -1,4 +1,4 @@
-//! The same flight with three and with six degrees of freedom, and lift of a point mass.
+//! Flights of one entry with three and with six degrees of freedom, and lift of a point mass.
 
 use crate::flight::Request;
 use crate::{Answer, Case, Library};
@@ -151,7 +151,7 @@ alpha_deg = -9.6
     // The lift is there: without it the vehicle comes down sooner.
     let ballistic = case("");
     assert!(trimmed.time_of_flight_s > 2.0 * ballistic.time_of_flight_s);
-    // It keeps its angle: quarter of a degree of swing about a trim that moves by little.
+    // The attitude stays near trim: a quarter of a degree of oscillation about a trim that changes little.
     let largest = six.attitude.unwrap().maximum_total_alpha;
     assert!(
         largest.angle_rad < 10.5 * DEG,
@@ -175,7 +175,7 @@ fn lift_of_nothing_changes_nothing() {
     assert!((zero.downrange_m / none.downrange_m - 1.0).abs() < 1e-9);
 }
 
-/// Lift to the right turns the path to the right, and a schedule that is level is a constant.
+/// Lift to the right bends the path to the right, and a level schedule equals a constant.
 #[test]
 fn banked_to_the_right_it_comes_down_to_the_right() {
     let of = |bank: &str| {

@@ -113,7 +113,7 @@ impl Stratum {
         Some((stratum, knots))
     }
 
-    /// What goes on above this piece for ever: its last slope of ln ρ and its last molar mass.
+    /// Continuation above this piece without end: with its last slope of ln ρ and its last molar mass.
     pub fn exosphere(&self) -> Option<Self> {
         let Kind::Upper {
             segment,
