@@ -116,11 +116,11 @@ pub struct Flight<S = f64> {
     pub downrange_m: S,
     /// Downward crossings of Mach 5, 2, 1.4 and 0.8 after peak deceleration, s.
     pub mach_times_s: [Option<S>; 4],
-    /// Time history, where one was asked for.
+    /// Time history, where requested.
     pub trajectory: Option<Trajectory>,
     /// Ends of tables of the case that it passed.
     pub passed: Vec<Passed>,
-    /// Where the air pushed the vehicle, as no air does.
+    /// Place where the air pushed the vehicle, as air cannot.
     pub pushed: Option<Push>,
     /// Lowest and highest altitude between two steps, m.
     pub altitudes_m: [f64; 2],

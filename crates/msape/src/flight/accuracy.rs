@@ -8,7 +8,8 @@
 //! long for that the difference is large, too. x_τ is a result at the tolerance τ.
 //!
 //! # Valid
-//! Flights that are integrated; adaptive methods at tolerances above 1e-4, below which results are better than asked.
+//! Flights that are integrated; adaptive methods at tolerances above 1e-4, below which results are better than
+//! requested.
 //!
 //! # References
 //! - \[hairer-norsett-wanner-1993\] section II.4, step doubling.
@@ -112,7 +113,7 @@ fn flown(mission: &Mission, body: &Body) -> (Flight, Outcome) {
     }
 }
 
-/// The largest difference of two flights as a part of a result of the first, and which result that is.
+/// The largest relative difference between two flights, of a result of the first, and the name of that result.
 fn largest_difference(flight: &Flight, other: &Flight) -> (f64, &'static str) {
     let numbers = |flight: &Flight| {
         [

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! with V_E the entry speed in m/s, γ the constant angle below the horizon, β = m/(C_D A) in kg/m², H the scale height in
-//! m, ρ₀ in kg/m³. Heat loads and times are summed over the closed form; below the terminal speed the fall goes on at it.
+//! m, ρ₀ in kg/m³. Heat loads and times are summed over the closed form; below the terminal speed the vehicle falls at
+//! that speed.
 //!
 //! # Valid
 //! Steep entry: gravity, lift, rotation and the curvature of the planet are left out; β is that of Mach 25. A shallow
@@ -87,7 +88,7 @@ struct Sum<'a> {
     downrange_m: f64,
     load: HeatFlux<f64>,
     before: Option<(f64, f64, HeatFlux<f64>)>,
-    /// Heating at the points of the body for which the case gives it, and the heat flux of each where the way stands, W/m².
+    /// Heating at the points of the body for which the case gives it, and the present heat flux of each, W/m².
     points: Vec<(PointHeat, f64)>,
     /// Axes of the tables that the closed form looks up, and the values looked up in each.
     spans: Vec<(Axis, Span)>,
@@ -343,7 +344,7 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The time history at the altitudes of the sum, whatever step was asked for.
+    /// The time history at the altitudes of the sum, whatever step was requested.
     fn trajectory(&self, request: Request) -> Option<Trajectory> {
         if request == Request::Nothing {
             return None;

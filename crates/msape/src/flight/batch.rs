@@ -28,13 +28,13 @@ use numerics::scalar::Lanes;
 /// A flight of a batch that has ended, with its results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flown<R> {
-    /// Its number in the queue, from 0.
+    /// Number in the queue, from 0.
     pub number: usize,
-    /// Its results.
+    /// Results of the flight.
     pub results: R,
-    /// How it ended.
+    /// Outcome of the flight.
     pub outcome: Outcome,
-    /// Why, where the outcome needs a reason.
+    /// Reason of the outcome, where it needs one.
     pub reason: Option<String>,
 }
 

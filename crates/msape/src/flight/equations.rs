@@ -53,7 +53,7 @@ pub struct Surroundings<S> {
     pub drag_coefficient: S,
 }
 
-/// The equations for one vehicle, or one a lane, by the rows that hold for each.
+/// Equations of motion of one vehicle, or one per lane, with the table rows that hold for each.
 #[derive(Clone, Copy)]
 pub struct Equations<'a, S: Scalar = f64> {
     /// Planet, atmosphere, wind, heating.
@@ -281,7 +281,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         self.air(around.altitude_m).mean_free_path_m / self.numbers.reference_length_m
     }
 
-    /// With what tables may be looked up, in the order of [`super::reach::Argument`].
+    /// Arguments of table look-ups, in the order of [`super::reach::Argument`].
     pub fn arguments(
         &self,
         t: S,

@@ -3,7 +3,7 @@
 use super::lift::Lift;
 use super::six_dof::rigid::Rigid;
 
-/// How a vehicle is free to move.
+/// Freedom of motion of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Freedom {
     /// A point mass with drag.

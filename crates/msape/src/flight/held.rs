@@ -38,7 +38,7 @@ impl Within {
     };
 }
 
-/// The rows that hold, one set a lane.
+/// Rows that hold, one set per lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<V: Scalar> {
     /// Piece of the atmosphere.

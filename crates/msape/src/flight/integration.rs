@@ -4,7 +4,8 @@
 //! y' = f(t, y) by one set of smooth rows after the other
 //! ```
 //!
-//! with y position, velocity (SI, planet-fixed axes), heat loads and what else a motion has. Steps end where a row of a table ends,
+//! with y position, velocity (SI, planet-fixed axes), heat loads and further states of a motion. Steps end where a row
+//! of a table ends,
 //! so that the method keeps its order; between the ends of a step the dense output of the method holds.
 //!
 //! # Valid
@@ -38,11 +39,11 @@ use numerics::scalar::{Mask, Scalar, Single};
 
 /// Trials of steps after which a flight is given up.
 pub const MOST_STEPS: u64 = 200_000;
-/// Height over which the air changes and to which the error of a step is compared, m.
+/// Height over which the atmosphere changes, and scale of the error in position of a step, m.
 const POSITION_SCALE_M: f64 = 1_000.0;
-/// Speed below which the error of a step does not shrink any more, m/s.
+/// Speed below which the allowed error of a step no longer decreases, m/s.
 const SPEED_SCALE_M_S: f64 = 10.0;
-/// Heat load below which the error of a step does not shrink any more, J/m².
+/// Heat load below which the allowed error of a step no longer decreases, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
 /// A step of a flight, and what holds along it.
@@ -73,26 +74,26 @@ pub struct Record<const N: usize, S = f64> {
     pub spans: Vec<Span>,
     /// Axis of a table at whose end the flight was ended.
     pub refused: Option<usize>,
-    /// Where the air pushed the vehicle.
+    /// Place where the air pushed the vehicle.
     pub pushed: Option<Push>,
     /// Times and states at which phases began, with the stage that began.
     pub begun: Vec<(S, [S; N], Stage<S>)>,
     /// Number of times the vehicle has left the atmosphere and flown on.
     pub exits: u32,
-    /// How it ended.
+    /// Outcome of the flight.
     pub outcome: Outcome,
-    /// Why, where the outcome needs a reason.
+    /// Reason of the outcome, where it needs one.
     pub reason: Option<String>,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
 }
 
-/// Which steps of a flight are kept.
+/// Choice of the steps of a flight to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// All.
+    /// All steps.
     All,
-    /// Those in which some load is more than a small part of its largest so far, and the last: enough for peaks.
+    /// Steps in which some load exceeds a small fraction of its largest value so far, and the last: enough for peaks.
     Busy,
 }
 
@@ -139,12 +140,13 @@ where
     only.unwrap_or_else(|| Course::new(&Marks::of(&motion, keep), motion, start).into_record())
 }
 
-/// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes the
-/// same steps as it would alone.
+/// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes
+/// the same steps as it would alone.
 ///
 /// `done` gets the number of a flight in the queue, its motion and its record, in the order in which they end; it may
-/// stop the rest. Who watches hears before each step the part of the fall that the flights under way have done on average,
-/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
+/// stop the rest. `progress` gets before each step the part of the fall completed on average by the flights under way,
+/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the
+/// first.
 pub fn integrate_all<'a, M, const N: usize, S>(
     keep: Keep,
     queue: impl IntoIterator<Item = (M::Lane, [S::Lane; N])>,
@@ -259,7 +261,7 @@ where
     }
 }
 
-/// Error allowed in a step of a point mass, of which `tolerance` is the relative part.
+/// Error allowed in a step of a point mass; `tolerance` is its relative part.
 pub fn point_tolerance(tolerance: f64) -> Tolerance<STATES> {
     let speed = tolerance * SPEED_SCALE_M_S;
     let position = tolerance * POSITION_SCALE_M;

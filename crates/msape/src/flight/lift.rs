@@ -34,9 +34,9 @@ const FADING: f64 = 0.03;
 /// Lift of a point mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lift {
-    /// Where its size comes from.
+    /// Origin of its magnitude.
     pub source: Source,
-    /// Its direction.
+    /// Direction of the lift.
     pub bank: Bank,
     /// Rule beyond the ends of a table of the bank angle.
     pub beyond_bank: Extrapolation,

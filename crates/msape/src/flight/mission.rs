@@ -12,14 +12,14 @@ use crate::planet::wind::Wind;
 pub use crate::quantity::choice::FlightModel as Model;
 use numerics::ode::Method;
 
-/// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
+/// Default accuracy of a flight: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: f64,
     /// Nose radius, m.
     pub nose_radius_m: f64,
@@ -44,7 +44,7 @@ pub struct Start<S = f64> {
     pub inertial: Velocity<S>,
 }
 
-/// Where a flight ends.
+/// Conditions that end a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// Geodetic altitude that ends a fall, m.
@@ -67,14 +67,14 @@ impl Stop {
     }
 }
 
-/// How the flight is computed.
+/// Settings of the computation of the flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
     /// Model.
     pub model: Model,
     /// Method of integration.
     pub method: Method,
-    /// Relative error of a step.
+    /// Relative error per step.
     pub tolerance: f64,
 }
 
@@ -99,7 +99,7 @@ pub struct Mission {
     pub stop: Stop,
     /// Rules beyond the ends of the tables.
     pub beyond: Beyond,
-    /// How it is computed.
+    /// Settings of the computation.
     pub solver: Solver,
 }
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! with r, v position (m) and velocity (m/s) in planet-fixed axes and Q the heat loads (J/m²): the state of a point mass
-//! stands first in the state of every motion.
+//! is the first part of the state of every motion.
 //!
 //! # Valid
 //! Motions of one body.
@@ -83,13 +83,13 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         }
     }
 
-    /// Whether it takes that table by the line that holds, so that nothing changes at a row but where a step ends.
+    /// Whether the drag table is used by the line that holds, so that the line changes only at the end of a step.
     #[inline]
     fn holds_drag(&self) -> bool {
         true
     }
 
-    /// With what tables may be looked up at a time, s; not a number where the motion has none.
+    /// Arguments of table look-ups at a time, s; NaN where the motion has none.
     fn arguments(&self, t: S, y: &[S; N]) -> Arguments<S>;
 
     /// Attitude and rates, where the motion has them.
@@ -115,7 +115,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         self
     }
 
-    /// Where a state is among the rows of tables.
+    /// Position of a state among the rows of tables.
     fn place(&self, y: &[S; N]) -> Within
     where
         S: Single,
@@ -154,10 +154,10 @@ pub fn head<const N: usize, S: Scalar>(y: &[S; N]) -> [S; STATES] {
     core::array::from_fn(|i| y[i])
 }
 
-/// A point mass, with lift where its body has some; or one a lane.
+/// Point mass, with lift where its body has some; or one per lane.
 #[derive(Clone, Copy)]
 pub struct PointMass<'a, S: Scalar = f64> {
-    /// Its equations.
+    /// Equations of the point mass.
     pub point: Equations<'a, S>,
 }
 

@@ -27,14 +27,14 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::scalar::Scalar;
 
-/// The numbers of one flight, of one a lane, or with derivatives.
+/// Numbers of one flight, of one per lane, or with derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers<S = f64> {
     /// Entry state.
     pub start: Start<S>,
     /// Mass, kg.
     pub mass_kg: S,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: S,
     /// Nose radius, m.
     pub nose_radius_m: S,

@@ -27,22 +27,22 @@ use serde::{Deserialize, Serialize};
 /// A phase.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
-    /// Its name.
+    /// Name of the phase.
     pub name: String,
-    /// When it begins.
+    /// Condition that begins it.
     pub begin: Begin,
     /// Changes that it makes.
     pub change: Change,
 }
 
-/// When a phase begins: where a quantity goes through a value.
+/// Start of a phase: a quantity passes a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Begin {
-    /// The quantity.
+    /// Quantity to compare.
     pub mark: Mark,
-    /// Its value, SI; Earth g for the deceleration.
+    /// Value of the quantity, SI; Earth g for the deceleration.
     pub value: f64,
-    /// Which way it goes.
+    /// Direction in which it passes.
     pub direction: Direction,
 }
 
@@ -79,7 +79,7 @@ impl Mark {
 pub struct Change {
     /// Mass from then on, kg.
     pub mass_kg: Option<f64>,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: Option<f64>,
     /// Drag coefficient of the vehicle, the same at every Mach number.
     pub drag_coefficient: Option<f64>,
@@ -94,7 +94,7 @@ pub struct Canopy {
     pub drag_area_m2: f64,
     /// Time in which it grows to that, s.
     pub inflation_s: f64,
-    /// Where it pulls: x aft of the virtual apex, y to the right, z down, m; of a rigid body only.
+    /// Attachment point: x aft of the virtual apex, y to the right, z down, m; for a rigid body only.
     pub attachment_m: [f64; 3],
 }
 
@@ -105,11 +105,11 @@ pub struct Changed<S> {
     pub constant_drag: S,
     /// Full drag area of the parachute, m².
     pub canopy_m2: S,
-    /// When it began to inflate, s after the start.
+    /// Start of the inflation, s after the start.
     pub canopy_since_s: S,
     /// Time in which it inflates, s; above zero.
     pub inflation_s: S,
-    /// Where it pulls, as [`Canopy::attachment_m`].
+    /// Attachment point, as [`Canopy::attachment_m`].
     pub attachment_m: [S; 3],
 }
 
@@ -146,14 +146,15 @@ impl<S: Scalar> Changed<S> {
     }
 }
 
-/// Where a part of a flight lies: among the rows of tables, phases so far, and when the parachute began to inflate.
+/// Stage of a flight: its place among the rows of tables, the phases so far, and the start of the inflation of the
+/// parachute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage<S = f64> {
     /// A place within the rows of tables that hold.
     pub within: Within,
     /// Number of phases that have begun.
     pub phases: usize,
-    /// When the parachute began to inflate, s after the start.
+    /// Start of the inflation of the parachute, s after the start.
     pub canopy_since_s: S,
 }
 
@@ -171,7 +172,7 @@ impl<S: Scalar> Stage<S> {
 /// A phase that has begun.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Begun<S = f64> {
-    /// Its name.
+    /// Name of the phase.
     pub name: String,
     /// Time after the start, s.
     pub time_s: S,

@@ -1,7 +1,7 @@
 //! Tables of a case that a flight looks up: where it leaves them, and the findings about it.
 //!
 //! ```text
-//! x < first or x > last        with x what a table is looked up with
+//! x < first or x > last        with x the argument of a table
 //! ```
 //!
 //! with x an altitude in m, a speed in m/s, a Mach or Knudsen number, a time in s or a total angle of attack in rad.
@@ -32,7 +32,7 @@ const ATMOSPHERE: &str = "atmosphere";
 /// and nothing for the air.
 const NEAR_M: f64 = 1.0;
 
-/// With what a table is looked up.
+/// Argument of a table look-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Argument {
     /// Geodetic altitude, m.
@@ -98,13 +98,13 @@ impl Argument {
 pub struct Axis {
     /// Key of the table in the case.
     pub key: &'static str,
-    /// With what it is looked up.
+    /// Argument of the look-up.
     pub argument: Argument,
     /// First and last row.
     pub ends: [f64; 2],
     /// Rule beyond the ends.
     pub rule: Extrapolation,
-    /// Whether the table is level at each end: its last two rows are alike, so that every rule goes on with them.
+    /// Whether the table is level at each end: its last two rows are equal, so that every rule continues with them.
     pub level: [bool; 2],
     /// Distance beyond an end up to which there is no finding.
     pub slack: f64,
@@ -130,7 +130,7 @@ impl Axis {
         self.rule == Extrapolation::Refuse && self.level != [true; 2]
     }
 
-    /// How far a value is beyond an end that is not level, in its unit; zero or less where it is not.
+    /// Excess of a value beyond an end that is not level, in its unit; zero or less within the table.
     pub fn refused_excess(&self, value: f64) -> f64 {
         let ([first, last], [level_first, level_last]) = (self.ends, self.level);
         let beyond = |level: bool, excess: f64| if level { f64::NEG_INFINITY } else { excess };
@@ -168,7 +168,7 @@ impl Span {
         greatest: [f64::NEG_INFINITY, 0.0],
     };
 
-    /// One value at the start.
+    /// Range of a single value at the start.
     pub fn at(value: f64) -> Span {
         Span {
             least: [value, 0.0],
@@ -197,7 +197,7 @@ impl Span {
 pub struct Passed {
     /// Key of the table in the case.
     pub key: String,
-    /// With what it is looked up.
+    /// Argument of the look-up.
     pub argument: Argument,
     /// First and last row.
     pub ends: [f64; 2],

@@ -10,7 +10,7 @@
 //!
 //! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
 //! - [`quaternion`], [`attitude`]: its attitude.
-//! - [`events`], [`remarks`]: what happens to the attitude, and what must be known of it.
+//! - [`events`], [`remarks`]: events of the attitude, and findings about it.
 //! - [`reorientation`], [`turning`]: backward entries, over places of the center of gravity, and from a set of attitudes and rates.
 //!
 //! # Valid
@@ -59,7 +59,7 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> Rig
     }
 }
 
-/// Integrates a flight; who watches hears of each step and may stop it there.
+/// Integrates a flight; `progress` is called at each step and may stop it there.
 pub fn integrate(
     mission: &Mission,
     body: &Body,

@@ -39,7 +39,7 @@ pub struct Trim {
     diameter_m: f64,
     /// Axes of the table of the case from which it comes, if it does.
     pub axes: Vec<Axis>,
-    /// One row a Mach number, one entry a Knudsen number: drag and lift coefficient, angle of trim in rad.
+    /// One row per Mach number, one entry per Knudsen number: drag and lift coefficient, trim angle in rad.
     grid: Vec<Vec<[f64; 3]>>,
 }
 

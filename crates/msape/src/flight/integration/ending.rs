@@ -1,4 +1,4 @@
-//! How a flight ends, and why.
+//! End of a flight, and its reason.
 //!
 //! ```text
 //! E = v_i²/2 − μ/r        below zero on a bound orbit
@@ -60,7 +60,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.record.reason = Some(format!("rose through {exit_km:.0} km again, {orbit}"));
     }
 
-    /// Ends a flight that leaves a table beyond which the case refuses to go on.
+    /// Ends a flight that leaves a table beyond which the case refuses to continue.
     pub(super) fn refuse(&mut self, axis: usize) {
         self.record.outcome = Outcome::Stopped;
         self.record.refused = Some(axis);

@@ -38,7 +38,7 @@ pub(super) struct Marks {
     pub end_s: f64,
     /// Axes of the tables of the case that are looked up.
     pub axes: Vec<Axis>,
-    /// Whether the case refuses to go on beyond one of them.
+    /// Whether the case refuses to continue beyond one of them.
     pub refuses: bool,
     /// Whether the drag coefficient may fall below zero.
     pub may_push: bool,
@@ -46,7 +46,7 @@ pub(super) struct Marks {
     pub wind_energy_j_kg: Option<f64>,
     /// Number of times the vehicle may leave the atmosphere before that ends its flight.
     pub exits: u32,
-    /// Which steps are kept.
+    /// Choice of the steps to keep.
     pub keep: Keep,
 }
 

@@ -25,7 +25,7 @@ use crate::aero::database::{Coefficients, Database};
 use nalgebra::Vector3;
 use numerics::math;
 
-/// Where force and moment come from.
+/// Model of force and moment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Aerodynamics {
     /// Drag against the velocity, without moment, by the drag of the body.
@@ -67,7 +67,7 @@ pub struct Damping {
     pub cnr: f64,
 }
 
-/// Lengths to which coefficients belong.
+/// Reference lengths and area of the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// Area, m².
@@ -149,7 +149,7 @@ struct Static {
     cmq: f64,
     /// Length of `cm` and `cmq`, m.
     length_m: f64,
-    /// From the center of gravity to the point of `cm`, axes of the body, m.
+    /// Vector from the center of gravity to the point of `cm`, body axes, m.
     arm_m: Vector3<f64>,
 }
 

@@ -23,11 +23,11 @@ use serde::{Deserialize, Serialize};
 
 /// Angle below which a vehicle flies nose forward, rad.
 const SMALL_RAD: f64 = 10.0 * RADIANS_PER_DEGREE;
-/// Parts into which a step is cut.
+/// Number of parts into which a step is divided.
 const PARTS: u32 = 4;
 /// A step whose highest point reaches this part of the largest angle so far is searched.
 const NEARLY: f64 = 0.97;
-/// A largest angle is placed within this part of a step.
+/// Tolerance of the time of a largest angle, as a fraction of the step.
 const TOLERANCE: f64 = 1e-4;
 /// The end of a flight over which the amplitude is taken, s.
 const LAST_S: f64 = 10.0;
@@ -70,7 +70,7 @@ pub struct AttitudeEvents {
     pub maximum_transverse_rate_rad_s: f64,
 }
 
-/// Times of the loads beside which attitude is looked at.
+/// Times of the loads at which the attitude is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marks {
     /// Largest total heat flux, s after the start.
@@ -156,7 +156,7 @@ impl Highest {
         }
     }
 
-    /// Looks beside the highest point of a step.
+    /// Searches for a larger angle near the highest point of a step.
     fn look(
         &mut self,
         leg: &Leg<RIGID_STATES>,

@@ -36,7 +36,7 @@ pub const RIGID_STATES: usize = RATES + 3;
 pub const ATTITUDE: usize = STATES;
 /// Index of the rates in the state.
 pub const RATES: usize = ATTITUDE + 4;
-/// Rate below which the error of a step does not shrink any more, rad/s.
+/// Rate below which the allowed error of a step no longer decreases, rad/s.
 const RATE_SCALE_RAD_S: f64 = 1.0;
 
 /// Below this speed against the air the attitude has no drag coefficient of its own, m/s.
@@ -146,7 +146,7 @@ impl RigidMotion<'_> {
         )
     }
 
-    /// Mass as a part of that at the start: inertia keeps its shape when a phase changes the mass.
+    /// Mass over that at the start: the inertia is scaled with it when a phase changes the mass.
     #[inline]
     fn part_of_mass(&self) -> f64 {
         self.point.numbers().mass_kg / self.point.body.mass_kg

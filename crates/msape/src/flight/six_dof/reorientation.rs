@@ -20,7 +20,7 @@ use crate::flight::{Request, fly};
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use serde::{Deserialize, Serialize};
 
-/// Which way a vehicle flies.
+/// Orientation of a vehicle from peak heating on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Facing {
     /// Nose first from peak heating on.
@@ -40,7 +40,7 @@ pub struct Reorientation {
     pub knudsen: Vec<f64>,
     /// Total angle of attack at the same steps, rad.
     pub total_alpha_rad: Vec<f64>,
-    /// How it faces the heat.
+    /// Orientation from peak heating on.
     pub facing: Facing,
     /// Events of the attitude.
     pub attitude: AttitudeEvents,
@@ -77,7 +77,7 @@ fn entry(mission: &Mission, body: &Body, cg_x_m: f64) -> Option<Reorientation> {
     })
 }
 
-/// How an entry faces the heat.
+/// Orientation of an entry from peak heating on.
 pub(super) fn facing(attitude: &AttitudeEvents) -> Facing {
     if attitude.total_alpha_at_peak_heating_rad >= FRAC_PI_2 {
         Facing::Backward

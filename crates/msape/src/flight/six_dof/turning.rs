@@ -61,9 +61,9 @@ impl Start {
 /// One entry of the set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Turn {
-    /// How it starts.
+    /// Attitude and rate at the start.
     pub start: Start,
-    /// How it faces the heat.
+    /// Orientation from peak heating on.
     pub facing: Facing,
     /// Altitude of the largest total heat flux, m.
     pub peak_heating_altitude_m: f64,

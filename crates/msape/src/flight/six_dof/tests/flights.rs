@@ -160,7 +160,7 @@ alpha_deg = -9.6
     );
 }
 
-/// A lift of nothing is no lift; other rounding may move a peak within the part of a step to which it is placed.
+/// Zero lift equals no lift; different rounding may move a peak within the tolerance of its time.
 #[test]
 fn lift_of_nothing_changes_nothing() {
     let none = entry("drag_coefficient = 1.5\n").flight.unwrap();
