@@ -71,7 +71,7 @@ pub struct Planet {
     /// Radius of the sphere on which downrange is measured, m; on the ellipsoid where absent.
     #[serde(default)]
     pub downrange_sphere_radius_m: Option<f64>,
-    /// Name of the body in KML, where viewers know it.
+    /// Name of the body in KML, where viewers have it.
     #[serde(default)]
     pub kml_target: Option<String>,
     /// Gravity.
@@ -102,7 +102,7 @@ impl Planet {
         }
     }
 
-    /// All that is wrong with the constants.
+    /// All faults of the constants.
     pub fn check(&self) -> Vec<PlanetFault> {
         let mut faults = Vec::new();
         let mut must = |holds: bool, key, value, unit, rule| {

@@ -9,7 +9,8 @@
 //! with Δxⱼ, Δrⱼ the last two steps and what they did to the residual r, each variable in parts of its own size; ω the
 //! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated step
 //! that overshot, to a larger residual the other way; each step that does halves ω, down to an eighth, each other doubles it again.
-//! Where the steps say that the fixed point lies behind, against r, it is one that f leaves: then x goes on along the last change
+//! Where the steps show that the fixed point lies behind, against r, it is one that f leaves: then x moves along the
+//! last change
 //! of f, twice as far each time, to the next fixed point or to where f ends. An accelerated step is shortened to
 //! twenty residuals and to twice or half of a variable.
 //!
@@ -18,7 +19,7 @@
 
 /// Steps that are remembered.
 const DEPTH: usize = 2;
-/// Least relaxation, as a part of the one asked for.
+/// Least relaxation, as a fraction of the one requested.
 const LEAST_RELAXATION: f64 = 0.125;
 /// Two steps whose residuals differ by less than the angle with this squared sine are one.
 const PARALLEL: f64 = 1e-6;
@@ -43,7 +44,7 @@ struct Place<const N: usize> {
     watched: f64,
 }
 
-/// Where to go next, and how far that is from where the variables stand.
+/// Next variables, and their estimated distance from the fixed point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal<const N: usize> {
     /// The next variables.
@@ -208,7 +209,7 @@ impl<const N: usize> Anderson<N> {
     }
 }
 
-/// Part of a step that is neither much longer than the residual nor takes a variable far from where it stands.
+/// Fraction of a step that is neither much longer than the residual nor changes a variable by much.
 fn allowed<const N: usize>(x: &[f64; N], step: &[f64; N], r: &[f64; N], size: &[f64; N]) -> f64 {
     let length = square(step, size).sqrt();
     let longest = LONGEST * square(r, size).sqrt();

@@ -31,7 +31,7 @@ pub enum End {
     Extrapolate,
 }
 
-/// Why columns of numbers are not a table.
+/// Reason why columns of numbers are not a table.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
     /// Fewer than two rows.

@@ -63,37 +63,37 @@ pub enum Dense {
     /// The interpolation that belongs to the method, computed with every step.
     #[default]
     Full,
-    /// No evaluation is spent: order 7 of [`Method::DormandPrince853`] becomes order 3; the other methods lose nothing.
+    /// No extra evaluation: order 7 of [`Method::DormandPrince853`] becomes order 3; the other methods lose nothing.
     Hermite,
 }
 
-/// Why no step could be taken.
+/// Reason why no step could be taken.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OdeError {
     /// The tolerance cannot be met, or the fixed step is not a positive number.
     #[error("the step became too small at t = {t}")]
     StepTooSmall {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
     },
     /// The right-hand side, or what follows from it, is infinite or not a number.
     #[error("the right-hand side is not finite at t = {t}")]
     NotFinite {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
     },
     /// The allowance of [`Integrator::with_maximum_steps`] is used up.
     #[error("too many steps: stopped at t = {t}")]
     TooManySteps {
-        /// Where the integration stands.
+        /// Present time of the integration.
         t: f64,
     },
-    /// The end that was asked for is not ahead of the step's beginning, or, for a retake, not within the last step.
+    /// The requested end is not ahead of the start of the step, or, for a retake, not within the last step.
     #[error("a step from t = {t} cannot end at t = {end}")]
     Unreachable {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
-        /// The end that was asked for.
+        /// Requested end.
         end: f64,
     },
 }

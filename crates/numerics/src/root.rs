@@ -96,7 +96,7 @@ fn inverse_quadratic([a, fa]: [f64; 2], [b, fb]: [f64; 2], [c, fc]: [f64; 2]) ->
     ]
 }
 
-/// Where `f` is largest between `a` and `b`, within `tolerance`, and its value there.
+/// Place between `a` and `b` at which `f` is largest, within `tolerance`, and its value there.
 ///
 /// Finds one of several maxima; the ends are among the candidates. About half the digits of x are attainable.
 ///

@@ -140,7 +140,7 @@ impl Definition {
     /// The definition, after a check of everything that the code relies on.
     ///
     /// # Errors
-    /// Which list does not fit which.
+    /// The lists that do not fit each other.
     pub fn checked(self) -> Result<Self, String> {
         let Lower {
             base_geopotential_km: bases,

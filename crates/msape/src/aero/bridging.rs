@@ -1,4 +1,4 @@
-//! From continuum to free-molecular flow by the Knudsen number.
+//! Bridging from continuum to free-molecular flow by the Knudsen number.
 //!
 //! ```text
 //! C = C_c + (C_fm − C_c) w

@@ -11,7 +11,7 @@
 //! Equation 7 states no normalisation; the same is assumed.
 //!
 //! # Valid
-//! The report's capsules. The placeholder stands for Viking data that are not public.
+//! The report's capsules. The placeholder takes the place of Viking data that are not public.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.7 and equation 7; the placeholder is \[assumed\].
@@ -22,7 +22,7 @@ use crate::data::Data;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 
-/// Which radius of gyration equation 7 takes.
+/// Radius of gyration used in equation 7.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reading {
@@ -154,10 +154,10 @@ impl DampingData {
     }
 }
 
-/// Where pitch damping comes from.
+/// Model of pitch damping.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Damping {
-    /// None at all.
+    /// No damping.
     Absent,
     /// Equation 7 and the placeholder, blended.
     Report {

@@ -43,9 +43,9 @@ pub const GAMMA: f64 = 1.4;
 const SUBSONIC_NORMAL: f64 = 0.749;
 /// Decrease of the axial force in equation 7 per sin² α.
 const SUBSONIC_AXIAL_LOSS: f64 = 0.5;
-/// Mach numbers between which equation 7 gives way.
+/// Mach numbers between which equation 7 is blended out.
 const MACH_BLEND: [f64; 2] = [0.5, 1.5];
-/// Angles between which it gives way, deg.
+/// Angles between which equation 7 is blended out, deg.
 const ALPHA_BLEND_DEG: [f64; 2] = [60.0, 100.0];
 /// Below this Mach number the base pressure is held.
 pub const BASE_MACH_MIN: f64 = 3.0;
@@ -239,7 +239,7 @@ impl Database {
         }
     }
 
-    /// Where damping comes from.
+    /// Model of pitch damping.
     pub fn damping(&self) -> &Damping {
         &self.damping
     }

@@ -83,7 +83,7 @@ impl Law {
     }
 }
 
-/// How exactly the meridian is integrated.
+/// Accuracy of the integral over the meridian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
     /// Largest difference between a panel and its halves, in coefficients.

@@ -30,7 +30,7 @@ pub mod write;
 
 pub use remarks::remarks;
 
-/// Which theory answers.
+/// Theory of the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Theory {
     /// Newton with a pressure coefficient of the stagnation point; no correction and no base pressure.
@@ -84,7 +84,7 @@ pub struct Row {
 /// Coefficients over the angle of attack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Polar {
-    /// One row an angle, in the order asked for.
+    /// One row per angle, in the order requested.
     pub rows: Vec<Row>,
     /// Every trim point from 0 to 180 deg, where the center of gravity is known.
     pub trim: Vec<Trim>,

@@ -28,7 +28,7 @@ use crate::vehicle::segment::Segment;
 pub struct AeroBody {
     /// Name.
     pub name: String,
-    /// Its surface, x from the virtual apex.
+    /// Surface of the body, x from the virtual apex.
     pub surface: Surface,
     /// Dimensions of its forebody, where that is a sphere-cone.
     pub sphere_cone: Option<SphereCone>,

@@ -113,7 +113,7 @@ impl Piece {
         }
     }
 
-    /// How far it reaches in a direction of the meridian, diameters.
+    /// Largest extent in a direction of the meridian, diameters.
     fn reach(&self, [x, r]: [f64; 2]) -> f64 {
         let along = |p: [f64; 2]| x * p[0] + r * p[1];
         let ends = [0.0, 1.0].map(|t| self.position(t));
@@ -162,10 +162,10 @@ pub struct Surface {
     diameter_m: f64,
 }
 
-/// Parts of a body that stand out by less than this are rounding, diameters.
+/// Height below which a protruding part of a body is rounding, diameters.
 const LEVEL: f64 = 1e-9;
 
-/// Whether a piece lies on the convex hull of the body: no part stands out beyond the tangents at its ends.
+/// Whether a piece lies on the convex hull of the body: no part protrudes beyond the tangents at its ends.
 fn is_outermost(piece: &Piece, pieces: &[Piece]) -> bool {
     [0.0, 1.0].into_iter().all(|t| {
         let station = piece.at(t);

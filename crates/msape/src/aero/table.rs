@@ -25,7 +25,7 @@ pub use crate::quantity::choice::Extrapolation;
 pub use push::in_radians;
 pub use row::Row;
 
-/// Which coefficients a table gives.
+/// Coefficients given by a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Content {
@@ -53,7 +53,7 @@ pub enum Given {
 /// A checked table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
-    /// Which coefficients it gives.
+    /// Coefficients that it gives.
     pub content: Content,
     /// Rule beyond its ends.
     pub extrapolation: Extrapolation,

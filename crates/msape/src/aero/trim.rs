@@ -52,12 +52,12 @@ impl Trim {
     }
 }
 
-/// How trims are sought.
+/// Settings of the search for trims.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
     /// Steps from 0 to 180 deg.
     pub steps: u32,
-    /// How closely the root of the coarse moment is found, rad.
+    /// Tolerance of the root of the coarse moment, rad.
     pub tolerance_rad: f64,
     /// Step of slopes, and of the last correction by the fine moment, rad.
     pub slope_step_rad: f64,

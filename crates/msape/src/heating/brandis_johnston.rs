@@ -95,7 +95,7 @@ impl BrandisJohnston {
 }
 
 impl BrandisJohnstonConvective {
-    /// Speed at which one set of constants gives way to the other, m/s.
+    /// Speed at which the constants change from one set to the other, m/s.
     pub fn switch_m_s(&self) -> f64 {
         self.switch_m_s
     }

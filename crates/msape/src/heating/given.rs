@@ -54,7 +54,7 @@ struct Fluxes {
     logarithmic: Vec<bool>,
 }
 
-/// Which heat flux of a table.
+/// Kind of heat flux in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Convective, or total where the table has no other.
@@ -68,7 +68,7 @@ pub enum Part {
 struct Between<S> {
     /// Part of the way between them, held within them at the ends of the table.
     part: S,
-    /// How far the number is beyond an end of the table, as far as the rule lets it go, in steps of the two rows.
+    /// Distance of the number beyond an end of the table, as far as the rule allows, in intervals of the two rows.
     beyond: S,
 }
 
@@ -200,7 +200,7 @@ impl GivenHeating {
         })
     }
 
-    /// Whether the two rows at each end of speed, and of density, are alike, so that every rule goes on with them.
+    /// Whether the two rows at each end of speed, and of density, are equal, so that every rule continues with them.
     pub fn level(&self) -> [[bool; 2]; 2] {
         let (speeds, width) = (self.speeds_m_s.len(), self.densities_kg_m3.len());
         let columns = || core::iter::once(&self.convective).chain(&self.radiative);

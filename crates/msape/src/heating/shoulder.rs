@@ -32,7 +32,7 @@ pub struct Shoulder {
     pub place: String,
     /// Note on the published law that this one replaces.
     pub note: String,
-    /// Who fitted it.
+    /// Origin of the fit.
     pub provenance: String,
     c: f64,
     m: f64,

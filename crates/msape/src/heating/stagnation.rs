@@ -38,7 +38,7 @@ pub struct Margins {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// How they are meant.
+    /// Note on their meaning.
     pub note: String,
     /// Navier-Stokes over Sutton-Graves at the stagnation point.
     pub cfd_over_sutton_graves: f64,
@@ -55,7 +55,7 @@ impl Margins {
     }
 }
 
-/// How convective heating is taken.
+/// Options of convective heating.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ConvectiveOptions {
     /// Correction of the correlation.
@@ -81,7 +81,7 @@ impl Default for ConvectiveOptions {
 pub struct StagnationHeating {
     /// Convective model.
     pub convective: Convective,
-    /// How it is taken.
+    /// Options of convective heating.
     pub options: ConvectiveOptions,
     /// Radiative model.
     pub radiative: Radiative,

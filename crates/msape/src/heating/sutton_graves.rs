@@ -27,7 +27,7 @@ pub struct SuttonGraves {
     pub k: f64,
     /// Ranges of the correlation.
     pub valid: FlowRange,
-    /// Where the constant comes from.
+    /// Source of the constant.
     pub place: String,
 }
 

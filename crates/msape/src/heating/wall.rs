@@ -27,7 +27,7 @@ pub const STEFAN_BOLTZMANN_W_M2_K4: f64 = 5.670_374_419e-8;
 /// Newton steps of the radiative-equilibrium temperature; each gains more than a factor of twenty.
 const STEPS: usize = 8;
 
-/// How the wall enters convective heating.
+/// Wall in convective heating.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Wall {

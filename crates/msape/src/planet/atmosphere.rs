@@ -8,7 +8,7 @@
 //! each smooth beyond its own ends, so that an integrator which ends its steps at the boundaries keeps its order.
 //!
 //! # Valid
-//! Between the ends that [`Atmosphere::valid_m`] names; beyond them the end pieces go on.
+//! Between the ends given by [`Atmosphere::valid_m`]; beyond them the end pieces continue.
 //!
 //! # References
 //! - \[coesa-1976\]; each model names its own.

@@ -42,7 +42,7 @@ pub enum HeatCapacityRatio {
     Table(Vec<Row>),
 }
 
-/// From its temperature up: the ratio, and how it goes on.
+/// Row of the table: lower temperature, ratio there and slope above it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     temperature_k: f64,

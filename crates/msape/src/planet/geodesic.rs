@@ -34,7 +34,8 @@ impl Planet {
         }
     }
 
-    /// Radius of the sphere that stands for its figure in closed forms, m: that of its file, else the mean of its three axes.
+    /// Radius of the sphere that represents the figure in closed forms, m: that of its file, else the mean of its three
+    /// axes.
     pub fn sphere_radius_m(&self) -> f64 {
         let mean_m = (2.0 * self.equatorial_radius_m + self.polar_radius_m) / 3.0;
         self.downrange_sphere_radius_m.unwrap_or(mean_m)
@@ -120,7 +121,7 @@ struct Line<S> {
 }
 
 impl<S: Scalar> Line<S> {
-    /// From sine and cosine of the reduced latitudes and a difference of longitude.
+    /// The line from sine and cosine of the reduced latitudes and a difference of longitude.
     fn new([sin_1, cos_1]: [S; 2], [sin_2, cos_2]: [S; 2], turn_rad: S, tiny: S) -> Self {
         let (sin_l, cos_l) = (turn_rad.sin(), turn_rad.cos());
         let (east, north) = (cos_2 * sin_l, cos_1 * sin_2 - sin_1 * cos_2 * cos_l);

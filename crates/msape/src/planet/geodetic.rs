@@ -153,7 +153,7 @@ impl Ellipsoid {
         let scale = S::constant(1.0) / (p2 * p_up * p_up + z2 * z_up * z_up).sqrt();
         (p_up, z_up) = (p_up * scale, z_up * scale);
         let (p_over, z_over) = (S::constant(1.0) - c * a, S::constant(1.0) - s * b);
-        // The guessed foot stands t beside the true one, on a curve that bends away by t²/(2 a).
+        // The guessed foot is t beside the true one, on a curve that bends away by t²/(2 a).
         let t = z_over * p_up - p_over * z_up;
         let altitude_m = p2 * p_up * p_over + z2 * z_up * z_over - p2 * z2 * t * t * (0.5 / a);
         Foot {

@@ -8,12 +8,12 @@ pub(super) struct Rows<const K: usize> {
     rows: Vec<[f64; K]>,
 }
 
-/// How the row is found.
+/// Method by which the row is found.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Search {
-    /// By halving, among knots at any distance.
+    /// Bisection, among knots at any distance.
     Binary(Vec<f64>),
-    /// By division, where the knots are evenly spaced.
+    /// Division, where the knots are evenly spaced.
     Uniform { first: f64, per_knot: f64 },
 }
 

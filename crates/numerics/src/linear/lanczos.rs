@@ -15,7 +15,7 @@ use super::skyline::Factor;
 use super::sparse::Sparse;
 use super::{add_scaled, dot};
 
-/// When the iteration ends.
+/// Conditions that end the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Relative change of the eigenvalue in a step that ends it; the next step would change it by much less.

@@ -29,7 +29,7 @@ use super::{add_scaled, dot};
 pub struct Skyline {
     /// First row kept of each column.
     first: Vec<usize>,
-    /// Where the first row of each column stands among the values; one more at the end.
+    /// Index among the values of the first row of each column; one more at the end.
     start: Vec<usize>,
     values: Vec<f64>,
 }

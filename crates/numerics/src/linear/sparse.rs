@@ -22,7 +22,7 @@ pub struct Sparse {
 }
 
 impl Sparse {
-    /// A matrix of zeros of so many rows.
+    /// A matrix of zeros of the given size.
     pub fn new(size: usize) -> Self {
         Self {
             diagonal: vec![0.0; size],

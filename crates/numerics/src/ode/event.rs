@@ -13,20 +13,20 @@ use super::Step;
 use crate::root;
 use crate::scalar::Single;
 
-/// Width of the bracket that is left, as a part of the step.
+/// Width of the final bracket, as a fraction of the step.
 const CROSSING_TOLERANCE: f64 = 1e-13;
 /// Tolerance of the place of a maximum, which rounding limits to about its square root.
 const MAXIMUM_TOLERANCE: f64 = 1e-9;
-/// Distance at which the slope along a step is taken, as a part of the step.
+/// Distance at which the slope along a step is evaluated, as a fraction of the step.
 const SLOPE_PART: f64 = 1e-2;
 /// Corrections of the place of a maximum; each squares the error.
 const CORRECTIONS: usize = 4;
-/// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
-/// the step for less.
+/// Distance at which slope and curvature along a step are evaluated for a maximum, as a fraction of the step: rounding
+/// needs a larger one, the step a smaller one.
 const TOP_PART: f64 = 1e-2;
-/// The last correction but one of the place of a maximum, as a part of the step; the error is about its square.
+/// Last correction but one of the place of a maximum, as a fraction of the step; the error is about its square.
 const TOP_TOLERANCE: f64 = 1e-4;
-/// Another maximum is placed within this part of a step.
+/// Tolerance of the place of any other maximum, as a fraction of the step.
 const COARSE_TOLERANCE: f64 = 1e-6;
 /// Tolerance as a part of t: a search by values resolves no finer.
 const NEAR_TIME: f64 = 1e-6;
@@ -44,7 +44,8 @@ pub enum Direction {
     Either,
 }
 
-/// Where `g` crosses zero along `step`, by its signs at both ends; the value of `g` there is zero or has the new sign.
+/// Time at which `g` crosses zero along `step`, by its signs at both ends; the value of `g` there is zero or has the
+/// new sign.
 ///
 /// A zero at the very beginning belongs to the step before, a zero at the end to this one. After a retake that ends at a
 /// crossing, rounding may leave either sign there: what must happen only once is for the caller to remember.
@@ -83,7 +84,8 @@ pub fn crossing_sampled<const N: usize, S: Single>(
     None
 }
 
-/// Where `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the value of `g`
+/// Time at which `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the
+/// value of `g`
 /// there is zero or has the sign of the later instant.
 pub fn root_between<const N: usize, S: Single>(
     step: &Step<N, S>,
@@ -112,7 +114,7 @@ fn crosses(before: f64, here: f64, direction: Direction) -> bool {
     }
 }
 
-/// Where `g` is largest along `step`, ends included, and its value there; of several maxima one is found.
+/// Time at which `g` is largest along `step`, ends included, and its value there; of several maxima one is found.
 pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64) -> (f64, f64) {
     let along = |t: f64| g(t, &step.at(t));
     root::maximum(
@@ -123,8 +125,8 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
     )
 }
 
-/// Where `g` is largest along `step`, looked for from the part `start` of the step: the zero of its slope where that is
-/// within the step, else the largest value, ends included.
+/// Time at which `g` is largest along `step`, searched from the fraction `start` of the step: the zero of its slope
+/// where that is within the step, else the largest value, ends included.
 pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
     let (t0, t1) = (step.t0.value(), step.t1.value());
     let length = t1 - t0;
@@ -144,7 +146,7 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
     }
 }
 
-/// Where the slope of `g` is zero within `step`, its curvature being negative, looked for from `t`.
+/// Time within `step` at which the slope of `g` is zero and its curvature negative, searched from `t`.
 ///
 /// ```text
 /// t ← t − g'/g'',   g' = (g₁ − g₋₁)/(2d),   g'' = (g₁ − 2 g₀ + g₋₁)/d²

@@ -1,4 +1,4 @@
-//! The integrator: where it stands, how long the next step shall be, and what it has cost; one flight or many.
+//! The integrator: present state, length of the next step, and cost; one integration or many.
 
 mod account;
 mod alone;
@@ -23,8 +23,7 @@ const FIXED_STRETCH: f64 = 1e-9;
 const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 const MAXIMUM_STEPS: u64 = 1_000_000;
 
-/// An integration of y' = f(t, y) under way: one, or in a number of several lanes one a lane, each with its own t and
-/// its own steps.
+/// An integration of y' = f(t, y) in progress: one, or one per lane, each with its own t and its own steps.
 ///
 /// With derivatives, the length of the steps is that of the values alone.
 #[derive(Clone, Debug)]
@@ -38,20 +37,20 @@ pub struct Integrator<const N: usize, S: Scalar = f64> {
     y: [S; N],
     /// Slope at (t, y).
     slope: [S; N],
-    /// Where the slope is known.
+    /// Lanes in which the slope is known.
     sloped: S::Mask,
     /// Length of the next step, where it is known.
     planned: S::Value,
     is_planned: S::Mask,
     /// Length of the next trial, where one of the same step was refused.
     h: S::Value,
-    /// Where no trial of the next step was refused.
+    /// Lanes in which no trial of the next step was refused.
     fresh: S::Mask,
-    /// Where the last trial was not finite.
+    /// Lanes in which the last trial was not finite.
     wild: S::Mask,
     /// Logarithm of the error of the last step, for the control.
     before: S::Value,
-    /// Where the last trial was not finite at its beginning.
+    /// Lanes in which the last trial was not finite at its beginning.
     unsound: S::Mask,
     /// The last step.
     step: Step<N, S>,
@@ -63,7 +62,7 @@ pub struct Integrator<const N: usize, S: Scalar = f64> {
 }
 
 impl<const N: usize, S: Scalar> Integrator<N, S> {
-    /// An integration that stands at (`t0`, `y0`); the length of the first step is found with that step.
+    /// An integration at the state (`t0`, `y0`); the length of the first step is found with that step.
     pub fn new(method: Method, tolerance: Tolerance<N>, t0: S, y0: [S; N]) -> Self {
         let zero = S::Value::constant(0.0);
         Self {
@@ -109,7 +108,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         self
     }
 
-    /// Where the integration stands.
+    /// Present time of the integration.
     #[inline]
     pub fn t(&self) -> S {
         self.t
@@ -137,7 +136,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Begins another integration in a lane, as [`Integrator::new`] does.
+    /// Starts another integration in a lane, as [`Integrator::new`] does.
     pub fn restart(&mut self, lane: usize, t0: S::Lane, y0: &[S::Lane; N]) {
         self.put(lane, t0, y0);
         self.is_planned.set_lane(lane, false);
@@ -152,7 +151,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Puts the integration of a lane at (`t`, `y`), within the last step or elsewhere; the length of the next step and
+    /// Sets the integration of a lane to (`t`, `y`), within the last step or elsewhere; the length of the next step and
     /// the counts are kept. Costs one evaluation.
     #[inline]
     pub fn put(&mut self, lane: usize, t: S::Lane, y: &[S::Lane; N]) {
@@ -164,7 +163,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         self.slope0 = None;
     }
 
-    /// Says that the right-hand side of a lane has changed: its stored value is forgotten, the length of the next step is
+    /// Marks the right-hand side of a lane as changed: its stored value is dropped, the length of the next step is
     /// kept.
     #[inline]
     pub fn renew_lane(&mut self, lane: usize) {
@@ -173,7 +172,8 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
 
     /// One trial of a step in each of the `active` lanes, not beyond `t_limit` (which may be infinite).
     ///
-    /// Lanes in which it is accepted then stand at its end; the others stand where they stood and try a shorter one next time.
+    /// Lanes in which it is accepted are then at its end; the others stay where they were and try a shorter one next
+    /// time.
     #[inline]
     pub fn attempt(
         &mut self,
@@ -188,7 +188,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Why a lane cannot go on from where it stands toward `t_limit`.
+    /// Reason why a lane cannot continue from its present state toward `t_limit`.
     pub fn fault(&self, lane: usize, t_limit: f64) -> OdeError {
         let t = self.t.value().lane(lane);
         let ahead = t < t_limit;

@@ -20,7 +20,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Dual<const N: usize> {
     /// The number.
     pub value: f64,
-    /// Its derivatives.
+    /// Derivatives of the number.
     pub slope: [f64; N],
 }
 

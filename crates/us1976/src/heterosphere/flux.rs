@@ -47,7 +47,7 @@ pub struct FluxIntegral<'a> {
     species: &'a Species,
     falling_at_86_km: f64,
     rising_at_86_km: f64,
-    /// From 86 km to the top.
+    /// Integral from 86 km to the top.
     whole: f64,
 }
 
@@ -64,7 +64,7 @@ impl<'a> FluxIntegral<'a> {
         integral
     }
 
-    /// From 86 km.
+    /// Integral from 86 km to an altitude, m.
     pub fn at(&self, z_m: f64) -> f64 {
         match z_m / 1000.0 {
             z if z < FLUX_TOP_KM => self.up_to(z),

@@ -19,7 +19,7 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, sin_cos};
 /// Drag coefficient that a row may be below zero, assumed to cover rounding: of C_A and C_N to three decimals, 0.0005 (|cos α| + |sin α|) or
 /// 7.1e-4 at most, and of the angle to 0.1 deg at coefficients of about 1, 8.7e-4 (|cos α| + |sin α|) or 1.2e-3 at most; 1.9e-3 together.
 const PUSH: f64 = 2e-3;
-/// Angles that end at this part of π are taken for radians.
+/// Fractions of π: a table whose angles end at one of them is taken to be in radians.
 const OF_PI: [f64; 6] = [1.0, 2.0 / 3.0, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0];
 /// Tolerance of these parts: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at
 /// most, and cut after three, 3.141, by less.

@@ -1,4 +1,4 @@
-//! From rows of a case to a checked table of heat fluxes.
+//! Checks the rows of a case and builds the table of heat fluxes.
 //!
 //! ```text
 //! rows (V, ρ, q) → q[i, j] at V[i], ρ[j]

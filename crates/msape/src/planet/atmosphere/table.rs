@@ -6,7 +6,8 @@
 //! ```
 //!
 //! with ρ in kg/m³, p in Pa, T in K, z in m, R in J/(kg K), γ the ratio of the heat capacities.
-//! Beyond the ends ln ρ goes on with its last slope, but is held where density would grow with height; p/ρ, T and γ are held.
+//! Beyond the ends ln ρ continues with its last slope, but is held where density would grow with height; p/ρ, T and γ
+//! are held.
 //! Without temperatures those of the planet's own atmosphere are taken.
 //!
 //! # Valid
@@ -64,7 +65,7 @@ pub struct Table {
     /// Whether density is held below and above.
     held: [bool; 2],
     gas: Gas,
-    /// Where no temperature is given.
+    /// Temperature model, where the rows give no temperature.
     temperature: Option<OwnTemperature>,
     /// Altitude, m, and standard deviation of density over density, where the source gives it.
     density_sigma: Vec<[f64; 2]>,
@@ -204,7 +205,7 @@ impl Table {
         &self.gas
     }
 
-    /// Whether the rows bring the temperature.
+    /// Whether the rows give the temperature.
     pub fn has_temperature(&self) -> bool {
         self.intervals.iter().all(|i| i.temperature_k.is_some())
     }
@@ -308,7 +309,7 @@ impl Table {
         self.air_in(piece, altitude_m).speed_of_sound_m_s
     }
 
-    /// Temperature of the planet's own atmosphere, K, where the rows bring none.
+    /// Temperature of the planet's own atmosphere, K, where the rows give none.
     #[inline]
     fn lent_k<S: Scalar>(&self, altitude_m: S) -> S {
         match &self.temperature {

@@ -52,7 +52,7 @@ fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
     matches!(data, Data::Shipped(_)).then(|| SHIPPED.iter().map(of_span).collect())
 }
 
-/// None: the gases are integrated at the start.
+/// No prepared gases: they are integrated at the start.
 #[cfg(not(feature = "prepared-air"))]
 fn prepared_gases(_: Data) -> Option<Vec<SpanKnots>> {
     None
@@ -66,7 +66,7 @@ const LOWER_CELL_M: f64 = 100.0;
 pub struct UsStandard1976 {
     temperature: StandardTemperature,
     strata: Vec<Stratum>,
-    /// Where the rows of each of them stand.
+    /// Rows of each stratum.
     pieces: Vec<Piece<f64>>,
     cells: Cells,
     boundaries_m: Vec<f64>,
@@ -161,7 +161,7 @@ impl UsStandard1976 {
         }
     }
 
-    /// Air of the composition at sea level with the temperature of this atmosphere, for models that bring less.
+    /// Air of the composition at sea level with the temperature of this atmosphere, for models that give less.
     pub fn planet_air(&self) -> super::PlanetAir {
         let molar_mass_kg_kmol = self.gas.sea_level_molar_mass_kg_kmol;
         super::PlanetAir {

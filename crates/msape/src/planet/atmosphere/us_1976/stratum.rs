@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! below 86 km   ρ of the layer, also beyond its ends
-//! above         ln ρ goes on beyond the ends with its last slope, M with its last
+//! above         ln ρ continues beyond the ends with its last slope, M with its last
 //! a = √(γ R* T / M)
 //! ```
 //!
