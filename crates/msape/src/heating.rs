@@ -63,7 +63,7 @@ impl<S: Copy> Flow<S> {
     }
 }
 
-/// The flow at the instant of peak heating, where a correlation is held against its ranges.
+/// Flow at the instant of peak heating, at which the range of a correlation is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeakConditions {
     /// Free-stream density, kg/m³.

@@ -49,7 +49,7 @@ struct Place<const N: usize> {
 pub struct Proposal<const N: usize> {
     /// The next variables.
     pub next: [f64; N],
-    /// The damped step alone, where `next` does not do.
+    /// The damped step alone, for cases in which `next` is not usable.
     pub damped: [f64; N],
     /// Estimated distance of the watched number from its value at the fixed point, from the remembered steps; absent
     /// while there are none. The part of the residual that they leave unexplained counts as much as the steepest of
@@ -94,7 +94,7 @@ impl<const N: usize> Anderson<N> {
         self.steps.clear();
     }
 
-    /// Takes x, f(x) and a number that is watched on the way, such as the mass of a vehicle.
+    /// Proposes the next variables from x, f(x) and a number that is watched, such as the mass of a vehicle.
     pub fn propose(&mut self, x: [f64; N], fx: [f64; N], watched: f64) -> Proposal<N> {
         let r: [f64; N] = std::array::from_fn(|i| fx[i] - x[i]);
         let size: [f64; N] = std::array::from_fn(|i| {
@@ -173,7 +173,7 @@ impl<const N: usize> Anderson<N> {
         worse
     }
 
-    /// Steepest change of the watched number for a part of a variable.
+    /// Steepest change of the watched number per relative change of a variable.
     fn slope(&self, size: &[f64; N]) -> f64 {
         let slopes = self.steps.iter().map(|step| {
             let part = largest(&step.dx, size);

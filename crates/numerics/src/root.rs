@@ -3,7 +3,8 @@
 //! # References
 //! - \[brent-1973\] chapters 4 (root) and 5 (extremum).
 
-/// More than either search takes: each halves, or divides by the golden ratio, at least every few evaluations.
+/// More iterations than either search needs: each halves, or divides by the golden ratio, at least every few
+/// evaluations.
 const MAXIMUM_ITERATIONS: u32 = 200;
 
 /// Root of `f` between `a` and `b` within `tolerance`, or `None` when `f` has the same sign at both or is not a number.

@@ -82,11 +82,11 @@ pub struct UpperTemperature {
     pub ellipse_axis_k: f64,
     /// Axis of the ellipse in altitude, km.
     pub ellipse_axis_km: f64,
-    /// At 110 km, K.
+    /// Temperature at 110 km, K.
     pub linear_base_k: f64,
     /// 110 to 120 km, K/km.
     pub linear_gradient_k_km: f64,
-    /// At 120 km, K.
+    /// Temperature at 120 km, K.
     pub exponential_base_k: f64,
     /// Limit far above, K.
     pub exosphere_k: f64,

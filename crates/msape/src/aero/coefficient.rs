@@ -48,7 +48,7 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// In a word.
+    /// Name in one or two words.
     pub fn name(self) -> &'static str {
         match self {
             Origin::Given => "own table",

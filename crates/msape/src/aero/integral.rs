@@ -88,7 +88,7 @@ impl Law {
 pub struct Effort {
     /// Largest difference between a panel and its halves, in coefficients.
     pub tolerance: f64,
-    /// Most halvings.
+    /// Largest number of halvings.
     pub depth: u32,
     /// Pieces shorter than this, in diameters, are one panel.
     pub short: f64,
@@ -97,14 +97,14 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// For single attitudes: 1e-8 in a panel.
+    /// Effort for single attitudes: 1e-8 in a panel.
     pub const FINE: Effort = Effort {
         tolerance: 1e-8,
         depth: 14,
         short: 0.0,
         thermal_panel: 1.5,
     };
-    /// For tables, which are interpolated anyway: 5e-5 between a panel and its halves.
+    /// Effort for tables, which are interpolated anyway: 5e-5 between a panel and its halves.
     pub const TABLE: Effort = Effort {
         tolerance: 5e-5,
         depth: 6,

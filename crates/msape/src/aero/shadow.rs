@@ -310,7 +310,7 @@ impl Eye {
         range
     }
 
-    /// Takes in h at points along an arc, and where one of them is extreme, the extremum beside it.
+    /// Includes h at points along an arc, and where one of them is extreme, the extremum beside it.
     fn include_arc(
         &self,
         range: &mut Option<[f64; 2]>,

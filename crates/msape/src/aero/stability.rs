@@ -33,7 +33,7 @@ const SEARCH: Search = Search {
     tolerance_rad: 5e-4,
     slope_step_rad: 0.01,
 };
-/// For the signs of the search: one rule of five points a piece.
+/// Effort for the signs of the search: one rule of five points per piece.
 const COARSE: Effort = Effort {
     tolerance: f64::INFINITY,
     depth: 0,
@@ -55,9 +55,9 @@ pub struct RegimeStability {
 /// Stability of a body about its center of gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stability {
-    /// In free-molecular flow.
+    /// Stability in free-molecular flow.
     pub free_molecular: RegimeStability,
-    /// In hypersonic continuum flow.
+    /// Stability in hypersonic continuum flow.
     pub hypersonic: RegimeStability,
 }
 
@@ -87,7 +87,7 @@ impl RegimeStability {
         self.trims.iter().find(|t| t.alpha_deg == alpha_deg)
     }
 
-    /// All trims in words, such as `0 deg (stable), 111.2 deg (unstable)`.
+    /// All trims as text, such as `0 deg (stable), 111.2 deg (unstable)`.
     pub fn words(&self) -> String {
         let words = self.trims.iter().map(|t| {
             let alpha_deg = (10.0 * t.alpha_deg).round() / 10.0;
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn trims_are_those_of_the_fine_search() {
-        // A blunt nose with a long cone behind it flies either way; a plate with a ball behind it has trims between.
+        // A blunt nose with a long cone behind it is stable both ways; a plate with a ball behind it has trims between.
         for (shape, cg) in [
             (vec![[0.0, 0.0], [0.29, 0.5], [1.2, 0.0]], 0.4),
             (vec![[0.0, 0.0], [0.29, 0.5], [0.9, 0.1], [0.9, 0.0]], 0.35),

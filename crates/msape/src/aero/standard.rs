@@ -102,7 +102,7 @@ impl AeroBody {
 /// Data of the recipe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standard {
-    /// For the axial force of an outline nose first.
+    /// Data for the axial force of an outline nose first.
     pub forces: AxialForces,
     /// Damping of the report's section 3.3.7.
     pub damping: DampingData,

@@ -176,8 +176,7 @@ fn is_outermost(piece: &Piece, pieces: &[Piece]) -> bool {
 }
 
 impl Surface {
-    /// The surface that an outline makes when it is turned about the axis, its x from the virtual apex; lines on the axis
-    /// make none.
+    /// The surface of an outline revolved about the axis, its x from the virtual apex; lines on the axis give none.
     pub fn new(outline: &Profile, diameter_m: f64) -> Surface {
         Surface::about(outline, diameter_m, 0.0)
     }
@@ -323,7 +322,7 @@ mod tests {
         assert!((nose.x - 0.0).abs() < 1e-15 && (nose.normal_x + 1.0).abs() < 1e-15);
         let waist = surface.pieces()[1].at(1.0);
         assert!((waist.r - 0.5).abs() < 1e-15 && (waist.normal_r - 1.0).abs() < 1e-15);
-        // run the other way it is the same surface
+        // the reversed outline gives an equal surface
         let again = Surface::new(&outline.reversed(), 2.0);
         assert!((again.pieces()[0].at(0.0).normal_x + 1.0).abs() < 1e-15);
         assert!((0..4).all(|number| surface.is_outermost(number)));

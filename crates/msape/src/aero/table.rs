@@ -64,7 +64,7 @@ pub struct Grid {
     values: Vec<[[f64; 4]; 2]>,
 }
 
-/// A place on an axis: the node below and the part of the way to the next, beyond 0…1 outside.
+/// A place on an axis: the node below and the fraction of the interval to the next, outside 0…1 beyond the ends.
 #[derive(Clone, Copy)]
 struct Place {
     index: usize,

@@ -70,7 +70,7 @@ pub fn fly(mission: &Mission, body: &Body, request: Request) -> Flight {
     sum.flight(request)
 }
 
-/// A part of the way down.
+/// Part of the descent between two altitudes.
 struct LegDown {
     speed_m_s: f64,
     entering_m_s: f64,
@@ -128,7 +128,7 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The way from the last altitude to another one below it.
+    /// The part of the descent from the last altitude to another one below it.
     fn leg(&self, altitude_m: f64) -> LegDown {
         let entering_m_s = self.entry.speed_at_m_s(altitude_m);
         let terminal_m_s = terminal_speed_m_s(self.mission, self.body, altitude_m);
@@ -327,7 +327,8 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The largest deceleration by its closed form, where it is on the way; its time is that of the nearest altitude.
+    /// The largest deceleration by its closed form, where it is within the descent; its time is that of the nearest
+    /// altitude.
     fn exact_deceleration(&self, sampled: Peak) -> Peak {
         let altitude_m = self.entry.peak_deceleration_altitude_m();
         let start_m = self.place.altitude_m;

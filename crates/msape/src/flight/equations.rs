@@ -123,7 +123,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
     }
 
-    /// Goes on by the rows about a place, in every lane.
+    /// Continues by the rows about a place, in every lane.
     #[inline]
     pub fn hold(&mut self, within: &Within) {
         self.held = Held::everywhere(&Held::of(self.mission, self.body, within));
@@ -152,7 +152,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
         if let Some(canopy) = change.canopy {
             self.changed.canopy_m2 = S::constant(canopy.drag_area_m2);
-            // At once is full by now.
+            // A parachute that inflates at once is full by now.
             (self.changed.canopy_since_s, self.changed.inflation_s) = match canopy.inflation_s {
                 0.0 => (t - 1.0, S::constant(1.0)),
                 inflation_s => (t, S::constant(inflation_s)),

@@ -30,7 +30,7 @@ pub struct Within {
 }
 
 impl Within {
-    /// At rest on the ground.
+    /// A vehicle at rest on the ground.
     pub const REST: Within = Within {
         altitude_m: 0.0,
         mach: 0.0,

@@ -235,7 +235,7 @@ mod tests {
         // at 90 deg over half the width
         assert!((size(0.25 * FADING, FRAC_PI_2) - 0.6875).abs() < 1e-12);
         assert!((size(1e-6, 0.0) - 1.0).abs() < 1e-12);
-        // The other way round for lift below zero, and in a climb.
+        // The signs are reversed for lift below zero, and in a climb.
         assert!((of(1.0, 0.5 * FADING, 0.0, -1.0) - 0.6875).abs() < 1e-12);
         assert!((of(-1.0, 0.5 * FADING, 0.0, 1.0) - 0.6875).abs() < 1e-12);
         assert!((of(-1.0, 1e-6, pi, 1.0) - 1.0).abs() < 1e-12);

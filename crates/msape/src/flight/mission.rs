@@ -83,9 +83,9 @@ pub struct Solver {
 pub struct Mission {
     /// The planet.
     pub planet: Planet,
-    /// Its air.
+    /// Atmosphere of the planet.
     pub atmosphere: Atmosphere,
-    /// Its wind.
+    /// Wind of the planet.
     pub wind: Wind,
     /// Entry state.
     pub start: Start,

@@ -159,7 +159,7 @@ pub struct Stage<S = f64> {
 }
 
 impl<S: Scalar> Stage<S> {
-    /// About a place, before any phase.
+    /// The stage about a place, before any phase.
     pub fn about(within: Within) -> Self {
         Stage {
             within,

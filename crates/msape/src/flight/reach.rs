@@ -181,7 +181,7 @@ impl Span {
         [self.least[0], self.greatest[0]]
     }
 
-    /// Takes in a value at a time, s.
+    /// Extends the range by a value at a time, s.
     pub fn take(&mut self, value: f64, time_s: f64) {
         if value < self.least[0] {
             self.least = [value, time_s];
@@ -207,7 +207,7 @@ pub struct Passed {
     pub rule: Extrapolation,
 }
 
-/// The ends that were passed; `refused` is the axis at whose end the flight was ended, which it passed by nothing.
+/// The ends that were passed; `refused` is the axis at whose end the flight was ended, with an excess of zero.
 pub fn passed(axes: &[Axis], spans: &[Span], refused: Option<usize>) -> Vec<Passed> {
     let both = axes
         .iter()

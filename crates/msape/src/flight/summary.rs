@@ -284,5 +284,5 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
     }
 }
 
-/// Most rows of a time history at a uniform step.
+/// Largest number of rows of a time history at a uniform step.
 const MOST_ROWS: f64 = 1e6;

@@ -25,7 +25,7 @@ use serde::Deserialize;
 
 const SOURCE: &str = "Brandis & Johnston 2014, AIAA 2014-2374";
 
-/// Both correlations.
+/// Both correlations: convective and radiative.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BrandisJohnston {

@@ -66,14 +66,14 @@ pub enum Part {
 /// Two neighboring rows of an axis about a number.
 #[derive(Clone, Copy)]
 struct Between<S> {
-    /// Part of the way between them, held within them at the ends of the table.
+    /// Fraction of the interval between them, held within 0 to 1 at the ends of the table.
     part: S,
     /// Distance of the number beyond an end of the table, as far as the rule allows, in intervals of the two rows.
     beyond: S,
 }
 
 impl<S: Scalar> Between<S> {
-    /// About a number whose logarithm counts, or itself.
+    /// The rows about a number, by its logarithm or by the number itself.
     fn new(x: S, [from, to]: [S; 2], by_log: S::Mask, rule: Extrapolation) -> Between<S> {
         let logarithm = |x: S| x.max(S::constant(LEAST)).ln();
         let inside = x.max(from).min(to);

@@ -35,9 +35,9 @@ pub struct NoseExponent {
 pub struct Cap {
     /// The largest exponent.
     pub cap: f64,
-    /// For nose radii below this, m.
+    /// Nose radius below which it holds, m.
     pub below_m: Option<f64>,
-    /// For nose radii up to this, m.
+    /// Nose radius up to which it holds, m.
     pub up_to_m: Option<f64>,
 }
 

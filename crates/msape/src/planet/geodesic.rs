@@ -20,7 +20,7 @@ use super::geodetic::{Ellipsoid, Geodetic};
 use numerics::math::PI;
 use numerics::scalar::{Mask, Scalar};
 
-/// Most iterations; each gains a factor of the flattening.
+/// Largest number of iterations; each gains a factor of the flattening.
 const ITERATIONS: usize = 40;
 /// The difference of longitude is met within this, rad.
 const CLOSE_RAD: f64 = 1e-13;
@@ -81,7 +81,7 @@ pub fn geodesic_m<S: Scalar>(ellipsoid: &Ellipsoid, from: &Geodetic<S>, to: &Geo
         let c = cos2_alpha * (f / 16.0) * ((one * 4.0 - cos2_alpha * 3.0) * f + 4.0);
         let middle = c * cos_sigma * (cos_2_middle * cos_2_middle * 2.0 - 1.0) + cos_2_middle;
         let shift = (one - c) * f * sin_alpha * (sigma_rad + c * sin_sigma * middle);
-        // beyond half a turn there is none: the positions are nearly opposite each other
+        // no solution beyond 180 deg: the positions are nearly opposite each other
         let next = (longitude_rad + shift)
             .min(S::constant(PI))
             .max(S::constant(-PI));

@@ -140,7 +140,7 @@ impl Wind {
         }
     }
 
-    /// Eastward and northward wind, m/s, at an altitude, m, by a row, wherever it ends.
+    /// Eastward and northward wind, m/s, at an altitude, m, by a row, also beyond its end.
     #[inline]
     pub fn east_north_m_s<S: Scalar>(
         [z, east, north, east_slope, north_slope]: [S; 5],

@@ -18,7 +18,7 @@ impl LogTable1 {
     /// The table through the points (`x`, `y`), `x` ascending, `y` above zero.
     ///
     /// # Errors
-    /// Those of [`Table1::try_new`], and the first value that is not above zero.
+    /// Errors of [`Table1::try_new`], and the first value that is not above zero.
     pub fn try_new(x: &[f64], y: &[f64], end: End) -> Result<Self, TableError> {
         if let Some((index, &value)) = y.iter().enumerate().find(|(_, y)| **y <= 0.0) {
             return Err(TableError::NotPositive { index, value });

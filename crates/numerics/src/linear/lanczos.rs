@@ -20,7 +20,7 @@ use super::{add_scaled, dot};
 pub struct Options {
     /// Relative change of the eigenvalue in a step that ends it; the next step would change it by much less.
     pub tolerance: f64,
-    /// Most steps.
+    /// Largest number of steps.
     pub most_steps: usize,
 }
 

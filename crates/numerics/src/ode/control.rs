@@ -24,7 +24,7 @@ pub(super) const LN_LEAST_ERROR_BEFORE: f64 = -9.210_340_371_976_182;
 /// The error allowed in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<const N: usize> {
-    /// Error of each component as a part of it.
+    /// Error of each component relative to its value.
     pub relative: [f64; N],
     /// Error of each component, in its own unit; above zero where the component may be zero, infinite to leave the
     /// component out of the control.

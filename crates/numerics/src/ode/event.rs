@@ -30,17 +30,17 @@ const TOP_TOLERANCE: f64 = 1e-4;
 const COARSE_TOLERANCE: f64 = 1e-6;
 /// Tolerance as a part of t: a search by values resolves no finer.
 const NEAR_TIME: f64 = 1e-6;
-/// A maximum this close to the end of a step, as a part of it, moves with the end.
+/// A maximum this close to the end of a step, as a fraction of the step, moves with the end.
 const NEAR_END: f64 = 1e-4;
 
-/// The way in which zero is crossed.
+/// Direction in which zero is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// From below zero to above.
     Rising,
     /// From above zero to below.
     Falling,
-    /// Either way.
+    /// Either direction.
     Either,
 }
 
@@ -137,7 +137,7 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
     let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
     let near = NEAR_END * length + NEAR_TIME * t1.abs();
     if t1 - t <= near {
-        // At a jump that ends the step, or at its beginning: it moves with the end.
+        // A maximum at a jump that ends the step, or at its beginning, moves with that end.
         step.t1 + (t - t1)
     } else if t - t0 <= near {
         step.t0 + (t - t0)

@@ -15,7 +15,7 @@ pub use account::{Attempt, Statistics};
 
 /// Factor to the next trial after one that was not finite.
 const RETREAT: f64 = 0.1;
-/// A step that would end this close before the limit, as a part of itself, ends at the limit.
+/// A step that would end this close before the limit, as a fraction of the step, ends at the limit.
 const STRETCH: f64 = 0.01;
 /// Limit of the stretch of a fixed step: only the rounding of the sum of the steps.
 const FIXED_STRETCH: f64 = 1e-9;
@@ -357,7 +357,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         active.and(ahead).and(allowed).and(self.unsound.not())
     }
 
-    /// Goes to the end of the step where it is accepted.
+    /// Moves to the end of the step where it is accepted.
     #[inline]
     fn accept(&mut self, slope1: &[S; N], accepted: S::Mask) {
         if S::LANES == 1 && accepted.any() {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! # Valid
-//! Names of what [`super::Database`] did; nothing is computed from them.
+//! Names of the models used by [`super::Database`]; nothing is computed from them.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.1.

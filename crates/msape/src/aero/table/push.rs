@@ -50,7 +50,7 @@ pub(super) fn pushes(rows: &[Row], faults: &mut Vec<String>) {
     }
 }
 
-/// Whether the largest angle of a table, read as deg, is a part of π.
+/// Whether the largest angle of a table, read as deg, is one of these fractions of π.
 pub fn in_radians(largest_deg: f64) -> bool {
     let is = |part: &f64| (largest_deg - part * PI).abs() <= OF_PI_WITHIN;
     OF_PI.iter().any(is)

@@ -89,7 +89,7 @@ impl Row {
     }
 }
 
-/// C_A, C_N, C_m, C_mq of a row.
+/// Coefficients C_A, C_N, C_m, C_mq of a row.
 pub(super) fn body_axes(row: &Row) -> [f64; 4] {
     let alpha = row.alpha_deg * RADIANS_PER_DEGREE;
     let (ca, cn) = match (row.cd, row.ca) {

@@ -18,7 +18,7 @@ use numerics::math;
 
 /// Mach number of the drag coefficient.
 const MACH: f64 = 25.0;
-/// Least sine of the entry angle; shallower entries are taken as this.
+/// Least sine of the entry angle; shallower entries are computed with this one.
 const SINE_MIN: f64 = 0.01;
 
 /// The constants of one entry.

@@ -37,7 +37,7 @@ const QUIET: f64 = 0.25;
 /// Number of legs allocated at first.
 const USUAL_LEGS: usize = 256;
 
-/// A flight under way.
+/// A flight in progress.
 pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) marks: &'m Marks,
     /// Motion before its first step, with which its record is read.
@@ -370,7 +370,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         Next::Changed
     }
 
-    /// Whether nothing can have been run into on the way from here to there.
+    /// Whether no event can have occurred between the present place and another.
     #[inline]
     fn is_clear(&self, there: &Place) -> bool {
         let level = (self.here.climb_m_s < 0.0) == (there.climb_m_s < 0.0);

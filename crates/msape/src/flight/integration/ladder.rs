@@ -117,7 +117,7 @@ impl Rungs {
         self.ends[of as usize] = ladders.of(of).ends(rung);
     }
 
-    /// Goes to the next rung of one ladder.
+    /// Moves to the next rung of one ladder.
     pub fn leave(&mut self, ladders: &Ladders, of: Of, way: Way) {
         let rung = self.rungs[of as usize];
         let next = match way {

@@ -51,7 +51,7 @@ pub(super) struct Marks {
 }
 
 impl Marks {
-    /// Whether each step is looked along for what is looked up in tables, or for the drag.
+    /// Whether each step is checked for the range of table look-ups, or for the drag.
     #[inline]
     pub fn looks_along(&self) -> bool {
         self.may_push || !self.axes.is_empty()

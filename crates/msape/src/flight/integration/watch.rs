@@ -46,13 +46,13 @@ impl Energy {
 }
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
-    /// Whether each step is looked along for a phase or the end of a table.
+    /// Whether each step is checked for a phase or the end of a table.
     #[inline]
     pub(super) fn is_watched(&self) -> bool {
         self.marks.refuses || !self.motion.point().mission.phases.is_empty()
     }
 
-    /// Takes in the state at a time: what was looked up in tables, and the drag.
+    /// Records the state at a time: arguments of table look-ups, and the drag.
     pub(super) fn look(&mut self, t: S, y: &[S; N]) {
         let marks = self.marks;
         if !marks.looks_along() {

@@ -79,7 +79,7 @@ pub struct Marks {
     pub peak_deceleration_time_s: f64,
 }
 
-/// Looks along a flight.
+/// The events of the attitude along a flight.
 pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) -> AttitudeEvents {
     let course = Course { motion, record };
     let end_s = record.legs.last().map_or(0.0, |leg| leg.step.t1);

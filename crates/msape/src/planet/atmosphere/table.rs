@@ -158,7 +158,7 @@ impl Table {
             interval.is_some_and(|interval| interval.ln_density.slope_per_m > 0.0)
         };
         let held = [rises(intervals.first()), rises(intervals.last())];
-        // Beyond the ends of a table that rises there, a level interval of its own.
+        // A level interval beyond the ends of a table that rises there.
         if let (true, Some(last), Some(row)) = (held[1], intervals.last().cloned(), rows.last()) {
             intervals.push(last.level_at(row));
         }
@@ -210,7 +210,7 @@ impl Table {
         self.intervals.iter().all(|i| i.temperature_k.is_some())
     }
 
-    /// Least and largest molar mass that density, temperature and pressure make, kg/kmol; `None` where one is not given.
+    /// Least and largest molar mass from density, temperature and pressure, kg/kmol; `None` where one is not given.
     pub fn molar_masses_kg_kmol(&self) -> Option<[f64; 2]> {
         let of = |interval: &Interval| {
             let quotient = math::exp(interval.ln_pressure_over_density?.value);
