@@ -7,12 +7,11 @@
 //! ```
 //!
 //! with Δxⱼ, Δrⱼ the last two steps and what they did to the residual r, each variable in parts of its own size; ω the
-//! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated step
-//! that overshot, to a larger residual the other way; each step that does halves ω, down to an eighth, each other doubles it again.
-//! Where the steps show that the fixed point lies behind, against r, it is one that f leaves: then x moves along the
-//! last change
-//! of f, twice as far each time, to the next fixed point or to where f ends. An accelerated step is shortened to
-//! twenty residuals and to twice or half of a variable.
+//! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated
+//! step that overshot, to a larger residual in the opposite direction; each such step halves ω, down to an eighth, each
+//! other doubles it again. Where the steps show that the fixed point lies behind, against r, it is one that f leaves:
+//! then x moves along the last change of f, twice as far each time, to the next fixed point or to where f ends. An
+//! accelerated step is shortened to twenty residuals and to twice or half of a variable.
 //!
 //! # References
 //! - \[anderson-1965\]; \[walker-ni-2011\].

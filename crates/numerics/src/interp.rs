@@ -1,7 +1,7 @@
 //! Tables of one variable: linear, linear in the logarithm, and cubic with given slopes.
 //!
-//! A table is made once, with `try_new`, which refuses what is not a table; looking up then cannot fail. The rows are
-//! chosen by value and evaluated in any [`Scalar`], so that derivatives flow through.
+//! A table is built once, with `try_new`, which refuses invalid columns; look-ups then cannot fail. The rows are chosen
+//! by value and evaluated in any [`Scalar`], so that derivatives are carried through.
 //!
 //! ```
 //! use numerics::interp::{End, Table1};

@@ -1,9 +1,10 @@
 //! Initial value problems y' = f(t, y), forward in t: explicit Runge-Kutta with step control and dense output.
 //!
-//! An [`Integrator`] takes one step at a time and knows nothing of what it integrates; the caller looks at each
-//! [`Step`], finds events on it ([`event`]), takes it again so that it ends there ([`Integrator::retake`]) or goes on from
-//! within it ([`Integrator::put`]), and reports when the right-hand side has changed ([`Integrator::renew`]). Over
-//! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps ([`Integrator::attempt`]).
+//! An [`Integrator`] takes one step at a time, independent of the meaning of its equations; the caller inspects each
+//! [`Step`], finds events on it ([`event`]), repeats it so that it ends there ([`Integrator::retake`]) or continues
+//! from within it ([`Integrator::put`]), and reports when the right-hand side has changed ([`Integrator::renew`]). Over
+//! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps
+//! ([`Integrator::attempt`]).
 //!
 //! ```
 //! use numerics::ode::{Integrator, Method, Tolerance};

@@ -1,4 +1,4 @@
-//! Roots and extrema of a function of one variable, bracketed: no derivative, always an end.
+//! Roots and extrema of a function of one variable, bracketed: without derivatives, always terminating.
 //!
 //! # References
 //! - \[brent-1973\] chapters 4 (root) and 5 (extremum).

@@ -1,8 +1,8 @@
 //! One small trait over which physics is written once: plain numbers, [`Dual`] numbers with their derivatives, and
 //! [`Lanes`] of several numbers at a time.
 //!
-//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] or [`Scalar::gather`] (the row is chosen by
-//! the value, the polynomial is then evaluated in `Self`, so that derivatives and lanes flow through).
+//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] or [`Scalar::gather`] (the row is
+//! chosen by the value, the polynomial is then evaluated in `Self`, so that derivatives and lanes are carried through).
 //!
 //! ```
 //! use numerics::scalar::{Dual, Lanes, Scalar};

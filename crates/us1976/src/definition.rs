@@ -1,4 +1,4 @@
-//! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
+//! Data file of the U.S. Standard Atmosphere 1976 as read: figures and units of the document.
 
 use serde::Deserialize;
 

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with α the total angle of attack in rad, the coefficients per unit of q D/(2V): pitch rate times diameter over twice the speed.
-//! Equation 7 states no normalisation; the same is assumed.
+//! Equation 7 states no normalization; the same is assumed.
 //!
 //! # Valid
 //! The report's capsules. The placeholder takes the place of Viking data that are not public.

@@ -1,4 +1,4 @@
-//! Force and moment of a surface in a flow: pressure and shear integrated over what the air reaches.
+//! Force and moment of a surface in a flow: pressure and shear integrated over the part that the air reaches.
 //!
 //! ```text
 //! dC = (−P n + g u) dA/S_ref          P = C_p − g s          dA = r dφ ds

@@ -1,4 +1,4 @@
-//! The database of a body by the recipe of this program: which tables, which correction, which damping.
+//! Database of a body by the recipe of this program: choice of tables, correction and damping.
 //!
 //! ```text
 //! C_A0(M):  the drag of the case where it has one, else that of the outline

@@ -1,4 +1,4 @@
-//! The error of a fixed step or a coarse tolerance, from the same flight at another one.
+//! Error of a fixed step or a coarse tolerance, estimated from the same flight with another one.
 //!
 //! ```text
 //! e ≈ |x_h − x_2h| / |x_h|        e ≈ |x_τ − x_τ/100| / |x_τ|

@@ -1,4 +1,4 @@
-//! Closed form of a steep ballistic entry: the low-fidelity twin of the integrated flight.
+//! Closed form of a steep ballistic entry: the low-fidelity counterpart of the integrated flight.
 //!
 //! ```text
 //! V(h)  = V_E exp(−ρ(h) H / (2 β sin γ)),   ρ(h) = ρ₀ exp(−h/H)
@@ -12,8 +12,7 @@
 //! # Valid
 //! Steep entry: gravity, lift, rotation and the curvature of the planet are left out; β is that of Mach 25. A shallow
 //! entry decelerates less than computed here (a third less at −8 deg). An atmosphere that is not exponential is
-//! replaced by
-//! the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
+//! replaced by the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
 //!
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.

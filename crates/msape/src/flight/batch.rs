@@ -1,11 +1,11 @@
-//! Many flights at a time, several in the lanes of one integration.
+//! Many flights at once, several in the lanes of one integration.
 //!
 //! ```text
 //! y'ₖ = f(tₖ, yₖ; pₖ)   in lane k, each with its own time, step, entry state and numbers p
 //! ```
 //!
-//! A flight that ends gives its lane to the next of the queue. Each flight has the same bits as alone, whatever its lane and
-//! its neighbors.
+//! A lane whose flight has ended takes the next flight of the queue. Each flight has the same bits as alone, whatever
+//! its lane and its neighbors.
 //!
 //! # Valid
 //! Three degrees of freedom; one mission, one kind of drag and lift for all flights.

@@ -1,4 +1,4 @@
-//! Columns of a time history: what each is, and how it is taken out of a sample.
+//! Columns of a time history: their descriptions, and how they are taken from a sample.
 
 use super::sample::Sample;
 use crate::quantity::Column;

@@ -4,7 +4,7 @@
 //! ρ, a, w of one piece of altitude,   C_D of one line of Mach number,   q̇ of one row of speed
 //! ```
 //!
-//! A step that ends where a row ends sees a smooth right-hand side, stages and derivatives included, and looks up nothing but
+//! A step that ends where a row ends has a smooth right-hand side, stages and derivatives included, and looks up only
 //! the cells of the atmosphere.
 //!
 //! # Valid

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! with y position, velocity (SI, planet-fixed axes), heat loads and further states of a motion. Steps end where a row
-//! of a table ends,
-//! so that the method keeps its order; between the ends of a step the dense output of the method holds.
+//! of a table ends, so that the method keeps its order; between the ends of a step the dense output of the method
+//! holds.
 //!
 //! # Valid
 //! Steps end within a millimeter of a boundary of the atmosphere.

@@ -1,4 +1,4 @@
-//! Lift of a point mass, turned about its velocity by a schedule of bank.
+//! Lift of a point mass, rotated about its velocity by a bank schedule.
 //!
 //! ```text
 //! a = q A/m (−C_D û + C_L (cos σ n̂ + sin σ b̂))

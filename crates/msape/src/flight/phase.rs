@@ -1,11 +1,11 @@
-//! Phases of a flight: what begins when, and what it changes.
+//! Phases of a flight: their start, and the changes that they make.
 //!
 //! ```text
 //! D = ½ ρ |u| u (C_D A + (C_D S)(t)),   (C_D S)(t) = C_D S min(1, (t − t₀)/t_i)
 //! ```
 //!
 //! with D in N, ρ in kg/m³, u the velocity relative to the air in m/s, C_D A of the vehicle and C_D S of the parachute in m²,
-//! t₀ the begin of the phase and t_i the time of inflation in s.
+//! t₀ the start of the phase and t_i the time of inflation in s.
 //!
 //! # Valid
 //! Phases begin in the order in which they are given; a phase whose value was passed before it was next in order begins

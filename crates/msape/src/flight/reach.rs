@@ -7,8 +7,8 @@
 //! with x an altitude in m, a speed in m/s, a Mach or Knudsen number, a time in s or a total angle of attack in rad.
 //!
 //! # Valid
-//! Tables that a case brings, and the altitudes of any atmosphere. Other tables of the library are held beyond their ends by their
-//! own sources.
+//! Tables given by a case, and the altitudes of any atmosphere. Other tables of the library are held beyond their ends
+//! by their own sources.
 //!
 //! # References
 //! - Own convention.

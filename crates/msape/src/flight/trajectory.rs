@@ -1,4 +1,4 @@
-//! The time history of a flight: one column a quantity, columns as in [`super::columns`].
+//! Time history of a flight: one column per quantity, columns as in [`super::columns`].
 
 use super::columns::{PHASE, SAMPLED, columns};
 use super::sample::Sample;

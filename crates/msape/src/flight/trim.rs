@@ -10,8 +10,8 @@
 //! grid, so that a flight at trim costs what a flight of a point mass does.
 //!
 //! # Valid
-//! Trim between 0 and 90 deg, nose first. Where there is none, the angle is that of the smallest moment. The lift is turned by
-//! the angle of bank; at 0 deg it points up.
+//! Trim between 0 and 90 deg, nose first. Where there is none, the angle is that of the smallest moment. The lift is
+//! rotated by the angle of bank; at 0 deg it points up.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.1.

@@ -7,10 +7,10 @@
 //! ```
 //!
 //! with q̇ in W/cm² (converted), ρ in kg/m³, V in m/s, Rₙ in m, and the capped exponent a of [`NoseExponent`].
-//! Two sets of convective constants are in print; the data file holds the one used and tells the other.
+//! Two sets of convective constants are in print; the data file holds the one used and describes the other.
 //!
 //! # Valid
-//! 3 to 17 km/s (radiative 9.5 to 17), 1e-5 to 5e-3 kg/m³, 0.2 to 10 m. Beyond 17 km/s the formulae go on.
+//! 3 to 17 km/s (radiative 9.5 to 17), 1e-5 to 5e-3 kg/m³, 0.2 to 10 m. Beyond 17 km/s the formulas continue.
 //!
 //! # References
 //! - \[brandis-johnston-2014\].

@@ -1,4 +1,4 @@
-//! Heating from outside: heat fluxes over speed and density, as another program or a test gives them.
+//! Heating given from outside: heat fluxes over speed and density, from another program or a test.
 //!
 //! ```text
 //! ln q̇ linear in ln ρ and in ln V      where every flux of the rows beside is above 0, else

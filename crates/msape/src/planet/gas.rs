@@ -1,4 +1,4 @@
-//! The gas of an atmosphere: what a density and a temperature leave open.
+//! Gas of an atmosphere: properties that density and temperature do not determine.
 //!
 //! ```text
 //! p = ρ R T,   R = R*/M,   a = √(γ p/ρ)

@@ -9,8 +9,9 @@
 //! the arc and α the azimuth of the line at the equator on that sphere, in rad; A, B (in Δσ) and C series in f.
 //!
 //! # Valid
-//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to 0.01, 3e-5 at
-//! that of Saturn, 0.1; positions nearly opposite each other, within f of half a turn, are reached by a line up to f longer.
+//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to
+//! 0.01, 3e-5 at that of Saturn, 0.1; positions nearly opposite each other, within f times 180 deg, are reached by a
+//! line up to f longer.
 //!
 //! # References
 //! - \[vincenty-1975\] inverse formula.
@@ -127,7 +128,7 @@ impl<S: Scalar> Line<S> {
         let (east, north) = (cos_2 * sin_l, cos_1 * sin_2 - sin_1 * cos_2 * cos_l);
         let sin_sigma = (east * east + north * north).sqrt();
         let cos_sigma = sin_1 * sin_2 + cos_1 * cos_2 * cos_l;
-        // zero where the positions are one
+        // zero where the positions coincide
         let sin_alpha = cos_1 * cos_2 * sin_l / sin_sigma.max(tiny);
         let cos2_alpha = (S::constant(1.0) - sin_alpha * sin_alpha).max(S::constant(0.0));
         let along_equator = cos2_alpha.less(S::constant(1e-14));

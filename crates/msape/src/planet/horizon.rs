@@ -11,8 +11,8 @@
 //! the axes of the planet at the same instant.
 //!
 //! # Valid
-//! Everywhere; on the axis itself, where every way is south or north, east is that of the meridian of longitude zero. A start
-//! at a pole has the meridian of its longitude: its distance from the axis is tiny, but not nothing.
+//! Everywhere; on the axis itself, where every direction is south or north, east is that of the meridian of longitude
+//! zero. A start at a pole has the meridian of its longitude: its distance from the axis is tiny, but not zero.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2; the horizon is geodetic as in \[samareh-2014\] section 3.2.

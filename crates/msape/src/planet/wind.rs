@@ -1,4 +1,4 @@
-//! Wind: where the air goes, relative to the planet, against altitude.
+//! Wind: velocity of the air relative to the planet, against altitude.
 //!
 //! ```text
 //! w = wᵢ + (z − zᵢ) (wᵢ₊₁ − wᵢ)/(zᵢ₊₁ − zᵢ)

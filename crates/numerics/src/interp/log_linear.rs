@@ -1,4 +1,4 @@
-//! Linear interpolation of the logarithm, for what falls exponentially.
+//! Linear interpolation of the logarithm, for quantities that fall exponentially.
 //!
 //! ```text
 //! ln y = ln yᵢ + (x - xᵢ) (ln yᵢ₊₁ - ln yᵢ) / (xᵢ₊₁ - xᵢ)

@@ -32,7 +32,7 @@ impl<const K: usize> Rows<K> {
     pub fn row(&self, x: f64) -> [f64; K] {
         let knots_before = match &self.search {
             Search::Binary(knots) => knots.partition_point(|&knot| knot <= x),
-            // The cast takes what is negative, or not a number, as 0.
+            // The cast maps negative numbers and NaN to 0.
             Search::Uniform { first, per_knot } => ((x - first) * per_knot + 1.0) as usize,
         };
         let index = knots_before.min(self.rows.len());

@@ -5,8 +5,9 @@
 //! 1/λ ≈ the largest eigenvalue of the tridiagonal matrix of α and β
 //! ```
 //!
-//! Every vector is made orthogonal to all before it, so that rounding brings no copies. The largest eigenvalue of the
-//! tridiagonal matrix rises with each step; it is found by bisection on the signs of Sturm's sequence.
+//! Every vector is made orthogonal to all before it, so that rounding does not produce copies of eigenvalues. The
+//! largest eigenvalue of the tridiagonal matrix rises with each step; it is found by bisection on the signs of Sturm's
+//! sequence.
 //!
 //! # References
 //! - \[parlett-1998\] chapters 7 and 13.
@@ -71,7 +72,7 @@ pub fn lowest_eigenvalue(stiffness: &Factor, mass: &Sparse, options: Options) ->
         let mut image = vec![0.0; size];
         mass.multiply(&next, &mut image);
         let beta = dot(&next, &image).max(0.0).sqrt();
-        // what is left is rounding: the space is used up
+        // the remainder is rounding: the Krylov space is exhausted
         if beta <= 1e-14 * value {
             return Some(1.0 / value);
         }

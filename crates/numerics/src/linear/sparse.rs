@@ -1,4 +1,4 @@
-//! A symmetric matrix of few entries: its diagonal, and what couples two rows.
+//! A symmetric matrix of few entries: its diagonal, and the entries that couple two rows.
 //!
 //! ```
 //! use numerics::linear::sparse::Sparse;

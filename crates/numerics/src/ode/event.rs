@@ -1,7 +1,7 @@
 //! Events along a step: where a function of (t, y) crosses zero, and where it is largest.
 //!
-//! Only the dense output is used, no evaluation of the right-hand side. A crossing is looked for by the signs at the
-//! ends of the step; where a function may cross twice within a step, [`crossing_sampled`] looks in between as well.
+//! Only the dense output is used, no evaluation of the right-hand side. A crossing is found by the signs at the ends of
+//! the step; where a function may cross twice within a step, [`crossing_sampled`] also evaluates it in between.
 //!
 //! Values alone decide where an event is; its derivatives follow from those of the function there:
 //!
@@ -85,8 +85,7 @@ pub fn crossing_sampled<const N: usize, S: Single>(
 }
 
 /// Time at which `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the
-/// value of `g`
-/// there is zero or has the sign of the later instant.
+/// value of `g` there is zero or has the sign of the later instant.
 pub fn root_between<const N: usize, S: Single>(
     step: &Step<N, S>,
     g: impl Fn(S) -> S,

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! # Valid
-//! Findings say where numbers come from; they change none.
+//! Findings name the origin of numbers; they change none.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.3.1 and 3.3.7.

@@ -1,4 +1,4 @@
-//! Rows of a table by which the air would push a body, and angles in radians.
+//! Rows of a table with negative drag, by which the air would push a body, and angles in radians.
 //!
 //! ```text
 //! C_A cos α + C_N sin α ≥ 0

@@ -1,4 +1,4 @@
-//! The constants of an entry by the closed form, and what follows from them.
+//! Constants of an entry by the closed form, and results that follow from them.
 //!
 //! ```text
 //! V(h) = V_E exp(−ρ(h) H / (2 β sin γ)),   a_max = V_E² sin γ / (2 e H)

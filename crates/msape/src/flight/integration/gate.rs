@@ -7,7 +7,7 @@
 //! with g an altitude less a level, m, or the argument of a row over its end, less one.
 //!
 //! # Valid
-//! Steps in which the vertical speed changes its sign once at most.
+//! Steps in which the vertical speed changes its sign at most once.
 //!
 //! # References
 //! - [`numerics::ode::event`].

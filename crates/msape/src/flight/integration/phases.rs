@@ -40,8 +40,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
     }
 
     /// Records from a step which phases had their value passed in their direction, before they were next in order or
-    /// where another
-    /// gate ended the step.
+    /// where another gate ended the step.
     pub(super) fn look_ahead(&mut self, step: &Step<N, S>) {
         let mission = self.motion.point().mission;
         let ends = [(step.t0, &step.y0), (step.t1, &step.y1)];

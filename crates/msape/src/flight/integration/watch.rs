@@ -8,7 +8,7 @@
 //! away and gives none.
 //!
 //! # Valid
-//! Wind may give the square of its speed.
+//! Wind may add energy: the square of its speed.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2 for the energy in rotating axes (Jacobi's integral).

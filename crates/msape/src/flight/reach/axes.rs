@@ -7,7 +7,7 @@
 //! with the argument in the unit of its column: m, Mach, rad, s, m/s or kg/m³.
 //!
 //! # Valid
-//! Tables that a case brings, and the altitudes of any atmosphere.
+//! Tables given by a case, and the altitudes of any atmosphere.
 //!
 //! # References
 //! - Own convention.
@@ -84,8 +84,7 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
 }
 
 /// Axes of the tables that the closed form looks up. It flies on beyond their ends whatever the rule, with the
-/// atmosphere extrapolated
-/// and the heating held.
+/// atmosphere extrapolated and the heating held.
 pub fn axes_of_closed_form(mission: &Mission) -> Vec<Axis> {
     let on = |axis: Axis, instead: Extrapolation| Axis {
         rule: match axis.rule {

@@ -184,7 +184,7 @@ impl Aerodynamics {
             span_m: b,
         } = *reference;
         let pressure_area = 0.5 * rho * speed_m_s * speed_m_s * s;
-        // q S/(2 V): the damping does not divide by a speed that may be nothing.
+        // q S/(2 V): the damping does not divide by a speed that may be zero.
         let rate_area = 0.25 * rho * speed_m_s * s;
         let damped = Vector3::new(
             rate_area * b * b * damping.clp * p,

@@ -1,4 +1,4 @@
-//! Attitude of the start from angles, and angles of an attitude.
+//! Attitude at the start from angles, and angles of an attitude.
 //!
 //! ```text
 //! R = H R₃₂₁(yaw, pitch, roll)                     against the local horizon

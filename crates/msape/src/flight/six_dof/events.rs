@@ -8,7 +8,7 @@
 //! with α the angle between the axis and the velocity relative to the air, rad.
 //!
 //! # Valid
-//! Steps shorter than a quarter of an oscillation, which the accuracy of the integration sees to.
+//! Steps shorter than a quarter of an oscillation, as the accuracy of the integration requires.
 //!
 //! # References
 //! - \[brent-1973\] for the search.

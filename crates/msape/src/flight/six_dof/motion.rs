@@ -11,7 +11,8 @@
 //! M in N·m from [`super::aerodynamics`].
 //!
 //! # Valid
-//! Rigid bodies; where a phase changes the mass, center of gravity and shape of the inertia stay. Gravity has no moment. Heating is that of the nose forward, whatever the attitude.
+//! Rigid bodies; where a phase changes the mass, center of gravity and shape of the inertia stay. Gravity has no
+//! moment. Heating is that of the nose forward, whatever the attitude.
 //!
 //! # References
 //! - \[stevens-lewis-2016\] section 1.7; \[samareh-2014\] section 3.2.

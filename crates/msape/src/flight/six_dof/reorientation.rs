@@ -1,4 +1,4 @@
-//! Backward entries: the same entry with the center of gravity at several places.
+//! Backward entries: one entry with the center of gravity at several places.
 //!
 //! ```text
 //! α(Kn) for each x_cg,   turned: α < 90 deg at peak heating and ever after

@@ -137,7 +137,7 @@ pub fn turn(
     let slow_s = slow_s(mission, body);
     short.stop.time_s = earlier(mission.stop.time_s, slow_s);
     let (mut flight, ..) = fly_watched(&short, body, &rigid, Request::Nothing, &mut watch);
-    // Backward a vehicle may be slower to stop: it flies on where its heat still grows.
+    // A backward vehicle may decelerate more slowly: the flight continues while its heat flux still grows.
     if slow_s.is_some() && !watch.stopped && heats_at_its_end(&flight) {
         (flight, ..) = fly_watched(mission, body, &rigid, Request::Nothing, &mut watch);
     }

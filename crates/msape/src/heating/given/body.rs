@@ -1,4 +1,4 @@
-//! Heating from outside at points of the body.
+//! Heating given from outside at points of the body.
 //!
 //! ```text
 //! q̇(f, ρ, V) at each fraction f        f = r/R or s/S

@@ -8,7 +8,7 @@
 //! with ρ in kg/m³, p in Pa, T in K, z in m, R in J/(kg K), γ the ratio of the heat capacities.
 //! Beyond the ends ln ρ continues with its last slope, but is held where density would grow with height; p/ρ, T and γ
 //! are held.
-//! Without temperatures those of the planet's own atmosphere are taken.
+//! Without temperatures, those of the planet's own atmosphere are used.
 //!
 //! # Valid
 //! Between the first and the last altitude. Mean free path, and γ where it is not given, are those of the planet's gas.

@@ -8,9 +8,9 @@
 //! a = √(γ R* T / M),   L = M / (√2 π σ² N_A ρ)
 //! ```
 //!
-//! Density and speed of sound are looked up in cubic Hermite cells through knots of the definition (relative error below
-//! 2e-10 to 86 km, 3e-7 above), so that no elementary function is called per step; beyond its ends a piece goes on by its
-//! own formula.
+//! Density and speed of sound are looked up in cubic Hermite cells through knots of the definition (relative error
+//! below 2e-10 to 86 km, 3e-7 above), so that no elementary function is called per step; beyond its ends a piece
+//! continues by its own formula.
 //!
 //! with z in m, ρ in kg/m³, p in Pa, T in K, M in kg/kmol, a in m/s, mean free path L in m.
 //!

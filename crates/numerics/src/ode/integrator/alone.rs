@@ -1,4 +1,4 @@
-//! Methods of an integration of one lane only: a step at a time as a result, and a step taken again.
+//! Methods of an integration of one lane only: a step as a result, and the repetition of a step.
 
 use super::super::dormand_prince_54::DormandPrince54;
 use super::super::dormand_prince_853::DormandPrince853;

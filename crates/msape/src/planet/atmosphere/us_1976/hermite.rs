@@ -9,7 +9,7 @@
 //! is (w/H)⁴/384.
 //!
 //! # Valid
-//! Any span of at least one cell; what holds beyond its ends is for the caller to say.
+//! Any span of at least one cell; the caller decides the values beyond its ends.
 //!
 //! # References
 //! - \[dlmf\] section 3.3(i).
