@@ -51,7 +51,7 @@ pub const COLUMNS: [Column; 4] = [
 ];
 
 /// Molar masses that a gas can have, kg/kmol. The least is that of atomic hydrogen, 1.008 rounded down. The greatest is assumed:
-/// sulphur hexafluoride, among the heaviest gases by which facilities stand in for air, has 146, and none of a planet comes near; what
+/// sulfur hexafluoride, among the heaviest gases by which facilities replace air, has 146, and none of a planet comes near; what
 /// is beyond is a wrong unit, which is a factor of ten or more.
 const POSSIBLE_KG_KMOL: [f64; 2] = [1.0, 200.0];
 
