@@ -50,7 +50,7 @@ pub const SUBSONIC_MACH_MAX: f64 = 0.5;
 /// Drag of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drag {
-    /// The same at every Mach number.
+    /// Constant at every Mach number.
     Constant(f64),
     /// Against Mach number.
     Table(DragTable),
@@ -66,7 +66,7 @@ pub struct DragTable {
     own: Option<Own>,
 }
 
-/// What is known of a drag table that a case brings.
+/// Origin of a drag table given by a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Own {
     /// Key of the case.
@@ -151,7 +151,7 @@ impl DragTable {
         }
     }
 
-    /// The same as a table that a case brings, with its rule beyond the ends.
+    /// The table marked as given by a case, with its rule beyond the ends.
     pub fn of_case(mut self, own: Own) -> DragTable {
         let last = self.lines.len().saturating_sub(1);
         if own.extrapolation == Extrapolation::Extend && last >= 2 {
@@ -162,7 +162,7 @@ impl DragTable {
         self
     }
 
-    /// What is known of it where a case brings it.
+    /// Origin of the table, where a case gives it.
     pub fn own(&self) -> Option<Own> {
         self.own
     }
@@ -222,7 +222,7 @@ const CONE_WITHIN_DEG: f64 = 0.5;
 /// A named database of axial force, from `data/aerodynamics`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialForce {
-    /// What it describes.
+    /// Vehicle that it describes.
     pub title: String,
     /// Half-angle of the cone to which it belongs, deg.
     pub cone_half_angle_deg: f64,
@@ -282,7 +282,7 @@ impl AxialForce {
     /// Reads a CSV file of `data/aerodynamics`.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The fault of the file.
     pub fn parse(data: Data) -> Result<AxialForce, String> {
         let file: File = match data {
             #[cfg(feature = "own-data")]

@@ -116,11 +116,11 @@ pub struct Flight<S = f64> {
     pub downrange_m: S,
     /// Downward crossings of Mach 5, 2, 1.4 and 0.8 after peak deceleration, s.
     pub mach_times_s: [Option<S>; 4],
-    /// Time history, where one was asked for.
+    /// Time history, where requested.
     pub trajectory: Option<Trajectory>,
     /// Ends of tables of the case that it passed.
     pub passed: Vec<Passed>,
-    /// Where the air pushed the vehicle, as no air does.
+    /// Place where the air pushed the vehicle, as air cannot.
     pub pushed: Option<Push>,
     /// Lowest and highest altitude between two steps, m.
     pub altitudes_m: [f64; 2],
@@ -204,7 +204,7 @@ impl Flight {
     }
 }
 
-/// What a reader of a flight must know: ranges of the heating models and of the atmosphere.
+/// Findings of a flight: use outside the ranges of the heating models and of the atmosphere.
 pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding> {
     let peak = flight.peak_total_heat_flux_w_m2;
     let mut findings = mission.heating.findings(&PeakConditions {
@@ -233,7 +233,7 @@ pub fn findings(mission: &Mission, body: &Body, flight: &Flight) -> Vec<Finding>
 /// Distance from an altitude at which a flight is there, m.
 pub const LANDED_WITHIN_M: f64 = 1e-3;
 
-/// What is said of a flight through a part of the atmosphere that is assumed.
+/// Finding of a flight through a part of the atmosphere that is assumed; `None` where there is none.
 fn assumed_air(mission: &Mission, flight: &Flight) -> Option<Finding> {
     let Atmosphere::Table(table) = &mission.atmosphere else {
         return None;
@@ -262,7 +262,7 @@ fn assumed_air(mission: &Mission, flight: &Flight) -> Option<Finding> {
     })
 }
 
-/// What is said of a flight that left the atmosphere on the way.
+/// Finding of a flight that left the atmosphere and came back; `None` for any other.
 fn came_back(flight: &Flight) -> Option<Finding> {
     let exits = flight.exits;
     let times = if exits == 1 { "once" } else { "more than once" };

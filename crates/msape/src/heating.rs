@@ -63,7 +63,7 @@ impl<S: Copy> Flow<S> {
     }
 }
 
-/// The flow at the instant of peak heating, where a correlation is held against its ranges.
+/// Flow at the instant of peak heating, at which the range of a correlation is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeakConditions {
     /// Free-stream density, kg/m³.
@@ -74,7 +74,7 @@ pub struct PeakConditions {
     pub nose_radius_m: f64,
 }
 
-/// What belongs to a planet, of things that belong to some planets each.
+/// The item that belongs to a planet, of items that belong to some planets each.
 fn of_planet<T>(all: Vec<(Vec<String>, T)>, planet: &str) -> Option<T> {
     let mut all = all.into_iter();
     all.find(|(planets, _)| planets.iter().any(|name| name == planet))

@@ -1,7 +1,7 @@
 //! A planet: figure, rotation, gravity; with its atmosphere and winds.
 //!
 //! ```text
-//! x, y in the equator (x through longitude nought), z along the pole, planet-centred and turning with it
+//! x, y in the equator (x through longitude zero), z along the pole, planet-centered and turning with it
 //! ```
 //!
 //! with lengths in m, rates in rad/s, accelerations in m/s².
@@ -48,7 +48,7 @@ pub struct Planet {
     /// Key in the bibliography, of the gravity; empty where it is that of the figure.
     #[serde(default)]
     pub gravity_source: String,
-    /// What the reader of the figures must know.
+    /// Note on the figures.
     #[serde(default)]
     pub note: String,
     /// Equatorial radius, m.
@@ -71,7 +71,7 @@ pub struct Planet {
     /// Radius of the sphere on which downrange is measured, m; on the ellipsoid where absent.
     #[serde(default)]
     pub downrange_sphere_radius_m: Option<f64>,
-    /// Name of the body in KML, where viewers know it.
+    /// Name of the body in KML, where viewers have it.
     #[serde(default)]
     pub kml_target: Option<String>,
     /// Gravity.
@@ -88,7 +88,7 @@ pub struct PlanetFault {
     pub value: f64,
     /// Unit.
     pub unit: &'static str,
-    /// What it must be.
+    /// Rule that it breaks.
     pub rule: &'static str,
 }
 
@@ -102,7 +102,7 @@ impl Planet {
         }
     }
 
-    /// All that is wrong with the constants.
+    /// All faults of the constants.
     pub fn check(&self) -> Vec<PlanetFault> {
         let mut faults = Vec::new();
         let mut must = |holds: bool, key, value, unit, rule| {

@@ -7,18 +7,18 @@
 //! ```
 //!
 //! with Δxⱼ, Δrⱼ the last two steps and what they did to the residual r, each variable in parts of its own size; ω the
-//! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated step
-//! that overshot, to a larger residual the other way; each step that does halves ω, down to an eighth, each other doubles it again.
-//! Where the steps say that the fixed point lies behind, against r, it is one that f leaves: then x goes on along the last change
-//! of f, twice as far each time, to the next fixed point or to where f ends. An accelerated step is shortened to
-//! twenty residuals and to twice or half of a variable.
+//! relaxation. Without steps to learn from it is the damped step x ← x + ω r, and so it is again after an accelerated
+//! step that overshot, to a larger residual in the opposite direction; each such step halves ω, down to an eighth, each
+//! other doubles it again. Where the steps show that the fixed point lies behind, against r, it is one that f leaves:
+//! then x moves along the last change of f, twice as far each time, to the next fixed point or to where f ends. An
+//! accelerated step is shortened to twenty residuals and to twice or half of a variable.
 //!
 //! # References
 //! - \[anderson-1965\]; \[walker-ni-2011\].
 
 /// Steps that are remembered.
 const DEPTH: usize = 2;
-/// Least relaxation, as a part of the one asked for.
+/// Least relaxation, as a fraction of the one requested.
 const LEAST_RELAXATION: f64 = 0.125;
 /// Two steps whose residuals differ by less than the angle with this squared sine are one.
 const PARALLEL: f64 = 1e-6;
@@ -43,15 +43,16 @@ struct Place<const N: usize> {
     watched: f64,
 }
 
-/// Where to go next, and how far that is from where the variables stand.
+/// Next variables, and their estimated distance from the fixed point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal<const N: usize> {
     /// The next variables.
     pub next: [f64; N],
-    /// The damped step alone, where `next` does not do.
+    /// The damped step alone, for cases in which `next` is not usable.
     pub damped: [f64; N],
-    /// Distance of the watched number from its value at the fixed point, as the remembered steps tell it; absent while
-    /// there are none. What they leave unexplained of the residual counts as much as the steepest of them.
+    /// Estimated distance of the watched number from its value at the fixed point, from the remembered steps; absent
+    /// while there are none. The part of the residual that they leave unexplained counts as much as the steepest of
+    /// them.
     pub distance: Option<f64>,
 }
 
@@ -92,7 +93,7 @@ impl<const N: usize> Anderson<N> {
         self.steps.clear();
     }
 
-    /// Takes x, f(x) and a number that is watched on the way, such as the mass of a vehicle.
+    /// Proposes the next variables from x, f(x) and a number that is watched, such as the mass of a vehicle.
     pub fn propose(&mut self, x: [f64; N], fx: [f64; N], watched: f64) -> Proposal<N> {
         let r: [f64; N] = std::array::from_fn(|i| fx[i] - x[i]);
         let size: [f64; N] = std::array::from_fn(|i| {
@@ -171,7 +172,7 @@ impl<const N: usize> Anderson<N> {
         worse
     }
 
-    /// Steepest change of the watched number for a part of a variable.
+    /// Steepest change of the watched number per relative change of a variable.
     fn slope(&self, size: &[f64; N]) -> f64 {
         let slopes = self.steps.iter().map(|step| {
             let part = largest(&step.dx, size);
@@ -184,7 +185,7 @@ impl<const N: usize> Anderson<N> {
         slopes.fold(0.0, f64::max)
     }
 
-    /// γ of the remembered steps, the newest first; zero for one that says the same as the newest.
+    /// γ of the remembered steps, the newest first; zero for an older step nearly parallel to it.
     fn coefficients(&self, r: &[f64; N], size: &[f64; N]) -> [f64; DEPTH] {
         let Some(newest) = self.steps.first() else {
             return [0.0; DEPTH];
@@ -207,7 +208,7 @@ impl<const N: usize> Anderson<N> {
     }
 }
 
-/// Part of a step that is neither much longer than the residual nor takes a variable far from where it stands.
+/// Fraction of a step that is neither much longer than the residual nor changes a variable by much.
 fn allowed<const N: usize>(x: &[f64; N], step: &[f64; N], r: &[f64; N], size: &[f64; N]) -> f64 {
     let length = square(step, size).sqrt();
     let longest = LONGEST * square(r, size).sqrt();

@@ -1,7 +1,7 @@
 //! Tables of one variable: linear, linear in the logarithm, and cubic with given slopes.
 //!
-//! A table is made once, with `try_new`, which refuses what is not a table; looking up then cannot fail. The rows are
-//! chosen by value and evaluated in any [`Scalar`], so that derivatives flow through.
+//! A table is built once, with `try_new`, which refuses invalid columns; look-ups then cannot fail. The rows are chosen
+//! by value and evaluated in any [`Scalar`], so that derivatives are carried through.
 //!
 //! ```
 //! use numerics::interp::{End, Table1};
@@ -22,7 +22,7 @@ pub use hermite::HermiteTable;
 pub use linear::Table1;
 pub use log_linear::LogTable1;
 
-/// What holds beyond the ends of a table.
+/// Rule beyond the ends of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The last value.
@@ -31,7 +31,7 @@ pub enum End {
     Extrapolate,
 }
 
-/// Why columns of numbers are not a table.
+/// Reason why columns of numbers are not a table.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
     /// Fewer than two rows.
@@ -53,7 +53,7 @@ pub enum TableError {
     NotFinite {
         /// Row, from 0.
         index: usize,
-        /// What stands there.
+        /// Value in the row.
         value: f64,
     },
     /// An abscissa not above the one before.
@@ -71,7 +71,7 @@ pub enum TableError {
     NotPositive {
         /// Row, from 0.
         index: usize,
-        /// What stands there.
+        /// Value in the row.
         value: f64,
     },
 }

@@ -1,9 +1,10 @@
 //! Initial value problems y' = f(t, y), forward in t: explicit Runge-Kutta with step control and dense output.
 //!
-//! An [`Integrator`] takes one step at a time and knows nothing of what it integrates; the caller looks at each
-//! [`Step`], finds events on it ([`event`]), takes it again so that it ends there ([`Integrator::retake`]) or goes on from
-//! within it ([`Integrator::put`]), and says when the right-hand side has changed ([`Integrator::renew`]). Over
-//! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps ([`Integrator::attempt`]).
+//! An [`Integrator`] takes one step at a time, independent of the meaning of its equations; the caller inspects each
+//! [`Step`], finds events on it ([`event`]), repeats it so that it ends there ([`Integrator::retake`]) or continues
+//! from within it ([`Integrator::put`]), and reports when the right-hand side has changed ([`Integrator::renew`]). Over
+//! [`crate::scalar::Lanes`] it is many integrations side by side, each with its own time and steps
+//! ([`Integrator::attempt`]).
 //!
 //! ```
 //! use numerics::ode::{Integrator, Method, Tolerance};
@@ -57,43 +58,43 @@ impl Method {
     }
 }
 
-/// What is spent on the interpolation within a step.
+/// Effort spent on the interpolation within a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dense {
     /// The interpolation that belongs to the method, computed with every step.
     #[default]
     Full,
-    /// No evaluation is spent: order 7 of [`Method::DormandPrince853`] becomes order 3; the other methods lose nothing.
+    /// No extra evaluation: order 7 of [`Method::DormandPrince853`] becomes order 3; the other methods lose nothing.
     Hermite,
 }
 
-/// Why no step could be taken.
+/// Reason why no step could be taken.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OdeError {
     /// The tolerance cannot be met, or the fixed step is not a positive number.
     #[error("the step became too small at t = {t}")]
     StepTooSmall {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
     },
     /// The right-hand side, or what follows from it, is infinite or not a number.
     #[error("the right-hand side is not finite at t = {t}")]
     NotFinite {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
     },
     /// The allowance of [`Integrator::with_maximum_steps`] is used up.
     #[error("too many steps: stopped at t = {t}")]
     TooManySteps {
-        /// Where the integration stands.
+        /// Present time of the integration.
         t: f64,
     },
-    /// The end that was asked for is not ahead of the step's beginning, or, for a retake, not within the last step.
+    /// The requested end is not ahead of the start of the step, or, for a retake, not within the last step.
     #[error("a step from t = {t} cannot end at t = {end}")]
     Unreachable {
-        /// Where the step begins.
+        /// Start of the step.
         t: f64,
-        /// The end that was asked for.
+        /// Requested end.
         end: f64,
     },
 }

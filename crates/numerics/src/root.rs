@@ -1,9 +1,10 @@
-//! Roots and extrema of a function of one variable, bracketed: no derivative, always an end.
+//! Roots and extrema of a function of one variable, bracketed: without derivatives, always terminating.
 //!
 //! # References
 //! - \[brent-1973\] chapters 4 (root) and 5 (extremum).
 
-/// More than either search takes: each halves, or divides by the golden ratio, at least every few evaluations.
+/// More iterations than either search needs: each halves, or divides by the golden ratio, at least every few
+/// evaluations.
 const MAXIMUM_ITERATIONS: u32 = 200;
 
 /// Root of `f` between `a` and `b` within `tolerance`, or `None` when `f` has the same sign at both or is not a number.
@@ -96,9 +97,9 @@ fn inverse_quadratic([a, fa]: [f64; 2], [b, fb]: [f64; 2], [c, fc]: [f64; 2]) ->
     ]
 }
 
-/// Where `f` is largest between `a` and `b`, within `tolerance`, and its value there.
+/// Place between `a` and `b` at which `f` is largest, within `tolerance`, and its value there.
 ///
-/// Of several maxima one is found; the ends are among the candidates. About half the digits of x are attainable.
+/// Finds one of several maxima; the ends are among the candidates. About half the digits of x are attainable.
 ///
 /// ```
 /// let (x, f) = numerics::root::maximum(|x| x * (2.0 - x), 0.0, 3.0, 1e-9);

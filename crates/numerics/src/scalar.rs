@@ -1,8 +1,8 @@
 //! One small trait over which physics is written once: plain numbers, [`Dual`] numbers with their derivatives, and
 //! [`Lanes`] of several numbers at a time.
 //!
-//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] or [`Scalar::gather`] (the row is chosen by
-//! the value, the polynomial is then evaluated in `Self`, so that derivatives and lanes flow through).
+//! Branches are written with [`Scalar::select`], tables with [`Scalar::lookup`] or [`Scalar::gather`] (the row is
+//! chosen by the value, the polynomial is then evaluated in `Self`, so that derivatives and lanes are carried through).
 //!
 //! ```
 //! use numerics::scalar::{Dual, Lanes, Scalar};
@@ -43,7 +43,7 @@ pub trait Scalar:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// The outcome of a comparison: one truth value a lane.
+    /// Outcome of a comparison: one truth value per lane.
     type Mask: Mask;
     /// The number without its derivatives.
     type Value: Scalar<Mask = Self::Mask, Value = Self::Value, Lane = f64>;
@@ -112,7 +112,7 @@ pub trait Scalar:
         Self::select(self.less(other), other, self)
     }
 
-    /// Where the value is neither infinite nor not a number.
+    /// Lanes in which the value is finite, neither infinite nor NaN.
     #[inline]
     fn finite(self) -> Self::Mask {
         self.abs().less(Self::constant(f64::INFINITY))
@@ -123,19 +123,19 @@ pub trait Scalar:
 pub trait Single:
     Scalar<Mask = bool, Value = f64, Lane = Self> + PartialEq + Send + Sync + 'static
 {
-    /// The root at `at` of a function that has there the value `residual`, zero but for its derivatives, and the rate of
-    /// change `rate`; both are asked for only where there are derivatives.
+    /// The root at `at` of a function that has there the value `residual`, zero but for its derivatives, and the rate
+    /// of change `rate`; both are called only where there are derivatives.
     ///
     /// ```text
     /// g(t, p) = 0  →  dt/dp = −(∂g/∂p) / (∂g/∂t)
     /// ```
     fn root(at: f64, residual: impl FnOnce() -> Self, rate: impl FnOnce() -> f64) -> Self;
 
-    /// The place near `at` at which `f` is what it is there without its derivatives: a root that was found by value. `f` is asked
-    /// for only where there are derivatives, on the branch that it takes at `at`.
+    /// The place near `at` at which `f` equals its value there without derivatives: a root that was found by value. `f`
+    /// is called only where there are derivatives, on the branch that it takes at `at`.
     fn implicit(at: f64, f: impl Fn(Self) -> Self) -> Self;
 
-    /// The same for as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
+    /// The roots of as many equations as unknowns: `rates` has a row for each equation, a column for each unknown.
     fn roots<const K: usize>(
         at: [f64; K],
         residual: impl FnOnce() -> [Self; K],
@@ -143,15 +143,15 @@ pub trait Single:
     ) -> [Self; K];
 }
 
-/// The outcome of a comparison: one truth value a lane.
+/// Outcome of a comparison: one truth value per lane.
 pub trait Mask: Copy + Debug {
-    /// The same truth value in every lane.
+    /// Equal truth values in every lane.
     fn constant(holds: bool) -> Self;
-    /// Where both hold.
+    /// Lanes in which both hold.
     fn and(self, other: Self) -> Self;
-    /// Where one of them holds, or both.
+    /// Lanes in which one of them holds, or both.
     fn or(self, other: Self) -> Self;
-    /// Where it does not hold.
+    /// Lanes in which it does not hold.
     fn not(self) -> Self;
     /// Whether it holds in some lane.
     fn any(self) -> bool;
@@ -333,7 +333,7 @@ mod tests {
         let found = [0.0, 0.4, 0.6, 1.9, 2.4].map(|x: f64| x.gather(&rows)[0]);
         assert_eq!(found, [10.0, 10.0, 20.0, 30.0, 30.0]);
         assert_eq!(7.0.gather(&rows), [0.0]);
-        // What is not a number takes the first row and stays no number in what is made of both.
+        // A NaN takes the first row and stays NaN in results of both.
         assert_eq!(f64::NAN.gather(&rows), [10.0]);
     }
 

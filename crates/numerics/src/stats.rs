@@ -15,7 +15,7 @@ pub fn sample_standard_deviation(sample: &[f64]) -> Option<f64> {
     let n = sample.len();
     let mean = mean(sample).filter(|_| n > 1)?;
     let squares: f64 = sample.iter().map(|x| (x - mean) * (x - mean)).sum();
-    // What is left of the deviations is the rounding of the mean.
+    // The remaining sum of the deviations is the rounding of the mean.
     let rest: f64 = sample.iter().map(|x| x - mean).sum();
     Some(
         ((squares - rest * rest / n as f64) / (n - 1) as f64)
@@ -24,7 +24,7 @@ pub fn sample_standard_deviation(sample: &[f64]) -> Option<f64> {
     )
 }
 
-/// Smallest of the sample; `None` of an empty one. What is not a number is passed over unless there is nothing else.
+/// Smallest of the sample; `None` for an empty one. NaN is skipped unless there is nothing else.
 pub fn minimum(sample: &[f64]) -> Option<f64> {
     sample
         .iter()
@@ -32,7 +32,7 @@ pub fn minimum(sample: &[f64]) -> Option<f64> {
         .reduce(|a, b| if b < a || a.is_nan() { b } else { a })
 }
 
-/// Largest of the sample; `None` of an empty one. What is not a number is passed over unless there is nothing else.
+/// Largest of the sample; `None` for an empty one. NaN is skipped unless there is nothing else.
 pub fn maximum(sample: &[f64]) -> Option<f64> {
     sample
         .iter()

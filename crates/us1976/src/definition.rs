@@ -1,4 +1,4 @@
-//! The data file of the U.S. Standard Atmosphere 1976 as it is read: figures and units of the document.
+//! Data file of the U.S. Standard Atmosphere 1976 as read: figures and units of the document.
 
 use serde::Deserialize;
 
@@ -14,7 +14,7 @@ pub struct Definition {
     pub source: String,
     /// Place in the source.
     pub place: String,
-    /// What the reader of the figures must know.
+    /// Note on the figures.
     pub note: String,
     /// Primary constants.
     pub constants: Constants,
@@ -76,17 +76,17 @@ pub struct Lower {
 pub struct UpperTemperature {
     /// 86 to 91 km, K.
     pub isothermal_k: f64,
-    /// Centre of the ellipse, K.
+    /// Center of the ellipse, K.
     pub ellipse_centre_k: f64,
     /// Axis of the ellipse in temperature, K.
     pub ellipse_axis_k: f64,
     /// Axis of the ellipse in altitude, km.
     pub ellipse_axis_km: f64,
-    /// At 110 km, K.
+    /// Temperature at 110 km, K.
     pub linear_base_k: f64,
     /// 110 to 120 km, K/km.
     pub linear_gradient_k_km: f64,
-    /// At 120 km, K.
+    /// Temperature at 120 km, K.
     pub exponential_base_k: f64,
     /// Limit far above, K.
     pub exosphere_k: f64,
@@ -140,7 +140,7 @@ impl Definition {
     /// The definition, after a check of everything that the code relies on.
     ///
     /// # Errors
-    /// Which list does not fit which.
+    /// The lists that do not fit each other.
     pub fn checked(self) -> Result<Self, String> {
         let Lower {
             base_geopotential_km: bases,

@@ -16,7 +16,7 @@
 //! ∫ g/(R* T) dz = g₁₀/(R* T∞) · (ξ + ln(T/T₁₀)/λ)
 //! ```
 //!
-//! What is left, 86 to 120 km, is integrated by classical Runge-Kutta in cells of 125 m.
+//! The range 86 to 120 km is integrated by classical Runge-Kutta in cells of 125 m.
 //!
 //! # Valid
 //! 86 to 1000 km. Atomic hydrogen is present above 150 km only, as defined, so density there steps up by 3e-7.
@@ -57,7 +57,7 @@ pub struct Span {
     pub cell_m: f64,
 }
 
-/// The smooth pieces, upwards.
+/// The smooth pieces, upward.
 pub const SPANS: [Span; 7] = [
     Span {
         from_m: 86e3,
@@ -110,14 +110,14 @@ type Logs = [f64; HEAVY];
 pub struct Heterosphere<'a> {
     definition: &'a Definition,
     upper: &'a Upper,
-    /// Of the gases followed from 86 km.
+    /// Flux integrals of the gases followed from 86 km.
     fluxes: Vec<FluxIntegral<'a>>,
     r_0: f64,
     start: Logs,
     at_120_km: Logs,
 }
 
-/// What the equations need of one altitude, whatever the densities there.
+/// Terms of the equations at one altitude that do not depend on the densities.
 struct Place {
     /// Altitude, m.
     z: f64,
@@ -164,7 +164,7 @@ impl<'a> Heterosphere<'a> {
         }
     }
 
-    /// The knots of all spans, upwards.
+    /// The knots of all spans, upward.
     pub fn knots(&mut self) -> Vec<SpanKnots> {
         self.knots_of(&SPANS)
     }

@@ -117,7 +117,7 @@ impl MolarMassRatio {
 /// The layers below 86 km and the molar mass in the last of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lower {
-    /// Layers, upwards.
+    /// Layers, upward.
     pub layers: Vec<Layer>,
     /// Upper ends of the layers, geometric m.
     pub tops_m: Vec<f64>,
@@ -175,7 +175,7 @@ impl Lower {
         }
     }
 
-    /// What [`Self::kinetic_temperature_k`] needs of the layer that an altitude belongs to.
+    /// Constants of [`Self::kinetic_temperature_k`] for the layer that an altitude belongs to.
     fn row(&self, altitude_m: f64) -> [f64; 3] {
         let i = self
             .tops_m

@@ -28,7 +28,7 @@ pub const Z9_M: f64 = 110_000.0;
 /// z₁₀, m.
 pub const Z10_M: f64 = 120_000.0;
 
-/// Which of the four formulas holds.
+/// Formula that holds at an altitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Segment {
     /// 86 to 91 km.
@@ -131,7 +131,7 @@ impl Upper {
     }
 }
 
-/// Kinetic temperature of the standard atmosphere at any altitude, for models that bring a density only.
+/// Kinetic temperature of the standard atmosphere at any altitude, for models that give a density only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StandardTemperature {
     /// Below 86 km.

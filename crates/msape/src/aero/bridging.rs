@@ -1,4 +1,4 @@
-//! From continuum to free-molecular flow by the Knudsen number.
+//! Bridging from continuum to free-molecular flow by the Knudsen number.
 //!
 //! ```text
 //! C = C_c + (C_fm − C_c) w
@@ -57,7 +57,7 @@ mod tests {
         assert_eq!(Bridging::SineSquared.weight(1e-3), 0.0);
         assert!(Bridging::SineSquared.weight(1.0001e-3) < 1e-8);
         assert_eq!(Bridging::SineSquared.weight(20.0), 1.0);
-        // 0.01 is a quarter of the way: sin²(π/8) = 0.14645
+        // 0.01 is at a quarter: sin²(π/8) = 0.14645
         assert!((Bridging::SineSquared.weight(0.01) - 0.146_446_6).abs() < 1e-7);
     }
 }

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! # Valid
-//! What [`super::database::Database`] does; nothing is computed from it. The axial force of the transonic tables is in part constructed
-//! and counts as assumed; so does all that is blended there.
+//! Range of [`super::database::Database`]; nothing is computed from the origins. The axial force of the transonic
+//! tables is in part constructed and counts as assumed; so does everything blended there.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.3.1 to 3.3.7; the sentences of [`Regime::provenance`] say it at length.
@@ -24,7 +24,7 @@ pub enum Coefficient {
     Cn,
     /// Pitching moment about the virtual apex.
     CmApex,
-    /// Pitching moment about the centre of gravity.
+    /// Pitching moment about the center of gravity.
     CmCg,
     /// Drag.
     Cd,
@@ -34,7 +34,7 @@ pub enum Coefficient {
     Cmq,
 }
 
-/// Where a coefficient comes from, the more certain first.
+/// Origin of a coefficient, the more certain first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Origin {
     /// A table of the user.
@@ -48,7 +48,7 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// In a word.
+    /// Name in one or two words.
     pub fn name(self) -> &'static str {
         match self {
             Origin::Given => "own table",
@@ -63,7 +63,7 @@ impl Origin {
 pub const SUBSONIC_ALPHA_MAX_DEG: f64 = 60.0;
 
 impl Coefficient {
-    /// All, in the order of tables.
+    /// All coefficients, in the order of tables.
     pub const ALL: [Coefficient; 7] = [
         Coefficient::Ca,
         Coefficient::Cn,
@@ -87,7 +87,7 @@ impl Coefficient {
         }
     }
 
-    /// Its symbol.
+    /// Symbol of the coefficient.
     pub fn symbol(self) -> &'static str {
         match self {
             Coefficient::Ca => "CA",
@@ -100,7 +100,7 @@ impl Coefficient {
         }
     }
 
-    /// Its value in a row, where there is one.
+    /// Value in a row, where there is one.
     pub fn of(self, row: &Row) -> Option<f64> {
         match self {
             Coefficient::Ca => Some(row.ca),
@@ -113,7 +113,7 @@ impl Coefficient {
         }
     }
 
-    /// Where its static value comes from; damping is that of the report's section 3.3.7.
+    /// Origin of the static value; damping is that of the report's section 3.3.7.
     pub fn origin(self, regime: Regime, alpha_deg: f64) -> Origin {
         use Origin::{Assumed, Computed, Given, Published};
         let beyond = alpha_deg.abs() > SUBSONIC_ALPHA_MAX_DEG;

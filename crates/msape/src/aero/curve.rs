@@ -27,7 +27,7 @@ pub struct Curve {
     nodes: Vec<[Loads; 2]>,
 }
 
-/// Where an angle lies on the grid.
+/// Position of an angle on the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     index: usize,

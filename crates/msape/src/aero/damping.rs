@@ -8,10 +8,10 @@
 //! ```
 //!
 //! with α the total angle of attack in rad, the coefficients per unit of q D/(2V): pitch rate times diameter over twice the speed.
-//! Equation 7 states no normalisation; the same is assumed.
+//! Equation 7 states no normalization; the same is assumed.
 //!
 //! # Valid
-//! The report's capsules. The placeholder stands for Viking data that are not public.
+//! The report's capsules. The placeholder takes the place of Viking data that are not public.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.7 and equation 7; the placeholder is \[assumed\].
@@ -22,7 +22,7 @@ use crate::data::Data;
 use numerics::math::{RADIANS_PER_DEGREE, exp};
 use serde::{Deserialize, Serialize};
 
-/// Which radius of gyration equation 7 takes.
+/// Radius of gyration used in equation 7.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reading {
@@ -50,7 +50,7 @@ pub struct DampingData {
     pub normal_force_coefficient: f64,
     /// C_A nose first.
     pub axial_force_coefficient: f64,
-    /// What C_A loses with sin² α.
+    /// Decrease of C_A per sin² α.
     pub axial_force_loss_coefficient: f64,
     /// r² used.
     pub gyration_ratio: f64,
@@ -94,12 +94,12 @@ impl DampingData {
     /// Reads the data file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of the file.
     pub fn parse(data: Data) -> Result<DampingData, String> {
         data.read()
     }
 
-    /// What must be known of the placeholder.
+    /// Note on the placeholder.
     pub fn placeholder_note(&self) -> &str {
         &self.viking.note
     }
@@ -154,10 +154,10 @@ impl DampingData {
     }
 }
 
-/// Where pitch damping comes from.
+/// Model of pitch damping.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Damping {
-    /// None at all.
+    /// No damping.
     Absent,
     /// Equation 7 and the placeholder, blended.
     Report {
@@ -166,7 +166,7 @@ pub enum Damping {
         /// Radius of gyration.
         reading: Reading,
     },
-    /// A table of one's own.
+    /// A table of the user.
     Table(Grid),
 }
 

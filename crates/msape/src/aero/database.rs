@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with A, N, C the Newtonian coefficients of the outline for C_p,max = 1, A₀ that at α = 0, C_A0(M) the axial force nose first, w the bridging weight,
-//! x_cp the Newtonian centre of pressure in diameters from the virtual apex, α the total angle of attack in rad. Between Mach 0.5
+//! x_cp the Newtonian center of pressure in diameters from the virtual apex, α the total angle of attack in rad. Between Mach 0.5
 //! and 1.5, and between 60 and 100 deg, both are blended by a smooth step. C_fm is cubic in 1/S
 //! through S = 5, 10, 25 and ∞.
 //!
@@ -17,7 +17,7 @@
 //! beyond 60 deg are assumed.
 //!
 //! # References
-//! - \[samareh-2014\] sections 3.3.1 to 3.3.7, equation 7; \[mitcheltree-1997\] (hypersonic axial force and centre of
+//! - \[samareh-2014\] sections 3.3.1 to 3.3.7, equation 7; \[mitcheltree-1997\] (hypersonic axial force and center of
 //!   pressure); \[schaaf-chambre-1961\]; \[wilmoth-1999\]. Base pressure and blends: \[assumed\].
 
 use super::DragTable;
@@ -41,11 +41,11 @@ pub use provenance::Regime;
 pub const GAMMA: f64 = 1.4;
 /// Normal force of equation 7 over the sine of the angle of attack.
 const SUBSONIC_NORMAL: f64 = 0.749;
-/// What equation 7 takes from the axial force with sin² α.
+/// Decrease of the axial force in equation 7 per sin² α.
 const SUBSONIC_AXIAL_LOSS: f64 = 0.5;
-/// Mach numbers between which equation 7 gives way.
+/// Mach numbers between which equation 7 is blended out.
 const MACH_BLEND: [f64; 2] = [0.5, 1.5];
-/// Angles between which it gives way, deg.
+/// Angles between which equation 7 is blended out, deg.
 const ALPHA_BLEND_DEG: [f64; 2] = [60.0, 100.0];
 /// Below this Mach number the base pressure is held.
 pub const BASE_MACH_MIN: f64 = 3.0;
@@ -80,7 +80,7 @@ pub struct Coefficients {
     pub cm: f64,
     /// Pitch damping coefficient per unit of q D/(2V).
     pub cmq: f64,
-    /// What they come from.
+    /// Regime of origin.
     pub regime: Regime,
 }
 
@@ -118,7 +118,7 @@ enum Source {
 #[derive(Clone, Debug, PartialEq)]
 struct Computed {
     newtonian: Curve,
-    /// Of C_fm = c₀ + y (c₁ + (y − y₁) (c₂ + (y − y₂) c₃)), y = 1/S.
+    /// Coefficients of C_fm = c₀ + y (c₁ + (y − y₁) (c₂ + (y − y₂) c₃)), y = 1/S.
     free_molecular: [Curve; 4],
     axial_force: DragTable,
     pressure_coefficient: Vec<f64>,
@@ -239,7 +239,7 @@ impl Database {
         }
     }
 
-    /// Where damping comes from.
+    /// Model of pitch damping.
     pub fn damping(&self) -> &Damping {
         &self.damping
     }

@@ -22,7 +22,7 @@ use crate::data::Data;
 use numerics::math::{RADIANS_PER_DEGREE, sin};
 use serde::{Deserialize, Serialize};
 
-/// What the correction must know of a sphere-cone.
+/// Dimensions of a sphere-cone that the correction depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SphereCone {
     /// Cone half-angle, rad.
@@ -41,7 +41,7 @@ pub struct EulerCorrection {
     _source: String,
     #[serde(rename = "place")]
     _place: String,
-    /// What must be known of it.
+    /// Note on the correction.
     pub note: String,
     constant_factor: f64,
     a: f64,
@@ -79,7 +79,7 @@ impl EulerCorrection {
     /// Reads the data file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of the file.
     pub fn parse(data: Data) -> Result<EulerCorrection, String> {
         data.read()
     }

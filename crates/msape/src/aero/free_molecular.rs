@@ -69,7 +69,7 @@ impl Gas {
         [pressure - g * s, g]
     }
 
-    /// The same far on the windward side: p₀ + p₁ s + p₂ s² and g₁ s.
+    /// Coefficients far on the windward side: p₀ + p₁ s + p₂ s² and g₁ s.
     pub fn far(&self) -> [f64; 4] {
         let (n, t) = (self.normal_accommodation, self.tangential_accommodation);
         let inverse = 1.0 / self.speed_ratio;

@@ -1,4 +1,4 @@
-//! Force and moment of a surface in a flow: pressure and shear integrated over what the air reaches.
+//! Force and moment of a surface in a flow: pressure and shear integrated over the part that the air reaches.
 //!
 //! ```text
 //! dC = (−P n + g u) dA/S_ref          P = C_p − g s          dA = r dφ ds
@@ -12,7 +12,7 @@
 //! integral is adaptive: a panel is halved until two halves agree with the whole.
 //!
 //! # Valid
-//! As its pressure law. A circle of latitude on the lee side feels thermal motion where its own horizon is lit.
+//! Range of the pressure law. A circle of latitude on the lee side feels thermal motion where its own horizon is lit.
 //!
 //! # References
 //! - Definitions of the coefficients: \[samareh-2014\] section 3.3.1 (moments about the virtual apex).
@@ -64,7 +64,7 @@ impl Loads {
     }
 }
 
-/// What a surface element feels.
+/// Law of pressure and shear on a surface element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// Newton's pressure with C_p,max.
@@ -83,12 +83,12 @@ impl Law {
     }
 }
 
-/// How exactly the meridian is integrated.
+/// Accuracy of the integral over the meridian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
     /// Largest difference between a panel and its halves, in coefficients.
     pub tolerance: f64,
-    /// Most halvings.
+    /// Largest number of halvings.
     pub depth: u32,
     /// Pieces shorter than this, in diameters, are one panel.
     pub short: f64,
@@ -97,14 +97,14 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// For single attitudes: 1e-8 in a panel.
+    /// Effort for single attitudes: 1e-8 in a panel.
     pub const FINE: Effort = Effort {
         tolerance: 1e-8,
         depth: 14,
         short: 0.0,
         thermal_panel: 1.5,
     };
-    /// For tables, which are interpolated anyway: 5e-5 between a panel and its halves.
+    /// Effort for tables, which are interpolated anyway: 5e-5 between a panel and its halves.
     pub const TABLE: Effort = Effort {
         tolerance: 5e-5,
         depth: 6,
@@ -246,7 +246,7 @@ fn polynomial(sums: &mut Sums, [p, q]: [f64; 2], c: [f64; 4], j: &[f64; 4]) {
     sums[3] += c3 * (p * j[1] + q * j[2]);
 }
 
-/// What the molecules reach: the lit side, and beyond a lit horizon as far as thermal motion carries.
+/// Region that the molecules reach: the lit side, and beyond a lit horizon as far as thermal motion carries.
 fn thermal(facing: &Lit, lit: &Lit, [p, q]: [f64; 2], zone: f64) -> Lit {
     // s = −zone
     let edge = if q == 0.0 { p } else { (-zone - p) / q };

@@ -1,4 +1,4 @@
-//! Pressure by Newton's impact theory, as it stands and as Lees modified it.
+//! Pressure by Newton's impact theory, in its original form and as modified by Lees.
 //!
 //! ```text
 //! C_p = C_p,max sin² δ  where the air meets the surface,  0 elsewhere

@@ -30,7 +30,7 @@ pub mod write;
 
 pub use remarks::remarks;
 
-/// Which theory answers.
+/// Theory of the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Theory {
     /// Newton with a pressure coefficient of the stagnation point; no correction and no base pressure.
@@ -71,7 +71,7 @@ pub struct Row {
     pub cn: f64,
     /// Moment coefficient about the virtual apex.
     pub cm_apex: f64,
-    /// Moment coefficient about the centre of gravity, where that is known.
+    /// Moment coefficient about the center of gravity, where that is known.
     pub cm_cg: Option<f64>,
     /// Drag coefficient.
     pub cd: f64,
@@ -84,13 +84,13 @@ pub struct Row {
 /// Coefficients over the angle of attack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Polar {
-    /// One row an angle, in the order asked for.
+    /// One row per angle, in the order requested.
     pub rows: Vec<Row>,
-    /// Every trim point from 0 to 180 deg, where the centre of gravity is known.
+    /// Every trim point from 0 to 180 deg, where the center of gravity is known.
     pub trim: Vec<Trim>,
-    /// Centre of pressure nose first, diameters aft of the virtual apex.
+    /// Center of pressure nose first, diameters aft of the virtual apex.
     pub pressure_center: Option<f64>,
-    /// Distance of the centre of gravity ahead of it, diameters.
+    /// Distance of the center of gravity ahead of it, diameters.
     pub static_margin: Option<f64>,
 }
 
@@ -101,7 +101,7 @@ const TRIMS: Search = Search {
     slope_step_rad: END_STEP_RAD,
 };
 
-/// What answers at one angle.
+/// Aerodynamic model evaluated at one angle at a time.
 pub struct Aero<'a> {
     body: &'a AeroBody,
     theory: Theory,
@@ -227,7 +227,7 @@ mod tests {
         assert!((polar.rows[0].ca - 1.0).abs() < 1e-9);
         assert_eq!(polar.rows[1].cn, -polar.rows[2].cn);
         assert_eq!(polar.rows[1].cd, polar.rows[2].cd);
-        // nose first it is stable; backwards its flat base is: force along the axis only, so neutral moment slopes by C_N
+        // nose first it is stable; backward its flat base is: force along the axis only, so neutral moment slopes by C_N
         assert!(polar.trim[0].alpha_deg == 0.0 && polar.trim[0].cm_alpha_per_rad < 0.0);
         assert_eq!(polar.trim.last().unwrap().alpha_deg, 180.0);
     }

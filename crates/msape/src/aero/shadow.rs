@@ -1,4 +1,4 @@
-//! Which part of a circle of latitude the air reaches: exact shadows of a body of revolution on itself.
+//! Part of a circle of latitude that the air reaches: exact shadows of a body of revolution on itself.
 //!
 //! ```text
 //! the ray against the air from (x₀, r₀, φ) passes through the circle (x, r) when   cos φ = h(x, r)
@@ -8,7 +8,7 @@
 //! with lengths in diameters, φ the azimuth and α the angle of attack in rad. A piece of the meridian upstream of the circle therefore shades
 //! the azimuths whose cosines h takes on it, from its smallest to its largest value. On a line
 //! h has one extremum, at τ² = (r₀² − a²)/(1 − b²) for r = a + bτ; on an arc it is the zero of dh beside the extreme samples.
-//! What is left of the windward side is a few intervals of cos φ.
+//! The rest of the windward side is a few intervals of cos φ.
 //!
 //! # Valid
 //! Any meridian, re-entrant ones too. At angles within 1e-9 rad of 0, 90 and 180 deg the shadow is that of the angle beside.
@@ -19,15 +19,15 @@
 use super::surface::{Piece, SAMPLE_STEPS, Samples, Station, Surface};
 use numerics::root;
 
-/// Nearest that the axis and the plane normal to it are approached, rad.
+/// Smallest distance kept from the axis and from the plane normal to it, rad.
 const NUDGE_RAD: f64 = 1e-9;
-/// Accuracy of the place of an extremum, of the chord between the samples beside it, assumed.
+/// Tolerance of the place of an extremum, relative to the chord between the samples beside it, assumed.
 const CLOSE: f64 = 1e-6;
-/// From the circle itself as far as this, of the same chord, no extremum is sought, assumed.
+/// Distance from the circle itself, relative to the same chord, within which no extremum is sought, assumed.
 const APART: f64 = 1e-4;
-/// Nearer than this to the circle itself, diameters, assumed, the ray leaves along the surface.
+/// Distance from the circle itself, diameters, assumed, within which the ray leaves along the surface.
 const BESIDE: f64 = 1e-8;
-/// Most intervals that are kept.
+/// Largest number of intervals kept.
 const MOST: usize = 6;
 
 /// The direction of the air.
@@ -92,7 +92,7 @@ impl Lit {
         }
     }
 
-    /// From the least to the largest cosine; `None` in the dark.
+    /// Interval from the least to the largest cosine; `None` in the shade.
     fn hull(&self) -> Option<[f64; 2]> {
         match (self.intervals().first(), self.intervals().last()) {
             (Some([low, _]), Some([_, high])) => Some([*low, *high]),
@@ -254,7 +254,7 @@ impl Eye {
         } else {
             h(inner, far)
         };
-        // Not a number: let the closer look decide.
+        // NaN: the closer search decides.
         !(least > high || most < low)
     }
 
@@ -310,7 +310,7 @@ impl Eye {
         range
     }
 
-    /// Takes in h at points along an arc, and where one of them is extreme, the extremum beside it.
+    /// Includes h at points along an arc, and where one of them is extreme, the extremum beside it.
     fn include_arc(
         &self,
         range: &mut Option<[f64; 2]>,

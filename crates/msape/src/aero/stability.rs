@@ -1,4 +1,4 @@
-//! Static margin and trims of an outline about its centre of gravity, in free-molecular and in hypersonic flow.
+//! Static margin and trims of an outline about its center of gravity, in free-molecular and in hypersonic flow.
 //!
 //! ```text
 //! margin = x_cp − x_cg,  x_cp = −C_m/C_N as α → 0        in diameters
@@ -11,7 +11,7 @@
 //! C_N and C_m of impact theory are only scaled.
 //!
 //! # Valid
-//! Bodies of revolution with the centre of gravity on the axis. Impact theory for a vehicle that flies backwards knows no
+//! Bodies of revolution with the center of gravity on the axis. Impact theory for a vehicle that flies backward knows no
 //! wake and no separated flow.
 //!
 //! # References
@@ -33,31 +33,31 @@ const SEARCH: Search = Search {
     tolerance_rad: 5e-4,
     slope_step_rad: 0.01,
 };
-/// For the signs of the search: one rule of five points a piece.
+/// Effort for the signs of the search: one rule of five points per piece.
 const COARSE: Effort = Effort {
     tolerance: f64::INFINITY,
     depth: 0,
     short: f64::INFINITY,
     thermal_panel: 4.6,
 };
-/// Normal force below which there is no centre of pressure.
+/// Normal force below which there is no center of pressure.
 const NO_FORCE: f64 = 1e-12;
 
 /// Stability in one regime.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RegimeStability {
-    /// Distance of the centre of pressure, nose first, aft of the centre of gravity, diameters.
+    /// Distance of the center of pressure, nose first, aft of the center of gravity, diameters.
     pub static_margin: Option<f64>,
     /// Every trim from 0 to 180 deg, ascending.
     pub trims: Vec<Trim>,
 }
 
-/// Stability of a body about its centre of gravity.
+/// Stability of a body about its center of gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stability {
-    /// In free-molecular flow.
+    /// Stability in free-molecular flow.
     pub free_molecular: RegimeStability,
-    /// In hypersonic continuum flow.
+    /// Stability in hypersonic continuum flow.
     pub hypersonic: RegimeStability,
 }
 
@@ -70,7 +70,7 @@ impl RegimeStability {
             .find(|t| t.is_stable() == stable)
     }
 
-    /// The first unstable trim between 0 and 180 deg: up to there the moment turns the nose forward.
+    /// The first unstable trim between 0 and 180 deg: up to this angle the moment turns the nose forward.
     pub fn turning_point(&self) -> Option<&Trim> {
         self.inner(false)
     }
@@ -87,7 +87,7 @@ impl RegimeStability {
         self.trims.iter().find(|t| t.alpha_deg == alpha_deg)
     }
 
-    /// All trims in words, such as `0 deg (stable), 111.2 deg (unstable)`.
+    /// All trims as text, such as `0 deg (stable), 111.2 deg (unstable)`.
     pub fn words(&self) -> String {
         let words = self.trims.iter().map(|t| {
             let alpha_deg = (10.0 * t.alpha_deg).round() / 10.0;
@@ -98,7 +98,7 @@ impl RegimeStability {
 }
 
 impl Stability {
-    /// Stability of a body in a gas of a ratio of heat capacities; nothing where its centre of gravity is not known.
+    /// Stability of a body in a gas of a ratio of heat capacities; `None` where its center of gravity is not known.
     pub fn new(body: &AeroBody, heat_capacity_ratio: f64) -> Option<Stability> {
         let [x, _] = body.cg_over_diameter()?;
         let laws = [
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn trims_are_those_of_the_fine_search() {
-        // A blunt nose with a long cone behind it flies either way; a plate with a ball behind it has trims between.
+        // A blunt nose with a long cone behind it is stable both ways; a plate with a ball behind it has trims between.
         for (shape, cg) in [
             (vec![[0.0, 0.0], [0.29, 0.5], [1.2, 0.0]], 0.4),
             (vec![[0.0, 0.0], [0.29, 0.5], [0.9, 0.1], [0.9, 0.0]], 0.35),

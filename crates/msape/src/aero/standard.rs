@@ -1,4 +1,4 @@
-//! The database of a body by the recipe of this program: which tables, which correction, which damping.
+//! Database of a body by the recipe of this program: choice of tables, correction and damping.
 //!
 //! ```text
 //! C_A0(M):  the drag of the case where it has one, else that of the outline
@@ -28,11 +28,11 @@ use crate::vehicle::segment::Segment;
 pub struct AeroBody {
     /// Name.
     pub name: String,
-    /// Its surface, x from the virtual apex.
+    /// Surface of the body, x from the virtual apex.
     pub surface: Surface,
     /// Dimensions of its forebody, where that is a sphere-cone.
     pub sphere_cone: Option<SphereCone>,
-    /// Centre of gravity, m: x aft of the virtual apex, y to the right, z down.
+    /// Center of gravity, m: x aft of the virtual apex, y to the right, z down.
     pub cg_m: Option<[f64; 3]>,
 }
 
@@ -55,7 +55,7 @@ impl AeroBody {
         }
     }
 
-    /// A designed vehicle with its centre of gravity.
+    /// A designed vehicle with its center of gravity.
     pub fn of_vehicle(name: &str, vehicle: &Vehicle) -> AeroBody {
         let d = &vehicle.dimensions;
         let radius_m = 0.5 * d.diameter_m;
@@ -71,7 +71,7 @@ impl AeroBody {
         }
     }
 
-    /// Centre of gravity in diameters: aft of the apex, and off the axis.
+    /// Center of gravity in diameters: aft of the apex, and off the axis.
     pub fn cg_over_diameter(&self) -> Option<[f64; 2]> {
         let diameter_m = self.surface.diameter_m();
         self.cg_m.map(|[x, _, z]| [x / diameter_m, z / diameter_m])
@@ -102,14 +102,14 @@ impl AeroBody {
 /// Data of the recipe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standard {
-    /// For the axial force of an outline nose first.
+    /// Data for the axial force of an outline nose first.
     pub forces: AxialForces,
     /// Damping of the report's section 3.3.7.
     pub damping: DampingData,
 }
 
 impl Standard {
-    /// The same in a gas of another ratio of specific heats.
+    /// The data for a gas with another ratio of specific heats.
     #[must_use]
     pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
         Self {
@@ -132,7 +132,7 @@ impl Standard {
 pub struct AxialForces {
     /// Published tables by the half-angle of their cone, deg, ascending.
     tables: Vec<(f64, DragTable)>,
-    /// Of impact theory, towards solutions of the Euler equations.
+    /// Correction of impact theory toward solutions of the Euler equations.
     correction: EulerCorrection,
     /// Ratio of specific heats of the gas.
     heat_capacity_ratio: f64,
@@ -151,7 +151,7 @@ impl AxialForces {
         }
     }
 
-    /// The same in a gas of another ratio of specific heats.
+    /// The data for a gas with another ratio of specific heats.
     #[must_use]
     pub fn in_gas(self, heat_capacity_ratio: f64) -> Self {
         Self {

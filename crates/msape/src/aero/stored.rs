@@ -1,11 +1,11 @@
-//! A database as rows to keep, over the places of the report's figures.
+//! A database as rows for storage, at the conditions of the report's figures.
 //!
 //! ```text
 //! Mach 25 at Kn 100, 1, 0.1 and 0.01; Mach 24, 9.8, 3.98, 1.3, 1.15, 0.85, 0.75, 0.6 and 0.5 in a continuum; 0 to 180 deg by 5
 //! ```
 //!
 //! # Valid
-//! As the database it is taken from.
+//! Range of the source database.
 //!
 //! # References
 //! - \[samareh-2014\] Appendix A, Figures A1 to A10 (the Mach numbers of its database V_021).

@@ -46,11 +46,11 @@ pub enum Piece {
     },
     /// A circular arc.
     Arc {
-        /// Centre (x, r), diameters.
+        /// Center (x, r), diameters.
         center: [f64; 2],
         /// Radius, diameters.
         radius: f64,
-        /// Direction from the centre to the start, rad.
+        /// Direction from the center to the start, rad.
         start_rad: f64,
         /// Angle run through, rad.
         sweep_rad: f64,
@@ -89,7 +89,7 @@ impl Piece {
         }
     }
 
-    /// Whether a piece bulges outwards, away from the axis and along the meridian, where a station of it is: then it never shades what
+    /// Whether a piece bulges outward, away from the axis and along the meridian, where a station of it is: then it never shades what
     /// faces the air on it.
     pub fn bulges(&self, station: &Station) -> bool {
         let along = match self {
@@ -113,7 +113,7 @@ impl Piece {
         }
     }
 
-    /// How far it reaches in a direction of the meridian, diameters.
+    /// Largest extent in a direction of the meridian, diameters.
     fn reach(&self, [x, r]: [f64; 2]) -> f64 {
         let along = |p: [f64; 2]| x * p[0] + r * p[1];
         let ends = [0.0, 1.0].map(|t| self.position(t));
@@ -162,10 +162,10 @@ pub struct Surface {
     diameter_m: f64,
 }
 
-/// Parts of a body that stand out by less than this are rounding, diameters.
+/// Height below which a protruding part of a body is rounding, diameters.
 const LEVEL: f64 = 1e-9;
 
-/// Whether a piece lies on the convex hull of the body: no part stands out beyond the tangents at its ends.
+/// Whether a piece lies on the convex hull of the body: no part protrudes beyond the tangents at its ends.
 fn is_outermost(piece: &Piece, pieces: &[Piece]) -> bool {
     [0.0, 1.0].into_iter().all(|t| {
         let station = piece.at(t);
@@ -176,13 +176,12 @@ fn is_outermost(piece: &Piece, pieces: &[Piece]) -> bool {
 }
 
 impl Surface {
-    /// The surface that an outline makes when it is turned about the axis, its x from the virtual apex; lines on the axis
-    /// make none.
+    /// The surface of an outline revolved about the axis, its x from the virtual apex; lines on the axis give none.
     pub fn new(outline: &Profile, diameter_m: f64) -> Surface {
         Surface::about(outline, diameter_m, 0.0)
     }
 
-    /// The same for an outline whose virtual apex is at `apex_x_m`.
+    /// The surface of an outline whose virtual apex is at `apex_x_m`; otherwise as [`Surface::new`].
     pub fn about(outline: &Profile, diameter_m: f64, apex_x_m: f64) -> Surface {
         let forward: f64 = outline.segments.iter().map(|s| s.integrals().r_dx).sum();
         let run = if forward < 0.0 {
@@ -270,7 +269,7 @@ fn add(pieces: &mut Vec<Piece>, segment: &Segment, diameter_m: f64, apex_x_m: f6
     }
 }
 
-/// An arc cut where x turns and where it is long.
+/// An arc divided where x has an extremum and where it is long.
 fn parts(start_rad: f64, sweep_rad: f64) -> Vec<[f64; 2]> {
     let end = start_rad + sweep_rad;
     let (low, high) = (start_rad.min(end), start_rad.max(end));
@@ -323,7 +322,7 @@ mod tests {
         assert!((nose.x - 0.0).abs() < 1e-15 && (nose.normal_x + 1.0).abs() < 1e-15);
         let waist = surface.pieces()[1].at(1.0);
         assert!((waist.r - 0.5).abs() < 1e-15 && (waist.normal_r - 1.0).abs() < 1e-15);
-        // run the other way it is the same surface
+        // the reversed outline gives an equal surface
         let again = Surface::new(&outline.reversed(), 2.0);
         assert!((again.pieces()[0].at(0.0).normal_x + 1.0).abs() < 1e-15);
         assert!((0..4).all(|number| surface.is_outermost(number)));

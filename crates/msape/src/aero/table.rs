@@ -1,4 +1,4 @@
-//! A table of coefficients of one's own, over Mach number, total angle of attack and, if wanted, Knudsen number.
+//! A user's table of coefficients, over Mach number, total angle of attack and, if wanted, Knudsen number.
 //!
 //! ```text
 //! linear in M and in log₁₀ Kn;  cubic in α with slopes kept monotone between rows
@@ -25,7 +25,7 @@ pub use crate::quantity::choice::Extrapolation;
 pub use push::in_radians;
 pub use row::Row;
 
-/// Which coefficients a table gives.
+/// Coefficients given by a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Content {
@@ -44,16 +44,16 @@ pub enum Content {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Given {
-    /// It is.
+    /// In the table.
     Yes,
-    /// It is not, and counts as zero.
+    /// Not in the table; counts as zero.
     No,
 }
 
 /// A checked table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
-    /// Which coefficients it gives.
+    /// Coefficients that it gives.
     pub content: Content,
     /// Rule beyond its ends.
     pub extrapolation: Extrapolation,
@@ -64,7 +64,7 @@ pub struct Grid {
     values: Vec<[[f64; 4]; 2]>,
 }
 
-/// A place on an axis: the node below and the part of the way to the next, beyond 0…1 outside.
+/// A place on an axis: the node below and the fraction of the interval to the next, outside 0…1 beyond the ends.
 #[derive(Clone, Copy)]
 struct Place {
     index: usize,
@@ -162,7 +162,7 @@ impl Grid {
         cmq
     }
 
-    /// What lies beyond the table at a place, as one sentence each.
+    /// Sentences about a place beyond the table, one for each argument.
     pub fn beyond(&self, mach: f64, knudsen: f64, alpha_rad: f64) -> Vec<String> {
         let mut found = Vec::new();
         let mut look =

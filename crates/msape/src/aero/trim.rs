@@ -1,4 +1,4 @@
-//! Angles at which the moment about the centre of gravity vanishes.
+//! Angles at which the moment about the center of gravity vanishes.
 //!
 //! ```text
 //! C_m,cg(α) = 0;   stable where dC_m,cg/dα < 0
@@ -20,12 +20,12 @@ use serde::{Deserialize, Serialize};
 pub const END_STEP_RAD: f64 = 1e-3;
 /// On the axis the moment about a point of the axis vanishes by symmetry, but for rounding.
 const NOTHING: f64 = 1e-9;
-/// Slope that is rounding: a sphere about its centre is stable nowhere, per rad.
+/// Slope that is rounding: a sphere about its center is stable nowhere, per rad.
 const NEUTRAL_PER_RAD: f64 = 1e-6;
 /// Part of the rise over a secant that may be left of the moment at its root: 2 % of its length.
 const STRAIGHT: f64 = 0.02;
 
-/// An angle at which the moment about the centre of gravity vanishes.
+/// An angle at which the moment about the center of gravity vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trim {
     /// Angle of attack, deg.
@@ -52,12 +52,12 @@ impl Trim {
     }
 }
 
-/// How trims are sought.
+/// Settings of the search for trims.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
     /// Steps from 0 to 180 deg.
     pub steps: u32,
-    /// How closely the root of the coarse moment is found, rad.
+    /// Tolerance of the root of the coarse moment, rad.
     pub tolerance_rad: f64,
     /// Step of slopes, and of the last correction by the fine moment, rad.
     pub slope_step_rad: f64,

@@ -1,4 +1,4 @@
-//! The error of a fixed step or a coarse tolerance, from the same flight at another one.
+//! Error of a fixed step or a coarse tolerance, estimated from the same flight with another one.
 //!
 //! ```text
 //! e ≈ |x_h − x_2h| / |x_h|        e ≈ |x_τ − x_τ/100| / |x_τ|
@@ -8,7 +8,8 @@
 //! long for that the difference is large, too. x_τ is a result at the tolerance τ.
 //!
 //! # Valid
-//! Flights that are integrated; adaptive methods at tolerances above 1e-4, below which results are better than asked.
+//! Flights that are integrated; adaptive methods at tolerances above 1e-4, below which results are better than
+//! requested.
 //!
 //! # References
 //! - \[hairer-norsett-wanner-1993\] section II.4, step doubling.
@@ -22,13 +23,14 @@ use crate::outcome::Outcome;
 use crate::quantity::input;
 use numerics::ode::Method;
 
-/// Tolerance above which an adaptive method is looked at: assumed. It is thirty times the default, which gives peaks to 1e-5.
+/// Tolerance above which an adaptive method is checked: assumed. It is thirty times the default, which gives peaks to
+/// 1e-5.
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// Difference at which the step is called too long: assumed, a tenth of the 10 % within which the heating relations are known
 /// (\[samareh-2014\] section 3.4.3 corrects by 33 %). At order four the error itself is a fifteenth, 0.07 %.
 const COARSE: f64 = 0.01;
 
-/// What is said of a flight at a fixed step or a coarse tolerance.
+/// Finding of a flight computed with a fixed step or a coarse tolerance.
 pub fn finding(mission: &Mission, body: &Body, flight: &Flight) -> Option<Finding> {
     if flight.model == Model::AllenEggers {
         return None;
@@ -111,7 +113,7 @@ fn flown(mission: &Mission, body: &Body) -> (Flight, Outcome) {
     }
 }
 
-/// The largest difference of two flights as a part of a result of the first, and which result that is.
+/// The largest relative difference between two flights, of a result of the first, and the name of that result.
 fn largest_difference(flight: &Flight, other: &Flight) -> (f64, &'static str) {
     let numbers = |flight: &Flight| {
         [

@@ -1,4 +1,4 @@
-//! Closed form of a steep ballistic entry: the low-fidelity twin of the integrated flight.
+//! Closed form of a steep ballistic entry: the low-fidelity counterpart of the integrated flight.
 //!
 //! ```text
 //! V(h)  = V_E exp(−ρ(h) H / (2 β sin γ)),   ρ(h) = ρ₀ exp(−h/H)
@@ -6,12 +6,13 @@
 //! ```
 //!
 //! with V_E the entry speed in m/s, γ the constant angle below the horizon, β = m/(C_D A) in kg/m², H the scale height in
-//! m, ρ₀ in kg/m³. Heat loads and times are summed over the closed form; below the terminal speed the fall goes on at it.
+//! m, ρ₀ in kg/m³. Heat loads and times are summed over the closed form; below the terminal speed the vehicle falls at
+//! that speed.
 //!
 //! # Valid
 //! Steep entry: gravity, lift, rotation and the curvature of the planet are left out; β is that of Mach 25. A shallow
-//! entry decelerates less than this says (a third less at −8 deg). An atmosphere that is not exponential is replaced by
-//! the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
+//! entry decelerates less than computed here (a third less at −8 deg). An atmosphere that is not exponential is
+//! replaced by the exponential through its densities at two altitudes of the planet's file: on Earth 45 and 65 km.
 //!
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
@@ -68,7 +69,7 @@ pub fn fly(mission: &Mission, body: &Body, request: Request) -> Flight {
     sum.flight(request)
 }
 
-/// A part of the way down.
+/// Part of the descent between two altitudes.
 struct LegDown {
     speed_m_s: f64,
     entering_m_s: f64,
@@ -86,7 +87,7 @@ struct Sum<'a> {
     downrange_m: f64,
     load: HeatFlux<f64>,
     before: Option<(f64, f64, HeatFlux<f64>)>,
-    /// Heating at the points of the body for which the case gives it, and the heat flux of each where the way stands, W/m².
+    /// Heating at the points of the body for which the case gives it, and the present heat flux of each, W/m².
     points: Vec<(PointHeat, f64)>,
     /// Axes of the tables that the closed form looks up, and the values looked up in each.
     spans: Vec<(Axis, Span)>,
@@ -126,7 +127,7 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The way from the last altitude to another one below it.
+    /// The part of the descent from the last altitude to another one below it.
     fn leg(&self, altitude_m: f64) -> LegDown {
         let entering_m_s = self.entry.speed_at_m_s(altitude_m);
         let terminal_m_s = terminal_speed_m_s(self.mission, self.body, altitude_m);
@@ -325,7 +326,8 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The largest deceleration by its closed form, where it is on the way; its time is that of the nearest altitude.
+    /// The largest deceleration by its closed form, where it is within the descent; its time is that of the nearest
+    /// altitude.
     fn exact_deceleration(&self, sampled: Peak) -> Peak {
         let altitude_m = self.entry.peak_deceleration_altitude_m();
         let start_m = self.place.altitude_m;
@@ -342,7 +344,7 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The time history at the altitudes of the sum, whatever step was asked for.
+    /// The time history at the altitudes of the sum, whatever step was requested.
     fn trajectory(&self, request: Request) -> Option<Trajectory> {
         if request == Request::Nothing {
             return None;

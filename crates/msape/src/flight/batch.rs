@@ -1,11 +1,11 @@
-//! Many flights at a time, several in the lanes of one integration.
+//! Many flights at once, several in the lanes of one integration.
 //!
 //! ```text
 //! y'ₖ = f(tₖ, yₖ; pₖ)   in lane k, each with its own time, step, entry state and numbers p
 //! ```
 //!
-//! A flight that ends gives its lane to the next of the queue. Each flight has the same bits as alone, whatever its lane and
-//! its neighbors.
+//! A lane whose flight has ended takes the next flight of the queue. Each flight has the same bits as alone, whatever
+//! its lane and its neighbors.
 //!
 //! # Valid
 //! Three degrees of freedom; one mission, one kind of drag and lift for all flights.
@@ -28,17 +28,17 @@ use numerics::scalar::Lanes;
 /// A flight of a batch that has ended, with its results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flown<R> {
-    /// Its number in the queue, from 0.
+    /// Number in the queue, from 0.
     pub number: usize,
-    /// Its results.
+    /// Results of the flight.
     pub results: R,
-    /// How it ended.
+    /// Outcome of the flight.
     pub outcome: Outcome,
-    /// Why, where the outcome needs a reason.
+    /// Reason of the outcome, where it needs one.
     pub reason: Option<String>,
 }
 
-/// Flies a queue of flights, `N` at a time; `done` is told of each as it ends, and may stop the rest.
+/// Flies a queue of flights, `N` at a time; `done` gets each flight as it ends, and may stop the rest.
 ///
 /// The vehicle gives the kind of drag and lift; its numbers are those of the queue.
 pub fn fly_all<const N: usize>(
@@ -52,7 +52,8 @@ pub fn fly_all<const N: usize>(
     all::<N, Flight>(mission, body, (Keep::All, results), queue, done)
 }
 
-/// The same for the few results that sizing a vehicle needs, in less time.
+/// Flies a queue of flights as [`fly_all`] does, but finds only the few results that sizing a vehicle needs, in less
+/// time.
 pub fn extremes_of_all<const N: usize>(
     mission: &Mission,
     body: &Body,

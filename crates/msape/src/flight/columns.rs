@@ -1,4 +1,4 @@
-//! Columns of a time history: what each is, and how it is taken out of a sample.
+//! Columns of a time history: their descriptions, and how they are taken from a sample.
 
 use super::sample::Sample;
 use crate::quantity::Column;
@@ -42,7 +42,7 @@ pub fn find(key: &str) -> Option<&'static Column> {
     columns().find(|column| column.key == key)
 }
 
-/// Key of the column whose numbers stand for the names of phases.
+/// Key of the column whose numbers represent the names of phases.
 pub(super) const PHASE: &str = "phase";
 
 pub(super) static SAMPLED: &[Sampled] = &[

@@ -36,7 +36,7 @@ pub const CONVECTIVE: usize = 6;
 /// Index of the radiative heat load in the state.
 pub const RADIATIVE: usize = 7;
 
-/// What surrounds the vehicle at one state.
+/// Surroundings of the vehicle at one state.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<S> {
     /// Geodetic altitude, m.
@@ -53,7 +53,7 @@ pub struct Surroundings<S> {
     pub drag_coefficient: S,
 }
 
-/// The equations for one vehicle, or one a lane, by the rows that hold for each.
+/// Equations of motion of one vehicle, or one per lane, with the table rows that hold for each.
 #[derive(Clone, Copy)]
 pub struct Equations<'a, S: Scalar = f64> {
     /// Planet, atmosphere, wind, heating.
@@ -64,7 +64,7 @@ pub struct Equations<'a, S: Scalar = f64> {
     pub ellipsoid: Ellipsoid,
     held: Held<S::Value>,
     numbers: Numbers<S>,
-    /// What the phases so far have changed besides.
+    /// Changes made by the phases begun so far, apart from the numbers.
     changed: Changed<S>,
     /// Number of phases so far, of one lane.
     phase: usize,
@@ -80,7 +80,7 @@ impl<'a> Equations<'a> {
 }
 
 impl<'a, S: Scalar> Equations<'a, S> {
-    /// The same with numbers of their own.
+    /// The equations with the given numbers, by the rows at rest on the ground.
     pub fn with_numbers(mission: &'a Mission, body: &'a Body, numbers: Numbers<S>) -> Self {
         Equations {
             mission,
@@ -123,7 +123,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
     }
 
-    /// Goes on by the rows about a place, in every lane.
+    /// Continues by the rows about a place, in every lane.
     #[inline]
     pub fn hold(&mut self, within: &Within) {
         self.held = Held::everywhere(&Held::of(self.mission, self.body, within));
@@ -152,7 +152,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         }
         if let Some(canopy) = change.canopy {
             self.changed.canopy_m2 = S::constant(canopy.drag_area_m2);
-            // At once is full by now.
+            // A parachute that inflates at once is full by now.
             (self.changed.canopy_since_s, self.changed.inflation_s) = match canopy.inflation_s {
                 0.0 => (t - 1.0, S::constant(1.0)),
                 inflation_s => (t, S::constant(inflation_s)),
@@ -162,7 +162,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         self.half_area_over_mass = numbers.reference_area_m2 * 0.5 / numbers.mass_kg;
     }
 
-    /// What the phases so far have changed besides the numbers.
+    /// Changes made by the phases begun so far, apart from the numbers.
     #[inline]
     pub fn changed(&self) -> &Changed<S> {
         &self.changed
@@ -192,7 +192,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         &self.numbers
     }
 
-    /// What surrounds the vehicle.
+    /// Surroundings of the vehicle.
     #[inline]
     pub fn surroundings(&self, y: &[S; STATES]) -> Surroundings<S> {
         let [x_m, y_m, z_m, vx, vy, vz, ..] = *y;
@@ -281,7 +281,7 @@ impl<'a, S: Scalar> Equations<'a, S> {
         self.air(around.altitude_m).mean_free_path_m / self.numbers.reference_length_m
     }
 
-    /// With what tables may be looked up, in the order of [`super::reach::Argument`].
+    /// Arguments of table look-ups, in the order of [`super::reach::Argument`].
     pub fn arguments(
         &self,
         t: S,

@@ -1,9 +1,9 @@
-//! What moves a vehicle besides its drag: nothing, lift at an angle of bank, or its attitude.
+//! Motion of a vehicle beyond its drag: none, lift at an angle of bank, or attitude.
 
 use super::lift::Lift;
 use super::six_dof::rigid::Rigid;
 
-/// How a vehicle is free to move.
+/// Freedom of motion of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Freedom {
     /// A point mass with drag.

@@ -4,7 +4,7 @@
 //! ρ, a, w of one piece of altitude,   C_D of one line of Mach number,   q̇ of one row of speed
 //! ```
 //!
-//! A step that ends where a row ends sees a smooth right-hand side, stages and derivatives included, and looks up nothing but
+//! A step that ends where a row ends has a smooth right-hand side, stages and derivatives included, and looks up only
 //! the cells of the atmosphere.
 //!
 //! # Valid
@@ -30,7 +30,7 @@ pub struct Within {
 }
 
 impl Within {
-    /// At rest on the ground.
+    /// A vehicle at rest on the ground.
     pub const REST: Within = Within {
         altitude_m: 0.0,
         mach: 0.0,
@@ -38,7 +38,7 @@ impl Within {
     };
 }
 
-/// The rows that hold, one set a lane.
+/// Rows that hold, one set per lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<V: Scalar> {
     /// Piece of the atmosphere.
@@ -69,7 +69,7 @@ impl Held<f64> {
 }
 
 impl<V: Scalar<Value = V, Lane = f64>> Held<V> {
-    /// The same rows in every lane.
+    /// Equal rows in every lane.
     pub fn everywhere(held: &Held<f64>) -> Self {
         Held {
             piece: Piece::everywhere(&held.piece),

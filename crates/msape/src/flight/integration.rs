@@ -4,11 +4,12 @@
 //! y' = f(t, y) by one set of smooth rows after the other
 //! ```
 //!
-//! with y position, velocity (SI, planet-fixed axes), heat loads and what else a motion has. Steps end where a row of a table ends,
-//! so that the method keeps its order; between the ends of a step the dense output of the method holds.
+//! with y position, velocity (SI, planet-fixed axes), heat loads and further states of a motion. Steps end where a row
+//! of a table ends, so that the method keeps its order; between the ends of a step the dense output of the method
+//! holds.
 //!
 //! # Valid
-//! Steps end within a millimetre of a boundary of the atmosphere.
+//! Steps end within a millimeter of a boundary of the atmosphere.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.2.
@@ -38,11 +39,11 @@ use numerics::scalar::{Mask, Scalar, Single};
 
 /// Trials of steps after which a flight is given up.
 pub const MOST_STEPS: u64 = 200_000;
-/// Height over which the air changes and to which the error of a step is compared, m.
+/// Height over which the atmosphere changes, and scale of the error in position of a step, m.
 const POSITION_SCALE_M: f64 = 1_000.0;
-/// Speed below which the error of a step does not shrink any more, m/s.
+/// Speed below which the allowed error of a step no longer decreases, m/s.
 const SPEED_SCALE_M_S: f64 = 10.0;
-/// Heat load below which the error of a step does not shrink any more, J/m².
+/// Heat load below which the allowed error of a step no longer decreases, J/m².
 const HEAT_LOAD_SCALE_J_M2: f64 = 1e6;
 
 /// A step of a flight, and what holds along it.
@@ -69,30 +70,30 @@ pub struct Record<const N: usize, S = f64> {
     pub legs: Vec<Leg<N, S>>,
     /// Altitudes between two steps, m.
     pub altitudes: Span,
-    /// What was looked up in each axis of the tables of the case.
+    /// Range of the values looked up in each axis of the tables of the case.
     pub spans: Vec<Span>,
     /// Axis of a table at whose end the flight was ended.
     pub refused: Option<usize>,
-    /// Where the air pushed the vehicle.
+    /// Place where the air pushed the vehicle.
     pub pushed: Option<Push>,
     /// Times and states at which phases began, with the stage that began.
     pub begun: Vec<(S, [S; N], Stage<S>)>,
     /// Number of times the vehicle has left the atmosphere and flown on.
     pub exits: u32,
-    /// How it ended.
+    /// Outcome of the flight.
     pub outcome: Outcome,
-    /// Why, where the outcome needs a reason.
+    /// Reason of the outcome, where it needs one.
     pub reason: Option<String>,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
 }
 
-/// Which steps of a flight are kept.
+/// Choice of the steps of a flight to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// All.
+    /// All steps.
     All,
-    /// Those in which some load is more than a small part of its largest so far, and the last: enough for peaks.
+    /// Steps in which some load exceeds a small fraction of its largest value so far, and the last: enough for peaks.
     Busy,
 }
 
@@ -105,7 +106,8 @@ where
     one(motion, start, keep, &mut Unwatched)
 }
 
-/// The same with all its steps; who watches hears before each step which part of the fall is done, and may stop it there.
+/// Integrates a motion and keeps all steps; `progress` gets the part of the fall completed before each step, and may
+/// stop there.
 pub fn integrate_watched<'a, M, const N: usize>(
     motion: M,
     start: [f64; N],
@@ -138,12 +140,13 @@ where
     only.unwrap_or_else(|| Course::new(&Marks::of(&motion, keep), motion, start).into_record())
 }
 
-/// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes the
-/// same steps as it would alone.
+/// Integrates the flights of a queue, as many at a time as there are lanes; each begins when a lane is free, and takes
+/// the same steps as it would alone.
 ///
-/// `done` is told the number of a flight in the queue, its motion and its record, in the order in which they end; it may
-/// stop the rest. Who watches hears before each step the part of the fall that the flights under way have done on average,
-/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the first.
+/// `done` gets the number of a flight in the queue, its motion and its record, in the order in which they end; it may
+/// stop the rest. `progress` gets before each step the part of the fall completed on average by the flights under way,
+/// and may stop them where they are. Planet, atmosphere, kinds of drag and lift, and the accuracy are those of the
+/// first.
 pub fn integrate_all<'a, M, const N: usize, S>(
     keep: Keep,
     queue: impl IntoIterator<Item = (M::Lane, [S::Lane; N])>,
@@ -258,7 +261,7 @@ where
     }
 }
 
-/// Error allowed in a step of a point mass, of which `tolerance` is the relative part.
+/// Error allowed in a step of a point mass; `tolerance` is its relative part.
 pub fn point_tolerance(tolerance: f64) -> Tolerance<STATES> {
     let speed = tolerance * SPEED_SCALE_M_S;
     let position = tolerance * POSITION_SCALE_M;

@@ -1,4 +1,4 @@
-//! Lift of a point mass, turned about its velocity by a schedule of bank.
+//! Lift of a point mass, rotated about its velocity by a bank schedule.
 //!
 //! ```text
 //! a = q A/m (−C_D û + C_L (cos σ n̂ + sin σ b̂))
@@ -34,11 +34,11 @@ const FADING: f64 = 0.03;
 /// Lift of a point mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lift {
-    /// Where its size comes from.
+    /// Origin of its magnitude.
     pub source: Source,
-    /// Its direction.
+    /// Direction of the lift.
     pub bank: Bank,
-    /// What holds beyond the ends of a table of it.
+    /// Rule beyond the ends of a table of the bank angle.
     pub beyond_bank: Extrapolation,
 }
 
@@ -51,7 +51,7 @@ pub enum Source {
     Coefficient(f64),
     /// A coefficient against Mach number, and the rule beyond its ends.
     Table(Table1, Extrapolation),
-    /// Lift and drag at the angle of attack where the moment about the centre of gravity is nothing.
+    /// Lift and drag at the angle of attack where the moment about the center of gravity vanishes.
     Trim(Trim),
 }
 
@@ -235,7 +235,7 @@ mod tests {
         // at 90 deg over half the width
         assert!((size(0.25 * FADING, FRAC_PI_2) - 0.6875).abs() < 1e-12);
         assert!((size(1e-6, 0.0) - 1.0).abs() < 1e-12);
-        // The other way round for lift below zero, and in a climb.
+        // The signs are reversed for lift below zero, and in a climb.
         assert!((of(1.0, 0.5 * FADING, 0.0, -1.0) - 0.6875).abs() < 1e-12);
         assert!((of(-1.0, 0.5 * FADING, 0.0, 1.0) - 0.6875).abs() < 1e-12);
         assert!((of(-1.0, 1e-6, pi, 1.0) - 1.0).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! What is flown, through what, from where, until when, how exactly.
+//! Mission: vehicle, planet and air, entry state, end of the flight and accuracy.
 
 use super::freedom::Freedom;
 use super::phase::Phase;
@@ -12,14 +12,14 @@ use crate::planet::wind::Wind;
 pub use crate::quantity::choice::FlightModel as Model;
 use numerics::ode::Method;
 
-/// Accuracy asked of a flight when the case does not say: peak deceleration and heat load to 1e-5.
+/// Default accuracy of a flight: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: f64,
     /// Nose radius, m.
     pub nose_radius_m: f64,
@@ -27,7 +27,7 @@ pub struct Body {
     pub drag: Drag,
     /// Length of the Knudsen number: the largest diameter, m.
     pub reference_length_m: f64,
-    /// What moves it besides its drag.
+    /// Motion beyond drag.
     pub freedom: Freedom,
 }
 
@@ -44,7 +44,7 @@ pub struct Start<S = f64> {
     pub inertial: Velocity<S>,
 }
 
-/// Where a flight ends.
+/// Conditions that end a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// Geodetic altitude that ends a fall, m.
@@ -67,14 +67,14 @@ impl Stop {
     }
 }
 
-/// How the flight is computed.
+/// Settings of the computation of the flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
     /// Model.
     pub model: Model,
     /// Method of integration.
     pub method: Method,
-    /// Relative error of a step.
+    /// Relative error per step.
     pub tolerance: f64,
 }
 
@@ -83,9 +83,9 @@ pub struct Solver {
 pub struct Mission {
     /// The planet.
     pub planet: Planet,
-    /// Its air.
+    /// Atmosphere of the planet.
     pub atmosphere: Atmosphere,
-    /// Its wind.
+    /// Wind of the planet.
     pub wind: Wind,
     /// Entry state.
     pub start: Start,
@@ -97,18 +97,18 @@ pub struct Mission {
     pub phases: Vec<Phase>,
     /// End of the flight.
     pub stop: Stop,
-    /// What holds beyond the ends of its tables.
+    /// Rules beyond the ends of the tables.
     pub beyond: Beyond,
-    /// How it is computed.
+    /// Settings of the computation.
     pub solver: Solver,
 }
 
-/// What holds beyond the ends of the tables of a mission.
+/// Rules beyond the ends of the tables of a mission.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beyond {
-    /// Of the atmosphere.
+    /// Rule for the atmosphere.
     pub atmosphere: Extrapolation,
-    /// Of the wind.
+    /// Rule for the wind.
     pub wind: Extrapolation,
 }
 

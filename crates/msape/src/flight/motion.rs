@@ -1,11 +1,12 @@
-//! What the integrator, the search for peaks and the time history ask of a motion, whatever its degrees of freedom.
+//! Interface of a motion to the integrator, the search for peaks and the time history, for any number of degrees of
+//! freedom.
 //!
 //! ```text
 //! y = (r, v, Q, …)
 //! ```
 //!
 //! with r, v position (m) and velocity (m/s) in planet-fixed axes and Q the heat loads (J/m²): the state of a point mass
-//! stands first in the state of every motion.
+//! is the first part of the state of every motion.
 //!
 //! # Valid
 //! Motions of one body.
@@ -40,7 +41,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// The part that does not depend on attitude.
     fn point(&self) -> &Equations<'a, S>;
 
-    /// The same, to be changed.
+    /// Mutable access to the part that does not depend on attitude.
     fn point_mut(&mut self) -> &mut Equations<'a, S>;
 
     /// Error allowed in a step.
@@ -49,13 +50,13 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
     /// The derivative of the state at a time, s, and in its surroundings.
     fn derivative_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> [S; N];
 
-    /// What changes fast, at a time, s, and in its surroundings.
+    /// Loads at a time, s, in known surroundings.
     fn loads_in(&self, t: S, y: &[S; N], around: &Surroundings<S>) -> Loads<S>;
 
     /// Coefficient of the force against the velocity relative to the air.
     fn drag_coefficient(&self, t: S, y: &[S; N]) -> S;
 
-    /// What surrounds the body.
+    /// Surroundings of the body.
     #[inline]
     fn around(&self, y: &[S; N]) -> Surroundings<S> {
         self.point().surroundings(&head(y))
@@ -67,7 +68,7 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         self.derivative_in(t, y, &self.around(y))
     }
 
-    /// What changes fast, at a time, s.
+    /// Loads at a time, s.
     #[inline]
     fn loads(&self, t: S, y: &[S; N]) -> Loads<S> {
         self.loads_in(t, y, &self.around(y))
@@ -82,19 +83,19 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         }
     }
 
-    /// Whether it takes that table by the line that holds, so that nothing changes at a row but where a step ends.
+    /// Whether the drag table is used by the line that holds, so that the line changes only at the end of a step.
     #[inline]
     fn holds_drag(&self) -> bool {
         true
     }
 
-    /// With what tables may be looked up at a time, s; not a number where the motion has none.
+    /// Arguments of table look-ups at a time, s; NaN where the motion has none.
     fn arguments(&self, t: S, y: &[S; N]) -> Arguments<S>;
 
     /// Attitude and rates, where the motion has them.
     fn attitude(&self, y: &[S; N]) -> Option<AttitudeSample>;
 
-    /// The same motion, before any phase, in a stage of a flight.
+    /// This motion, given before any phase, in a stage of a flight.
     #[inline]
     fn in_stage(self, stage: &Stage<S>) -> Self {
         let mut motion = self.within(&stage.within);
@@ -107,14 +108,14 @@ pub trait Motion<'a, const N: usize, S: Scalar = f64>: Copy {
         motion
     }
 
-    /// The same motion by the rows about a place.
+    /// This motion with the rows that hold at a place.
     #[inline]
     fn within(mut self, within: &Within) -> Self {
         self.point_mut().hold(within);
         self
     }
 
-    /// Where a state is among the rows of tables.
+    /// Position of a state among the rows of tables.
     fn place(&self, y: &[S; N]) -> Within
     where
         S: Single,
@@ -153,10 +154,10 @@ pub fn head<const N: usize, S: Scalar>(y: &[S; N]) -> [S; STATES] {
     core::array::from_fn(|i| y[i])
 }
 
-/// A point mass, with lift where its body has some; or one a lane.
+/// Point mass, with lift where its body has some; or one per lane.
 #[derive(Clone, Copy)]
 pub struct PointMass<'a, S: Scalar = f64> {
-    /// Its equations.
+    /// Equations of the point mass.
     pub point: Equations<'a, S>,
 }
 

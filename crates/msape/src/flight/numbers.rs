@@ -1,21 +1,22 @@
-//! The numbers of one flight: what may differ from lane to lane, and with respect to what derivatives may be taken.
+//! Numbers of one flight: those that may differ from lane to lane, and with respect to which derivatives may be taken.
 //!
 //! ```text
 //! ρ = f_ρ ρ(h),   C_D = f_D C_D(M),   w = f_w w(h),   q̇ = f_q q̇(ρ, V, Rₙ)
 //! ```
 //!
-//! with factors f without unit, one where a case says nothing.
+//! with factors f without unit, 1 where a case does not give them.
 //!
 //! # Valid
 //! One planet, one atmosphere, one kind of drag and lift for all lanes.
 //!
-//! Derivatives exist but for single flights: of two peaks of equal height, of a nose radius at a cap of the exponent of radiative
-//! heating (1 and 2 m), and of a peak on the row of a drag table, whose ballistic coefficient has a kink there. A peak at the end of
-//! a row (onset of radiation) moves with it. Those of the time and place of a peak are by the interpolation within its step, less exact
-//! than a step; in the U.S. Standard Atmosphere they are those of one
-//! cell of its table, 2e-5 beside the mean of neighbors, for curvature jumps from cell to cell. Where the exponent of radiative heating
-//! meets its cap, between densities of a table of heating, and at layers of a temperature that is lent to a table or an exponential, no
-//! step ends: derivatives there have the error of a step across a kink, which falls with the tolerance.
+//! Derivatives exist except in isolated flights: with two peaks of equal height, with a nose radius at a cap of the
+//! exponent of radiative heating (1 and 2 m), and with a peak on the row of a drag table, whose ballistic coefficient
+//! has a kink there. A peak at the end of a row (onset of radiation) moves with it. Derivatives of the time and place
+//! of a peak are by the interpolation within its step, less exact than a step; in the U.S. Standard Atmosphere they are
+//! those of one cell of its table, 2e-5 beside the mean of neighbors, because the curvature jumps from cell to cell.
+//! Where the exponent of radiative heating meets its cap, between densities of a table of heating, and at layers of a
+//! temperature that is lent to a table or an exponential, no step ends: derivatives there have the error of a step
+//! across a kink, which falls with the tolerance.
 //!
 //! # References
 //! - Own convention.
@@ -27,14 +28,14 @@ use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
 use numerics::scalar::Scalar;
 
-/// The numbers of one flight, of one a lane, or with derivatives.
+/// Numbers of one flight, of one per lane, or with derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers<S = f64> {
     /// Entry state.
     pub start: Start<S>,
     /// Mass, kg.
     pub mass_kg: S,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: S,
     /// Nose radius, m.
     pub nose_radius_m: S,
@@ -107,12 +108,12 @@ macro_rules! each {
 }
 
 impl<S: Scalar> Numbers<S> {
-    /// The same numbers in every lane, without derivatives.
+    /// Equal numbers in every lane, without derivatives.
     pub fn constant(numbers: &Numbers) -> Self {
         each!(numbers, S::constant)
     }
 
-    /// The same numbers in every lane.
+    /// Equal numbers in every lane.
     pub fn everywhere(numbers: &Numbers<S::Lane>) -> Self {
         each!(numbers, |number: S::Lane| {
             let mut all = S::constant(0.0);

@@ -22,11 +22,12 @@ use super::sample::{self, Loads};
 use numerics::ode::event;
 use numerics::scalar::Single;
 
-/// Steps with an end whose value reaches this part of the largest are looked at: a peak may rise above its ends.
+/// Fraction of the largest value that an end of a step must reach for the step to be searched: a peak may exceed both
+/// ends.
 const NEARLY: f64 = 0.9;
-/// A peak this close to an end of its step, as a part of the step, may go on in the next.
+/// A peak this close to an end of its step, as a fraction of the step, may continue in the next.
 const AT_END: f64 = 1e-3;
-/// Distance from an end of a step at which its slope there is taken, as a part of the step.
+/// Distance from an end of a step for its slope there, as a fraction of the step.
 const LITTLE: f64 = 1e-3;
 
 /// The loads along a record, ready to be searched.
@@ -43,7 +44,7 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         Peaks { motion, record }
     }
 
-    /// The peak of a quantity made of the loads.
+    /// The peak of a quantity computed from the loads.
     pub fn of(&self, value: impl Fn(&Loads<S>) -> S) -> Peak<S> {
         let legs = &self.record.legs;
         let mut nodes = Vec::with_capacity(legs.len() + 1);
@@ -101,7 +102,7 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         peak.unwrap_or_else(|| self.start(along))
     }
 
-    /// Change of a quantity along a little of a step from an end of it, forward in time.
+    /// Change of a quantity over a small part of a step at one of its ends, forward in time.
     fn rises(&self, leg: usize, end: End, along: &Along<M, N, S>) -> f64 {
         let Some(Leg { step, stage, .. }) = self.record.legs.get(leg) else {
             return 0.0;
@@ -116,7 +117,7 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         to - from
     }
 
-    /// The part of a step at which the parabola through the higher of its ends and the neighbors of that has its top.
+    /// Fraction of a step at which the parabola through its higher end and the neighbors of that end has its maximum.
     fn part(&self, leg: usize, nodes: &[f64]) -> f64 {
         let legs = &self.record.legs;
         let later = nodes.get(leg) < nodes.get(leg + 1);
@@ -141,8 +142,8 @@ impl<'a, 'r, M: Motion<'a, N, S>, const N: usize, S: Single> Peaks<'r, M, N, S> 
         if part > 0.0 && part < 1.0 { part } else { 0.5 }
     }
 
-    /// The peak of the pressure at the stagnation point in entry, which lies beside that of the dynamic pressure; near the
-    /// ground the air itself may press harder.
+    /// The peak of the stagnation pressure in entry, which is near that of the dynamic pressure; near the ground the
+    /// pressure of the air itself may be larger.
     pub fn of_stagnation_pressure(&self, dynamic_pressure: &Peak<S>) -> Peak<S> {
         let legs = &self.record.legs;
         let time_s = dynamic_pressure.time_s.value();

@@ -1,15 +1,16 @@
-//! Phases of a flight: what begins when, and what it changes.
+//! Phases of a flight: their start, and the changes that they make.
 //!
 //! ```text
 //! D = ½ ρ |u| u (C_D A + (C_D S)(t)),   (C_D S)(t) = C_D S min(1, (t − t₀)/t_i)
 //! ```
 //!
 //! with D in N, ρ in kg/m³, u the velocity relative to the air in m/s, C_D A of the vehicle and C_D S of the parachute in m²,
-//! t₀ the begin of the phase and t_i the time of inflation in s.
+//! t₀ the start of the phase and t_i the time of inflation in s.
 //!
 //! # Valid
-//! Phases begin in the order in which they are given, one whose value was passed before its turn with the one before. A parachute is a drag along the velocity of its attachment point; it has
-//! no mass of its own, and its drag area grows evenly while it inflates.
+//! Phases begin in the order in which they are given; a phase whose value was passed before it was next in order begins
+//! with the one before. A parachute is a drag along the velocity of its attachment point; it has no mass of its own,
+//! and its drag area grows evenly while it inflates.
 //!
 //! # References
 //! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
@@ -26,26 +27,26 @@ use serde::{Deserialize, Serialize};
 /// A phase.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
-    /// Its name.
+    /// Name of the phase.
     pub name: String,
-    /// When it begins.
+    /// Condition that begins it.
     pub begin: Begin,
-    /// What it changes.
+    /// Changes that it makes.
     pub change: Change,
 }
 
-/// When a phase begins: where a quantity goes through a value.
+/// Start of a phase: a quantity passes a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Begin {
-    /// The quantity.
+    /// Quantity to compare.
     pub mark: Mark,
-    /// Its value, SI; Earth g for the deceleration.
+    /// Value of the quantity, SI; Earth g for the deceleration.
     pub value: f64,
-    /// Which way it goes.
+    /// Direction in which it passes.
     pub direction: Direction,
 }
 
-/// What begins a phase.
+/// Quantity that begins a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Time after the start, s.
@@ -73,12 +74,12 @@ impl Mark {
     }
 }
 
-/// What a phase changes; what is absent stays.
+/// Changes made by a phase; absent values stay as they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Change {
     /// Mass from then on, kg.
     pub mass_kg: Option<f64>,
-    /// Area to which the drag coefficient belongs, m².
+    /// Reference area of the drag coefficient, m².
     pub reference_area_m2: Option<f64>,
     /// Drag coefficient of the vehicle, the same at every Mach number.
     pub drag_coefficient: Option<f64>,
@@ -93,22 +94,22 @@ pub struct Canopy {
     pub drag_area_m2: f64,
     /// Time in which it grows to that, s.
     pub inflation_s: f64,
-    /// Where it pulls: x aft of the virtual apex, y to the right, z down, m; of a rigid body only.
+    /// Attachment point: x aft of the virtual apex, y to the right, z down, m; for a rigid body only.
     pub attachment_m: [f64; 3],
 }
 
-/// What the phases so far have changed in the equations of a point mass, one a lane.
+/// Changes made by the phases so far in the equations of a point mass, one per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changed<S> {
     /// 1 where the drag coefficient is the same at every Mach number by a phase, else 0.
     pub constant_drag: S,
     /// Full drag area of the parachute, m².
     pub canopy_m2: S,
-    /// When it began to inflate, s after the start.
+    /// Start of the inflation, s after the start.
     pub canopy_since_s: S,
     /// Time in which it inflates, s; above zero.
     pub inflation_s: S,
-    /// Where it pulls, as [`Canopy::attachment_m`].
+    /// Attachment point, as [`Canopy::attachment_m`].
     pub attachment_m: [S; 3],
 }
 
@@ -145,19 +146,20 @@ impl<S: Scalar> Changed<S> {
     }
 }
 
-/// Where a part of a flight lies: among the rows of tables, phases so far, and when the parachute began to inflate.
+/// Stage of a flight: its place among the rows of tables, the phases so far, and the start of the inflation of the
+/// parachute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage<S = f64> {
     /// A place within the rows of tables that hold.
     pub within: Within,
     /// Number of phases that have begun.
     pub phases: usize,
-    /// When the parachute began to inflate, s after the start.
+    /// Start of the inflation of the parachute, s after the start.
     pub canopy_since_s: S,
 }
 
 impl<S: Scalar> Stage<S> {
-    /// About a place, before any phase.
+    /// The stage about a place, before any phase.
     pub fn about(within: Within) -> Self {
         Stage {
             within,
@@ -170,7 +172,7 @@ impl<S: Scalar> Stage<S> {
 /// A phase that has begun.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Begun<S = f64> {
-    /// Its name.
+    /// Name of the phase.
     pub name: String,
     /// Time after the start, s.
     pub time_s: S,

@@ -98,7 +98,7 @@ pub(super) fn none_yet(mission: &Mission) -> Vec<(PointHeat, f64)> {
     body.map_or(Vec::new(), |body| of(body))
 }
 
-/// Takes in the heating of a flow which is met a time in s after the one before, by trapezoids.
+/// Adds the heating by a flow met a time, s, after the one before, by the trapezoidal rule.
 pub(super) fn add(
     points: &mut [(PointHeat, f64)],
     mission: &Mission,

@@ -1,14 +1,14 @@
-//! Tables of a case that a flight looks up: where it leaves them, and what is said of it.
+//! Tables of a case that a flight looks up: where it leaves them, and the findings about it.
 //!
 //! ```text
-//! x < first or x > last        with x what a table is looked up with
+//! x < first or x > last        with x the argument of a table
 //! ```
 //!
 //! with x an altitude in m, a speed in m/s, a Mach or Knudsen number, a time in s or a total angle of attack in rad.
 //!
 //! # Valid
-//! Tables that a case brings, and the altitudes of any atmosphere. Other tables of the library are held beyond their ends by their
-//! own sources.
+//! Tables given by a case, and the altitudes of any atmosphere. Other tables of the library are held beyond their ends
+//! by their own sources.
 //!
 //! # References
 //! - Own convention.
@@ -32,7 +32,7 @@ const ATMOSPHERE: &str = "atmosphere";
 /// and nothing for the air.
 const NEAR_M: f64 = 1.0;
 
-/// With what a table is looked up.
+/// Argument of a table look-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Argument {
     /// Geodetic altitude, m.
@@ -98,15 +98,15 @@ impl Argument {
 pub struct Axis {
     /// Key of the table in the case.
     pub key: &'static str,
-    /// With what it is looked up.
+    /// Argument of the look-up.
     pub argument: Argument,
     /// First and last row.
     pub ends: [f64; 2],
-    /// What holds beyond.
+    /// Rule beyond the ends.
     pub rule: Extrapolation,
-    /// Whether the table is level at each end: its last two rows are alike, so that every rule goes on with them.
+    /// Whether the table is level at each end: its last two rows are equal, so that every rule continues with them.
     pub level: [bool; 2],
-    /// How far beyond an end nothing is said yet.
+    /// Distance beyond an end up to which there is no finding.
     pub slack: f64,
 }
 
@@ -130,7 +130,7 @@ impl Axis {
         self.rule == Extrapolation::Refuse && self.level != [true; 2]
     }
 
-    /// How far a value is beyond an end that is not level, in its unit; zero or less where it is not.
+    /// Excess of a value beyond an end that is not level, in its unit; zero or less within the table.
     pub fn refused_excess(&self, value: f64) -> f64 {
         let ([first, last], [level_first, level_last]) = (self.ends, self.level);
         let beyond = |level: bool, excess: f64| if level { f64::NEG_INFINITY } else { excess };
@@ -154,7 +154,7 @@ impl Axis {
     }
 }
 
-/// What a flight looked up in one axis: the least and the greatest value, each with its time, s.
+/// Range of an axis used in a flight: the least and the greatest value, each with its time, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     least: [f64; 2],
@@ -168,7 +168,7 @@ impl Span {
         greatest: [f64::NEG_INFINITY, 0.0],
     };
 
-    /// One value at the start.
+    /// Range of a single value at the start.
     pub fn at(value: f64) -> Span {
         Span {
             least: [value, 0.0],
@@ -181,7 +181,7 @@ impl Span {
         [self.least[0], self.greatest[0]]
     }
 
-    /// Takes in a value at a time, s.
+    /// Extends the range by a value at a time, s.
     pub fn take(&mut self, value: f64, time_s: f64) {
         if value < self.least[0] {
             self.least = [value, time_s];
@@ -197,17 +197,17 @@ impl Span {
 pub struct Passed {
     /// Key of the table in the case.
     pub key: String,
-    /// With what it is looked up.
+    /// Argument of the look-up.
     pub argument: Argument,
     /// First and last row.
     pub ends: [f64; 2],
     /// The farthest value beyond, and its time, s.
     pub farthest: [f64; 2],
-    /// What holds there.
+    /// Rule beyond the ends.
     pub rule: Extrapolation,
 }
 
-/// The ends that were passed; `refused` is the axis at whose end the flight was ended, which it passed by nothing.
+/// The ends that were passed; `refused` is the axis at whose end the flight was ended, with an excess of zero.
 pub fn passed(axes: &[Axis], spans: &[Span], refused: Option<usize>) -> Vec<Passed> {
     let both = axes
         .iter()
@@ -276,7 +276,7 @@ impl Passed {
         }
     }
 
-    /// The same of the atmosphere, with the input that leads there.
+    /// Finding for the atmosphere, with the input that leads beyond the table.
     fn of_atmosphere(&self) -> Finding {
         let ([bottom_m, top_m], value) = (self.ends, self.farthest[0]);
         let key = match value > top_m {
@@ -362,7 +362,7 @@ mod tests {
         span.take(f64::NAN, 1.0);
         span.take(25.0, 2.0);
         assert!(passed(&[MACH], &[span], None).is_empty());
-        // Where the flight was ended at the end of the table, that is said.
+        // A flight that was ended at the end of the table gets a finding of that.
         let mut ended = Span::EMPTY;
         ended.take(24.0, 0.0);
         ended.take(25.0, 9.0);

@@ -1,4 +1,4 @@
-//! What a state means: the numbers of one instant of a flight.
+//! Numbers of one instant of a flight, computed from its state.
 
 use super::equations::{CONVECTIVE, Equations, RADIATIVE, STATES, Surroundings};
 use super::mission::Mission;
@@ -14,7 +14,7 @@ use numerics::scalar::{Scalar, Single};
 /// Standard acceleration of gravity, m/s²: the Earth g of loads.
 pub const EARTH_G_M_S2: f64 = 9.80665;
 
-/// What changes fast and is looked for at every step.
+/// Quantities that change fast and whose peaks are looked for at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loads<S = f64> {
     /// Aerodynamic force over mass, Earth g.
@@ -121,7 +121,7 @@ pub struct Sample {
     pub azimuth_rad: f64,
     /// Speed in the frame that does not rotate, m/s.
     pub inertial_speed_m_s: f64,
-    /// Velocity relative to the planet towards north, east and up, m/s.
+    /// Velocity relative to the planet toward north, east and up, m/s.
     pub velocity_m_s: [f64; 3],
     /// Distance from the start over the planet, m.
     pub downrange_m: f64,

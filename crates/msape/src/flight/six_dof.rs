@@ -10,8 +10,8 @@
 //!
 //! - [`rigid`], [`inertia`], [`aerodynamics`]: the body.
 //! - [`quaternion`], [`attitude`]: its attitude.
-//! - [`events`], [`remarks`]: what happens to the attitude, and what must be known of it.
-//! - [`reorientation`], [`turning`]: backward entries, over places of the centre of gravity, and from a set of attitudes and rates.
+//! - [`events`], [`remarks`]: events of the attitude, and findings about it.
+//! - [`reorientation`], [`turning`]: backward entries, over places of the center of gravity, and from a set of attitudes and rates.
 //!
 //! # Valid
 //! Rigid bodies of constant mass.
@@ -59,7 +59,7 @@ pub fn motion<'a>(mission: &'a Mission, body: &'a Body, rigid: &'a Rigid) -> Rig
     }
 }
 
-/// Integrates a flight; who watches hears of each step and may stop it there.
+/// Integrates a flight; `progress` is called at each step and may stop it there.
 pub fn integrate(
     mission: &Mission,
     body: &Body,
@@ -80,7 +80,7 @@ pub fn fly(
     fly_watched(mission, body, rigid, request, &mut Unwatched)
 }
 
-/// The same; who watches hears of each step and may stop the flight there.
+/// Flies a rigid body as [`fly`] does; `progress` is called at each step and may stop the flight there.
 pub fn fly_watched(
     mission: &Mission,
     body: &Body,

@@ -94,7 +94,7 @@ fn passed_ends<const N: usize, S>(
     ends
 }
 
-/// The few results that sizing a vehicle needs, at a part of the cost of a whole [`Flight`].
+/// The few results that sizing a vehicle needs, at a fraction of the cost of a whole [`Flight`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes<S = f64> {
     /// Aerodynamic force over mass over 9.80665 m/s².
@@ -147,7 +147,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
         }
     }
 
-    /// The leg in which an instant lies.
+    /// The leg that contains an instant.
     fn leg(&self, t: f64) -> Option<&Leg<N, S>> {
         let legs = &self.record.legs;
         let before = legs.partition_point(|leg| leg.step.t1.value() < t);
@@ -284,5 +284,5 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Reading<'_, M, N, S> {
     }
 }
 
-/// Most rows of a time history at a uniform step.
+/// Largest number of rows of a time history at a uniform step.
 const MOST_ROWS: f64 = 1e6;

@@ -58,7 +58,7 @@ pub fn fly_with<S: Single>(
     (flight, record.outcome, record.reason)
 }
 
-/// The few results that sizing a vehicle needs, at a part of the cost of a whole flight; how it ended, and why.
+/// The few results that sizing a vehicle needs, at a fraction of the cost of a whole flight; outcome and its reason.
 pub fn extremes<S: Single>(
     mission: &Mission,
     body: &Body,

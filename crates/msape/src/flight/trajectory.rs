@@ -1,4 +1,4 @@
-//! The time history of a flight: one column a quantity, columns as in [`super::columns`].
+//! Time history of a flight: one column per quantity, columns as in [`super::columns`].
 
 use super::columns::{PHASE, SAMPLED, columns};
 use super::sample::Sample;
@@ -7,7 +7,7 @@ use crate::finding::{Finding, Severity};
 use crate::quantity::Column;
 use serde::{Deserialize, Serialize};
 
-/// Which time history is wanted.
+/// Requested time history.
 ///
 /// ```
 /// use msape::{Case, Library, Request, fly};
@@ -22,12 +22,12 @@ use serde::{Deserialize, Serialize};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Request {
-    /// None.
+    /// No time history.
     #[default]
     Nothing,
-    /// At the steps of the integrator.
+    /// Rows at the steps of the integrator.
     Steps,
-    /// At a uniform step, s, both ends included.
+    /// Rows at a uniform step, s, both ends included.
     Uniform(f64),
 }
 
@@ -37,7 +37,7 @@ pub enum Request {
 pub struct Trajectory {
     /// Values by column.
     pub values: Vec<Vec<f64>>,
-    /// Uniform step that was asked for and the longer one that was taken, s, where there would have been too many rows.
+    /// Requested uniform step and the longer one used, s, where there would have been too many rows.
     pub coarsened_s: Option<[f64; 2]>,
     /// Names of the phases, by the numbers of their column: entry, then those of the case.
     pub phases: Vec<String>,
@@ -60,7 +60,7 @@ impl Trajectory {
         }
     }
 
-    /// What is said of a history whose step was made longer.
+    /// Finding of a history whose step was lengthened.
     pub fn finding(&self) -> Option<Finding> {
         let [asked_s, taken_s] = self.coarsened_s?;
         Some(Finding {
@@ -79,7 +79,7 @@ impl Trajectory {
         })
     }
 
-    /// The name for which a number of a column stands, where it stands for one.
+    /// The name that a number of a column represents, where it represents one.
     pub fn name(&self, column: &Column, value: f64) -> Option<&str> {
         let of_phase = column.key == PHASE;
         let name = of_phase.then(|| self.phases.get(value as usize)).flatten();

@@ -1,17 +1,17 @@
-//! Drag and lift at the angle of attack at which a body of revolution does not turn, tabulated beforehand.
+//! Drag and lift of a body of revolution at its trim angle of attack, tabulated beforehand.
 //!
 //! ```text
 //! C_m(α) + C_N(α) x/D + C_A(α) e/D = 0
 //! C_D = C_A cos α + C_N sin α,   C_L = |C_N cos α − C_A sin α|
 //! ```
 //!
-//! with α the angle of trim in rad, x the centre of gravity aft of the virtual apex and e its distance from the axis in m, D
+//! with α the angle of trim in rad, x the center of gravity aft of the virtual apex and e its distance from the axis in m, D
 //! the diameter in m, coefficients about the virtual apex. Both are linear in log₁₀ M and log₁₀ Kn between the nodes of a
 //! grid, so that a flight at trim costs what a flight of a point mass does.
 //!
 //! # Valid
-//! Trim between 0 and 90 deg, nose first. Where there is none, the angle is that of the smallest moment. The lift is turned by
-//! the angle of bank; at 0 deg it points up.
+//! Trim between 0 and 90 deg, nose first. Where there is none, the angle is that of the smallest moment. The lift is
+//! rotated by the angle of bank; at 0 deg it points up.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.1.
@@ -39,12 +39,12 @@ pub struct Trim {
     diameter_m: f64,
     /// Axes of the table of the case from which it comes, if it does.
     pub axes: Vec<Axis>,
-    /// One row a Mach number, one entry a Knudsen number: drag and lift coefficient, angle of trim in rad.
+    /// One row per Mach number, one entry per Knudsen number: drag and lift coefficient, trim angle in rad.
     grid: Vec<Vec<[f64; 3]>>,
 }
 
 impl Trim {
-    /// The trim of a database with the centre of gravity `cg_m`: x aft of the virtual apex, y and z off the axis, m.
+    /// The trim of a database with the center of gravity `cg_m`: x aft of the virtual apex, y and z off the axis, m.
     pub fn new(database: &Database, [x, y, z]: [f64; 3]) -> Trim {
         let ([low, high], intervals) = MACH;
         let node = |ends: [f64; 2], i: usize, n: usize| {
@@ -142,7 +142,7 @@ fn place<S: Scalar>(x: S, ends: [f64; 2], intervals: usize) -> S {
     (held / a).ln() / math::ln(b / a) * intervals as f64
 }
 
-/// Drag, lift and angle at which the moment about the centre of gravity vanishes.
+/// Drag, lift and angle at which the moment about the center of gravity vanishes.
 fn at_trim(database: &Database, [mach, knudsen]: [f64; 2], [x, off_axis_m]: [f64; 2]) -> [f64; 3] {
     let d = database.diameter_m;
     let moment = |alpha: f64| {

@@ -23,11 +23,11 @@ pub struct Afterbody {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// Of heat flux.
+    /// Fraction of the heat flux.
     pub heat_flux_fraction: f64,
-    /// Of heat load.
+    /// Fraction of the heat load.
     pub heat_load_fraction: f64,
-    /// Of pressure.
+    /// Fraction of the pressure.
     pub pressure_fraction: f64,
 }
 

@@ -7,10 +7,10 @@
 //! ```
 //!
 //! with q̇ in W/cm² (converted), ρ in kg/m³, V in m/s, Rₙ in m, and the capped exponent a of [`NoseExponent`].
-//! Two sets of convective constants are in print; the data file holds the one used and tells the other.
+//! Two sets of convective constants are in print; the data file holds the one used and describes the other.
 //!
 //! # Valid
-//! 3 to 17 km/s (radiative 9.5 to 17), 1e-5 to 5e-3 kg/m³, 0.2 to 10 m. Beyond 17 km/s the formulae go on.
+//! 3 to 17 km/s (radiative 9.5 to 17), 1e-5 to 5e-3 kg/m³, 0.2 to 10 m. Beyond 17 km/s the formulas continue.
 //!
 //! # References
 //! - \[brandis-johnston-2014\].
@@ -25,7 +25,7 @@ use serde::Deserialize;
 
 const SOURCE: &str = "Brandis & Johnston 2014, AIAA 2014-2374";
 
-/// Both correlations.
+/// Both correlations: convective and radiative.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BrandisJohnston {
@@ -33,7 +33,7 @@ pub struct BrandisJohnston {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// What is doubtful about the numbers.
+    /// Note on doubtful coefficients.
     pub note: String,
     /// Names of the planets whose gas they are for.
     pub planets: Vec<String>,
@@ -95,7 +95,7 @@ impl BrandisJohnston {
 }
 
 impl BrandisJohnstonConvective {
-    /// Speed at which one set of constants gives way to the other, m/s.
+    /// Speed at which the constants change from one set to the other, m/s.
     pub fn switch_m_s(&self) -> f64 {
         self.switch_m_s
     }
@@ -124,7 +124,7 @@ impl BrandisJohnstonConvective {
         exponent.exp() * pick(|set| set.c) * PER_CM2
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         self.valid
             .findings("brandis-johnston convective", SOURCE, peak)
@@ -167,7 +167,7 @@ impl BrandisJohnstonRadiative {
         S::select(below, zero, q)
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         if peak.speed_m_s < self.onset_m_s {
             return Vec::new();

@@ -7,7 +7,7 @@
 //! with q̇ᶜ in W/m², ρ in kg/m³, V in m/s, Rₙ in m; each model in its own file.
 //!
 //! # Valid
-//! As each model says in its findings.
+//! Ranges of the models, as stated in their findings.
 //!
 //! # References
 //! - \[sutton-graves-1972\]; \[brandis-johnston-2014\].
@@ -71,7 +71,7 @@ impl Convective {
         }
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         match self {
             Self::SuttonGraves(model) => model.findings(peak),

@@ -25,7 +25,7 @@ use crate::quantity::input;
 use numerics::math;
 use serde::Deserialize;
 
-/// Where the distribution is good, from `heating/lees.toml`.
+/// Range of the distribution, from `heating/lees.toml`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Lees {
@@ -33,7 +33,7 @@ pub struct Lees {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// Its caution.
+    /// Note on its limits.
     pub note: String,
     valid: Valid,
 }

@@ -1,4 +1,4 @@
-//! Heating from outside: heat fluxes over speed and density, as another program or a test gives them.
+//! Heating given from outside: heat fluxes over speed and density, from another program or a test.
 //!
 //! ```text
 //! ln q̇ linear in ln ρ and in ln V      where every flux of the rows beside is above 0, else
@@ -10,8 +10,9 @@
 //! everywhere.
 //!
 //! # Valid
-//! The vehicle and the gas for which the fluxes were found. Beyond the ends the last slope goes on, below the least speed and density
-//! never so that the flux grows, or the ends are held, or the flight is ended, as the case says.
+//! The vehicle and the gas for which the fluxes were found. Beyond the ends, by the rule of the case, the last slope
+//! continues (below the least speed and density only so that the flux does not grow), or the end values are held, or
+//! the flight is ended.
 //!
 //! # References
 //! - Own convention; \[samareh-2014\] section 5 asks for such hooks to higher fidelity.
@@ -25,7 +26,7 @@ use crate::finding::{Finding, Severity};
 use numerics::math::ln;
 use numerics::scalar::{Mask, Scalar};
 
-/// Where a finding says that a number came from.
+/// Source named in findings for numbers given by the user.
 pub const USERS: &str = "given by the user";
 
 /// Least speed, m/s, and density, kg/m³, of a logarithm, assumed: below those of any flight, and its logarithm is finite.
@@ -53,7 +54,7 @@ struct Fluxes {
     logarithmic: Vec<bool>,
 }
 
-/// Which heat flux of a table.
+/// Kind of heat flux in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Convective, or total where the table has no other.
@@ -65,14 +66,14 @@ pub enum Part {
 /// Two neighboring rows of an axis about a number.
 #[derive(Clone, Copy)]
 struct Between<S> {
-    /// Part of the way between them, held within them at the ends of the table.
+    /// Fraction of the interval between them, held within 0 to 1 at the ends of the table.
     part: S,
-    /// How far the number is beyond an end of the table, as far as the rule lets it go, in steps of the two rows.
+    /// Distance of the number beyond an end of the table, as far as the rule allows, in intervals of the two rows.
     beyond: S,
 }
 
 impl<S: Scalar> Between<S> {
-    /// About a number whose logarithm counts, or itself.
+    /// The rows about a number, by its logarithm or by the number itself.
     fn new(x: S, [from, to]: [S; 2], by_log: S::Mask, rule: Extrapolation) -> Between<S> {
         let logarithm = |x: S| x.max(S::constant(LEAST)).ln();
         let inside = x.max(from).min(to);
@@ -199,7 +200,7 @@ impl GivenHeating {
         })
     }
 
-    /// Whether the two rows at each end of speed, and of density, are alike, so that every rule goes on with them.
+    /// Whether the two rows at each end of speed, and of density, are equal, so that every rule continues with them.
     pub fn level(&self) -> [[bool; 2]; 2] {
         let (speeds, width) = (self.speeds_m_s.len(), self.densities_kg_m3.len());
         let columns = || core::iter::once(&self.convective).chain(&self.radiative);

@@ -7,7 +7,7 @@
 //! with a₀, m, n from the data, V in m/s, ρ in kg/m³, Rₙ in m. The caps are steps in Rₙ, as printed.
 //!
 //! # Valid
-//! As the correlation that uses it.
+//! Range of the correlation that uses it.
 //!
 //! # References
 //! - \[tauber-sutton-1991\]; \[brandis-johnston-2014\].
@@ -35,9 +35,9 @@ pub struct NoseExponent {
 pub struct Cap {
     /// The largest exponent.
     pub cap: f64,
-    /// For nose radii below this, m.
+    /// Nose radius below which it holds, m.
     pub below_m: Option<f64>,
-    /// For nose radii up to this, m.
+    /// Nose radius up to which it holds, m.
     pub up_to_m: Option<f64>,
 }
 

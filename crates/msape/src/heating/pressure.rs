@@ -69,7 +69,7 @@ impl StagnationPressure {
         }
     }
 
-    /// Which model gave the pressure.
+    /// Finding that names the model of the pressure.
     pub fn findings(&self, peak_pa: f64) -> Vec<Finding> {
         let beside = match self.model {
             PressureModel::NewtonianLimit => "it bounds the other models, 3 % above equation 9",

@@ -7,7 +7,7 @@
 //! with q̇ʳ in W/m², ρ in kg/m³, V in m/s, Rₙ in m; each model in its own file.
 //!
 //! # Valid
-//! As each model says in its findings. At the onset speed the flux jumps: a few W/cm² at most in flight.
+//! Ranges of the models, as stated in their findings. At the onset speed the flux jumps: a few W/cm² at most in flight.
 //!
 //! # References
 //! - \[tauber-sutton-1991\]; \[brandis-johnston-2014\].
@@ -85,7 +85,7 @@ impl Radiative {
         }
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         match self {
             Self::None => Vec::new(),

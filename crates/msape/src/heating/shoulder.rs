@@ -30,9 +30,9 @@ pub struct Shoulder {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// What it replaces.
+    /// Note on the published law that this one replaces.
     pub note: String,
-    /// Who fitted it.
+    /// Origin of the fit.
     pub provenance: String,
     c: f64,
     m: f64,
@@ -59,7 +59,7 @@ impl Shoulder {
         shoulder_radius_ratio.pow(S::constant(self.m)) * self.c
     }
 
-    /// What a reader must know: where the law comes from, and whether it is used outside its points.
+    /// Findings: origin of the law, and use outside its points.
     pub fn findings(&self, shoulder_radius_ratio: f64) -> Vec<Finding> {
         let source =
             "Marvin & Sinclair 1967, as tabulated in later literature; fitted for this project";

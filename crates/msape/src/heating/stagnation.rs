@@ -10,7 +10,7 @@
 //! the portal's, margin 1.3 on plain Sutton-Graves with a factor of 1. Both above 1 are reported.
 //!
 //! # Valid
-//! As the models; the hot wall for the gas of the planet, undissociated.
+//! Ranges of the models; the hot wall for the gas of the planet, undissociated.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.4.3 and the run page of appendix D.
@@ -38,7 +38,7 @@ pub struct Margins {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// How they are meant.
+    /// Note on their meaning.
     pub note: String,
     /// Navier-Stokes over Sutton-Graves at the stagnation point.
     pub cfd_over_sutton_graves: f64,
@@ -55,7 +55,7 @@ impl Margins {
     }
 }
 
-/// How convective heating is taken.
+/// Options of convective heating.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ConvectiveOptions {
     /// Correction of the correlation.
@@ -81,7 +81,7 @@ impl Default for ConvectiveOptions {
 pub struct StagnationHeating {
     /// Convective model.
     pub convective: Convective,
-    /// How it is taken.
+    /// Options of convective heating.
     pub options: ConvectiveOptions,
     /// Radiative model.
     pub radiative: Radiative,
@@ -133,7 +133,7 @@ impl StagnationHeating {
         })
     }
 
-    /// What a relation gives for a cold wall, corrected by its factor, at the wall.
+    /// Heat flux at the wall: that of a relation for a cold wall, corrected by its factor.
     #[inline]
     fn at_wall<S: Scalar>(&self, relation: ColdWall<S>) -> HeatFlux<S> {
         let cold = ColdWall {
@@ -163,7 +163,7 @@ impl StagnationHeating {
         }
     }
 
-    /// What a reader must know: ranges of the models at peak heating, factor and margin together, warm wall.
+    /// Findings: ranges of the models at peak heating, factor and margin together, warm wall.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         let mut findings = self.convective.findings(peak);
         findings.extend(self.radiative.findings(peak));

@@ -27,7 +27,7 @@ pub struct SuttonGraves {
     pub k: f64,
     /// Ranges of the correlation.
     pub valid: FlowRange,
-    /// Where the constant comes from.
+    /// Source of the constant.
     pub place: String,
 }
 
@@ -105,7 +105,7 @@ impl SuttonGraves {
         (rho / r_n).sqrt() * self.k * (v * v * v)
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         self.valid.findings(
             "sutton-graves",

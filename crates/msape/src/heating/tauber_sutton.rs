@@ -170,7 +170,7 @@ impl TauberSutton {
         (a * r_n.ln() + ln_rho * self.density_exponent).exp() * f * (self.c * PER_CM2)
     }
 
-    /// What a reader must know when the peak is outside the ranges.
+    /// Findings where the peak is outside the ranges.
     pub fn findings(&self, peak: &PeakConditions) -> Vec<Finding> {
         if peak.speed_m_s < self.onset_m_s {
             return Vec::new();

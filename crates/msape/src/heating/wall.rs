@@ -27,7 +27,7 @@ pub const STEFAN_BOLTZMANN_W_M2_K4: f64 = 5.670_374_419e-8;
 /// Newton steps of the radiative-equilibrium temperature; each gains more than a factor of twenty.
 const STEPS: usize = 8;
 
-/// How the wall enters convective heating.
+/// Wall in convective heating.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Wall {
@@ -103,7 +103,7 @@ pub struct WallGas {
     gas: Gas,
 }
 
-/// A vibration, as often in a mole of the gas as its fraction says.
+/// Molecular vibration, weighted by its fraction per mole of the gas.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Vibration {
@@ -162,8 +162,8 @@ impl WallGas {
             .collect()
     }
 
-    /// The same of another gas constant, J/(kg K), and where it is given another ratio of heat capacities, which is then that of every
-    /// temperature: of a case that brings its own air.
+    /// The hot wall in the air of a case: with another gas constant, J/(kg K), and, where given, another ratio of heat
+    /// capacities, which then holds at every temperature.
     pub fn in_air(mut self, gas_constant_j_kg_k: f64, heat_capacity_ratio: Option<f64>) -> Self {
         self.gas.gas_constant_j_kg_k = gas_constant_j_kg_k;
         if let Some(gamma) = heat_capacity_ratio {

@@ -8,7 +8,7 @@
 //! each smooth beyond its own ends, so that an integrator which ends its steps at the boundaries keeps its order.
 //!
 //! # Valid
-//! Between the ends that [`Atmosphere::valid_m`] names; beyond them the end pieces go on.
+//! Between the ends given by [`Atmosphere::valid_m`]; beyond them the end pieces continue.
 //!
 //! # References
 //! - \[coesa-1976\]; each model names its own.
@@ -46,7 +46,8 @@ pub struct Air<S> {
     pub mean_free_path_m: S,
 }
 
-/// What an atmosphere lends to models of the same planet that bring less than density, pressure and temperature.
+/// Properties that an atmosphere lends to models of the same planet that give less than density, pressure and
+/// temperature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanetAir {
     /// Gas.
@@ -58,9 +59,9 @@ pub struct PlanetAir {
 /// Temperature by altitude of a planet's own atmosphere.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OwnTemperature {
-    /// Of the U.S. Standard Atmosphere 1976.
+    /// Temperature of the U.S. Standard Atmosphere 1976.
     Standard(StandardTemperature),
-    /// Of a table.
+    /// Temperature of a table.
     Table(Arc<Table>),
 }
 
@@ -97,7 +98,7 @@ impl Atmosphere {
         Ok((title, Self::UsStandard1976(Arc::new(standard))))
     }
 
-    /// What it lends to models of the same planet that bring less.
+    /// Properties lent to models of the same planet that lack them.
     pub fn planet_air(&self) -> PlanetAir {
         match self {
             Self::UsStandard1976(us) => us.planet_air(),

@@ -1,4 +1,4 @@
-//! The gas of an atmosphere: what a density and a temperature leave open.
+//! Gas of an atmosphere: properties that density and temperature do not determine.
 //!
 //! ```text
 //! p = ρ R T,   R = R*/M,   a = √(γ p/ρ)
@@ -36,13 +36,13 @@ pub struct Gas {
 /// Ratio of the heat capacities.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HeatCapacityRatio {
-    /// The same at every temperature.
+    /// Constant ratio.
     Constant(f64),
     /// Linear in temperature between rows, held beyond them.
     Table(Vec<Row>),
 }
 
-/// From its temperature up: the ratio, and how it goes on.
+/// Row of the table: lower temperature, ratio there and slope above it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     temperature_k: f64,
@@ -53,12 +53,12 @@ pub struct Row {
 /// Mean free path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FreePath {
-    /// Of a collision diameter: mean free path times density, kg/m².
+    /// Mean free path from a collision diameter: mean free path times density, kg/m².
     Diameter {
         /// Mean free path times density, kg/m².
         times_density_kg_m2: f64,
     },
-    /// Of a viscosity that is a power of temperature.
+    /// Mean free path from a viscosity that is a power of temperature.
     Viscosity {
         /// Viscosity at the reference temperature, Pa s.
         viscosity_pa_s: f64,

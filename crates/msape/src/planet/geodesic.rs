@@ -9,8 +9,9 @@
 //! the arc and α the azimuth of the line at the equator on that sphere, in rad; A, B (in Δσ) and C series in f.
 //!
 //! # Valid
-//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to 0.01, 3e-5 at
-//! that of Saturn, 0.1; positions nearly opposite each other, within f of half a turn, are reached by a line up to f longer.
+//! Heights are left out: the line is that of altitude zero. Ellipsoid: within 1e-9 of the length for flattenings up to
+//! 0.01, 3e-5 at that of Saturn, 0.1; positions nearly opposite each other, within f times 180 deg, are reached by a
+//! line up to f longer.
 //!
 //! # References
 //! - \[vincenty-1975\] inverse formula.
@@ -20,7 +21,7 @@ use super::geodetic::{Ellipsoid, Geodetic};
 use numerics::math::PI;
 use numerics::scalar::{Mask, Scalar};
 
-/// Most iterations; each gains a factor of the flattening.
+/// Largest number of iterations; each gains a factor of the flattening.
 const ITERATIONS: usize = 40;
 /// The difference of longitude is met within this, rad.
 const CLOSE_RAD: f64 = 1e-13;
@@ -34,7 +35,8 @@ impl Planet {
         }
     }
 
-    /// Radius of the sphere that stands for its figure in closed forms, m: that of its file, else the mean of its three axes.
+    /// Radius of the sphere that represents the figure in closed forms, m: that of its file, else the mean of its three
+    /// axes.
     pub fn sphere_radius_m(&self) -> f64 {
         let mean_m = (2.0 * self.equatorial_radius_m + self.polar_radius_m) / 3.0;
         self.downrange_sphere_radius_m.unwrap_or(mean_m)
@@ -80,7 +82,7 @@ pub fn geodesic_m<S: Scalar>(ellipsoid: &Ellipsoid, from: &Geodetic<S>, to: &Geo
         let c = cos2_alpha * (f / 16.0) * ((one * 4.0 - cos2_alpha * 3.0) * f + 4.0);
         let middle = c * cos_sigma * (cos_2_middle * cos_2_middle * 2.0 - 1.0) + cos_2_middle;
         let shift = (one - c) * f * sin_alpha * (sigma_rad + c * sin_sigma * middle);
-        // beyond half a turn there is none: the positions are nearly opposite each other
+        // no solution beyond 180 deg: the positions are nearly opposite each other
         let next = (longitude_rad + shift)
             .min(S::constant(PI))
             .max(S::constant(-PI));
@@ -120,13 +122,13 @@ struct Line<S> {
 }
 
 impl<S: Scalar> Line<S> {
-    /// From sine and cosine of the reduced latitudes and a difference of longitude.
+    /// The line from sine and cosine of the reduced latitudes and a difference of longitude.
     fn new([sin_1, cos_1]: [S; 2], [sin_2, cos_2]: [S; 2], turn_rad: S, tiny: S) -> Self {
         let (sin_l, cos_l) = (turn_rad.sin(), turn_rad.cos());
         let (east, north) = (cos_2 * sin_l, cos_1 * sin_2 - sin_1 * cos_2 * cos_l);
         let sin_sigma = (east * east + north * north).sqrt();
         let cos_sigma = sin_1 * sin_2 + cos_1 * cos_2 * cos_l;
-        // nought where the positions are one
+        // zero where the positions coincide
         let sin_alpha = cos_1 * cos_2 * sin_l / sin_sigma.max(tiny);
         let cos2_alpha = (S::constant(1.0) - sin_alpha * sin_alpha).max(S::constant(0.0));
         let along_equator = cos2_alpha.less(S::constant(1e-14));

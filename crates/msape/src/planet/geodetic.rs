@@ -33,7 +33,7 @@ pub struct Geodetic<S> {
     pub longitude_rad: S,
 }
 
-/// What the air and the horizon need of a position.
+/// Altitude and vertical of a position, for the atmosphere and the local horizon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Local<S> {
     /// Height above the ellipsoid, m.
@@ -100,7 +100,7 @@ impl Ellipsoid {
         ]
     }
 
-    /// Geodetic position of planet-fixed coordinates, m; the latitude is nought at the centre.
+    /// Geodetic position of planet-fixed coordinates, m; the latitude is zero at the center.
     pub fn geodetic<S: Scalar>(&self, r: [S; 3]) -> Geodetic<S> {
         let [x, y, z] = r;
         let Foot {
@@ -153,7 +153,7 @@ impl Ellipsoid {
         let scale = S::constant(1.0) / (p2 * p_up * p_up + z2 * z_up * z_up).sqrt();
         (p_up, z_up) = (p_up * scale, z_up * scale);
         let (p_over, z_over) = (S::constant(1.0) - c * a, S::constant(1.0) - s * b);
-        // The guessed foot stands t beside the true one, on a curve that bends away by t²/(2 a).
+        // The guessed foot is t beside the true one, on a curve that bends away by t²/(2 a).
         let t = z_over * p_up - p_over * z_up;
         let altitude_m = p2 * p_up * p_over + z2 * z_up * z_over - p2 * z2 * t * t * (0.5 / a);
         Foot {
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn there_and_back() {
-        // 4 units in the last place of the distance from the centre, which the coordinates carry.
+        // 4 units in the last place of the distance from the center, which the coordinates carry.
         for (ellipsoid, name) in [(WGS84, "wgs84"), (SATURN, "saturn"), (SPHERE, "sphere")] {
             for position in positions(&[-10e3, 0.0, 125e3, 1e6]) {
                 let back = ellipsoid.geodetic(ellipsoid.cartesian_m(&position));

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "form", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Gravity {
-    /// Zonal harmonics; those that are not given are nought.
+    /// Zonal harmonics; those that are not given are zero.
     Zonal {
         /// Gravitational parameter, m³/s².
         mu_m3_s2: f64,
@@ -37,7 +37,7 @@ pub enum Gravity {
         /// Radius to which the harmonics refer, m.
         reference_radius_m: f64,
     },
-    /// The same magnitude everywhere, towards the centre.
+    /// Constant magnitude, toward the center.
     Uniform {
         /// Acceleration, m/s².
         acceleration_m_s2: f64,

@@ -11,8 +11,8 @@
 //! the axes of the planet at the same instant.
 //!
 //! # Valid
-//! Everywhere; on the axis itself, where every way is south or north, east is that of the meridian of longitude nought. A start
-//! at a pole has the meridian of its longitude: its distance from the axis is tiny, but not nothing.
+//! Everywhere; on the axis itself, where every direction is south or north, east is that of the meridian of longitude
+//! zero. A start at a pole has the meridian of its longitude: its distance from the axis is tiny, but not zero.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2; the horizon is geodetic as in \[samareh-2014\] section 3.2.
@@ -93,7 +93,7 @@ impl<S: Scalar> Horizon<S> {
         self.vector([level * psi.cos(), level * psi.sin(), v * gamma.sin()])
     }
 
-    /// Speed and angles of planet-fixed components, m/s; at rest both angles are nought.
+    /// Speed and angles of planet-fixed components, m/s; at rest both angles are zero.
     pub fn velocity(&self, cartesian_m_s: [S; 3]) -> Velocity<S> {
         let [north, east, up] = self.parts(cartesian_m_s);
         let level = (north * north + east * east).sqrt();

@@ -1,18 +1,18 @@
-//! Checks of the rows of a table that a user brings, all faults at once.
+//! Checks of the rows of a user's table, which report all faults at once.
 
 use thiserror::Error;
 
-/// Faults are listed up to this number, assumed; a file that is not a table at all would else name every line.
+/// Largest number of listed faults, assumed; a file that is not a table at all would else name every line.
 pub const MOST_FAULTS: usize = 100;
 
-/// What the numbers of a column must be, besides finite.
+/// Rule for the numbers of a column, besides being finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Each above the one before.
     Ascending,
-    /// Above nought.
+    /// Above zero.
     Positive,
-    /// Anything.
+    /// Any finite number.
     Finite,
 }
 
@@ -23,7 +23,7 @@ pub struct Column {
     pub name: &'static str,
     /// Unit.
     pub unit: &'static str,
-    /// What its numbers must be.
+    /// Rule for its numbers.
     pub rule: Rule,
 }
 
@@ -39,7 +39,7 @@ pub struct Shape {
 /// One thing wrong with a table; rows are counted from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum RowFault {
-    /// Not enough rows.
+    /// Too few rows.
     #[error("got {rows} rows, must be at least {fewest}")]
     TooFewRows {
         /// Rows given.
@@ -47,17 +47,17 @@ pub enum RowFault {
         /// Least number.
         fewest: usize,
     },
-    /// A row has not as many numbers as the first, or more than there are columns.
+    /// Number of values in a row that differs from the first row, or exceeds the number of columns.
     #[error("row {row}: got {columns} numbers, must be {expected}")]
     Ragged {
         /// Row.
         row: usize,
         /// Numbers in it.
         columns: usize,
-        /// What is allowed.
+        /// Allowed values.
         expected: String,
     },
-    /// Not a number, or infinite.
+    /// NaN or an infinite number.
     #[error("row {row}: {column}: got {value} {unit}, must be finite")]
     NotFinite {
         /// Row.
@@ -69,7 +69,7 @@ pub enum RowFault {
         /// Unit.
         unit: &'static str,
     },
-    /// Nought or negative.
+    /// Zero or negative.
     #[error("row {row}: {column}: got {value} {unit}, must be above 0 {unit}")]
     NotPositive {
         /// Row.
@@ -95,7 +95,7 @@ pub enum RowFault {
         /// Largest molar mass, kg/kmol.
         heaviest: f64,
     },
-    /// Not above the row before.
+    /// Value not above that of the row before.
     #[error(
         "row {row}: {column}: got {value} {unit}, must be above {before} {unit} of the row before"
     )]

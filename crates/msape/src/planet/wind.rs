@@ -1,4 +1,4 @@
-//! Wind: where the air goes, relative to the planet, against altitude.
+//! Wind: velocity of the air relative to the planet, against altitude.
 //!
 //! ```text
 //! w = wᵢ + (z − zᵢ) (wᵢ₊₁ − wᵢ)/(zᵢ₊₁ − zᵢ)
@@ -40,9 +40,9 @@ pub type Row = [f64; 5];
 /// A model of the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wind {
-    /// The air turns with the planet.
+    /// No wind: the air rotates with the planet.
     Calm,
-    /// The same at every altitude.
+    /// Constant wind at every altitude.
     Constant {
         /// Eastward, m/s.
         eastward_m_s: f64,
@@ -140,7 +140,7 @@ impl Wind {
         }
     }
 
-    /// Eastward and northward wind, m/s, at an altitude, m, by a row, wherever it ends.
+    /// Eastward and northward wind, m/s, at an altitude, m, by a row, also beyond its end.
     #[inline]
     pub fn east_north_m_s<S: Scalar>(
         [z, east, north, east_slope, north_slope]: [S; 5],

@@ -21,7 +21,7 @@ impl HermiteTable {
     /// The table through the points (`x`, `y`) with the slopes `slope`, `x` ascending.
     ///
     /// # Errors
-    /// As [`super::Table1::try_new`].
+    /// Errors of [`super::Table1::try_new`].
     pub fn try_new(x: &[f64], y: &[f64], slope: &[f64], end: End) -> Result<Self, TableError> {
         check(x, &[y, slope])?;
         Ok(Self::from_knots(
@@ -33,10 +33,10 @@ impl HermiteTable {
         ))
     }
 
-    /// The same for evenly spaced knots from the first to the last of `span`, which are found without a search.
+    /// The table with evenly spaced knots from the first to the last of `span`, which are found without a search.
     ///
     /// # Errors
-    /// As [`super::Table1::try_new`].
+    /// Errors of [`super::Table1::try_new`].
     pub fn try_uniform(
         span: [f64; 2],
         y: &[f64],

@@ -1,4 +1,4 @@
-//! Linear interpolation of the logarithm, for what falls exponentially.
+//! Linear interpolation of the logarithm, for quantities that fall exponentially.
 //!
 //! ```text
 //! ln y = ln yᵢ + (x - xᵢ) (ln yᵢ₊₁ - ln yᵢ) / (xᵢ₊₁ - xᵢ)
@@ -18,7 +18,7 @@ impl LogTable1 {
     /// The table through the points (`x`, `y`), `x` ascending, `y` above zero.
     ///
     /// # Errors
-    /// As [`Table1::try_new`]; also names the first value that is not above zero.
+    /// Errors of [`Table1::try_new`], and the first value that is not above zero.
     pub fn try_new(x: &[f64], y: &[f64], end: End) -> Result<Self, TableError> {
         if let Some((index, &value)) = y.iter().enumerate().find(|(_, y)| **y <= 0.0) {
             return Err(TableError::NotPositive { index, value });

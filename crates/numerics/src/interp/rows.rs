@@ -8,12 +8,12 @@ pub(super) struct Rows<const K: usize> {
     rows: Vec<[f64; K]>,
 }
 
-/// How the row is found.
+/// Method by which the row is found.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Search {
-    /// By halving, among knots at any distance.
+    /// Bisection, among knots at any distance.
     Binary(Vec<f64>),
-    /// By division, where the knots are evenly spaced.
+    /// Division, where the knots are evenly spaced.
     Uniform { first: f64, per_knot: f64 },
 }
 
@@ -32,7 +32,7 @@ impl<const K: usize> Rows<K> {
     pub fn row(&self, x: f64) -> [f64; K] {
         let knots_before = match &self.search {
             Search::Binary(knots) => knots.partition_point(|&knot| knot <= x),
-            // The cast takes what is negative, or not a number, as 0.
+            // The cast maps negative numbers and NaN to 0.
             Search::Uniform { first, per_knot } => ((x - first) * per_knot + 1.0) as usize,
         };
         let index = knots_before.min(self.rows.len());

@@ -18,7 +18,7 @@ pub fn solve<const K: usize, const N: usize>(
         a.swap(k, pivot);
         b.swap(k, pivot);
         let (row, right) = (a[k], b[k]);
-        // all other rows: what is left is a diagonal
+        // all other rows: the matrix becomes diagonal
         for i in (0..K).filter(|&i| i != k) {
             let factor = a[i][k] / row[k];
             (0..K).for_each(|j| a[i][j] -= factor * row[j]);

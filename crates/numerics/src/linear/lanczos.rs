@@ -5,8 +5,9 @@
 //! 1/λ ≈ the largest eigenvalue of the tridiagonal matrix of α and β
 //! ```
 //!
-//! Every vector is made orthogonal to all before it, so that rounding brings no copies. The largest eigenvalue of the
-//! tridiagonal matrix rises with each step; it is found by bisection on the signs of Sturm's sequence.
+//! Every vector is made orthogonal to all before it, so that rounding does not produce copies of eigenvalues. The
+//! largest eigenvalue of the tridiagonal matrix rises with each step; it is found by bisection on the signs of Sturm's
+//! sequence.
 //!
 //! # References
 //! - \[parlett-1998\] chapters 7 and 13.
@@ -15,12 +16,12 @@ use super::skyline::Factor;
 use super::sparse::Sparse;
 use super::{add_scaled, dot};
 
-/// When the iteration ends.
+/// Conditions that end the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Relative change of the eigenvalue in a step that ends it; the next step would change it by much less.
     pub tolerance: f64,
-    /// Most steps.
+    /// Largest number of steps.
     pub most_steps: usize,
 }
 
@@ -33,7 +34,7 @@ impl Default for Options {
     }
 }
 
-/// The lowest eigenvalue; `None` when the mass is nought or the iteration does not settle.
+/// The lowest eigenvalue; `None` when the mass is zero or the iteration does not settle.
 pub fn lowest_eigenvalue(stiffness: &Factor, mass: &Sparse, options: Options) -> Option<f64> {
     let size = mass.size();
     // any vector that is orthogonal to no mode: multiples of the golden section
@@ -71,7 +72,7 @@ pub fn lowest_eigenvalue(stiffness: &Factor, mass: &Sparse, options: Options) ->
         let mut image = vec![0.0; size];
         mass.multiply(&next, &mut image);
         let beta = dot(&next, &image).max(0.0).sqrt();
-        // what is left is rounding: the space is used up
+        // the remainder is rounding: the Krylov space is exhausted
         if beta <= 1e-14 * value {
             return Some(1.0 / value);
         }

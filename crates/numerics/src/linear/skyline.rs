@@ -29,13 +29,13 @@ use super::{add_scaled, dot};
 pub struct Skyline {
     /// First row kept of each column.
     first: Vec<usize>,
-    /// Where the first row of each column stands among the values; one more at the end.
+    /// Index among the values of the first row of each column; one more at the end.
     start: Vec<usize>,
     values: Vec<f64>,
 }
 
 impl Skyline {
-    /// A matrix of noughts; `first` is the first row kept of each column, at most the column itself.
+    /// A matrix of zeros; `first` is the first row kept of each column, at most the column itself.
     pub fn new(first: &[usize]) -> Self {
         let first: Vec<usize> = first.iter().enumerate().map(|(j, &f)| f.min(j)).collect();
         let mut start = Vec::with_capacity(first.len() + 1);

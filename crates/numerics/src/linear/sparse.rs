@@ -1,4 +1,4 @@
-//! A symmetric matrix of few entries: its diagonal, and what couples two rows.
+//! A symmetric matrix of few entries: its diagonal, and the entries that couple two rows.
 //!
 //! ```
 //! use numerics::linear::sparse::Sparse;
@@ -22,7 +22,7 @@ pub struct Sparse {
 }
 
 impl Sparse {
-    /// A matrix of noughts of so many rows.
+    /// A matrix of zeros of the given size.
     pub fn new(size: usize) -> Self {
         Self {
             diagonal: vec![0.0; size],

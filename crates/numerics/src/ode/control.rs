@@ -24,7 +24,7 @@ pub(super) const LN_LEAST_ERROR_BEFORE: f64 = -9.210_340_371_976_182;
 /// The error allowed in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<const N: usize> {
-    /// Error of each component as a part of it.
+    /// Error of each component relative to its value.
     pub relative: [f64; N],
     /// Error of each component, in its own unit; above zero where the component may be zero, infinite to leave the
     /// component out of the control.
@@ -124,7 +124,7 @@ pub(super) fn rough_exp<V: Scalar>(x: V) -> V::Value {
     })
 }
 
-/// What the control keeps of an accepted step, of whose error the logarithm is `ln_error`.
+/// Logarithm of the error of an accepted step as the control keeps it, from its logarithm `ln_error`.
 #[inline]
 pub(super) fn memory<V: Scalar>(ln_error: V) -> V {
     ln_error.max(V::constant(LN_LEAST_ERROR_BEFORE))
@@ -151,7 +151,7 @@ pub(super) fn first_step<const N: usize, S: Scalar>(
     let ahead = f(t + h, &advance(y, h, [(1.0, slope)]));
     let change = core::array::from_fn(|i| (ahead[i] - slope[i]).value());
     let d2 = mean_square(&change, &scale).sqrt() / h0;
-    // A guess that led where the right-hand side is not finite says nothing.
+    // A trial point where the right-hand side is not finite gives no estimate.
     let largest = S::Value::select(d2.finite(), d1.max(d2), d1);
     let still = number(1e-15).less(largest).not();
     let h1 = S::Value::select(

@@ -1,7 +1,7 @@
 //! Events along a step: where a function of (t, y) crosses zero, and where it is largest.
 //!
-//! Only the dense output is used, no evaluation of the right-hand side. A crossing is looked for by the signs at the
-//! ends of the step; where a function may cross twice within a step, [`crossing_sampled`] looks in between as well.
+//! Only the dense output is used, no evaluation of the right-hand side. A crossing is found by the signs at the ends of
+//! the step; where a function may cross twice within a step, [`crossing_sampled`] also evaluates it in between.
 //!
 //! Values alone decide where an event is; its derivatives follow from those of the function there:
 //!
@@ -13,38 +13,39 @@ use super::Step;
 use crate::root;
 use crate::scalar::Single;
 
-/// Width of the bracket that is left, as a part of the step.
+/// Width of the final bracket, as a fraction of the step.
 const CROSSING_TOLERANCE: f64 = 1e-13;
-/// The place of a maximum cannot be told better than about the square root of the rounding.
+/// Tolerance of the place of a maximum, which rounding limits to about its square root.
 const MAXIMUM_TOLERANCE: f64 = 1e-9;
-/// Distance at which the slope along a step is taken, as a part of the step.
+/// Distance at which the slope along a step is evaluated, as a fraction of the step.
 const SLOPE_PART: f64 = 1e-2;
 /// Corrections of the place of a maximum; each squares the error.
 const CORRECTIONS: usize = 4;
-/// Distance at which slope and curvature along a step are taken for a maximum, as a part of the step: rounding asks for more,
-/// the step for less.
+/// Distance at which slope and curvature along a step are evaluated for a maximum, as a fraction of the step: rounding
+/// needs a larger one, the step a smaller one.
 const TOP_PART: f64 = 1e-2;
-/// The last correction but one of the place of a maximum, as a part of the step; the error is about its square.
+/// Last correction but one of the place of a maximum, as a fraction of the step; the error is about its square.
 const TOP_TOLERANCE: f64 = 1e-4;
-/// Another maximum is placed within this part of a step.
+/// Tolerance of the place of any other maximum, as a fraction of the step.
 const COARSE_TOLERANCE: f64 = 1e-6;
-/// The same as a part of t: a search by values sees no finer.
+/// Tolerance as a part of t: a search by values resolves no finer.
 const NEAR_TIME: f64 = 1e-6;
-/// A maximum this close to the end of a step, as a part of it, moves with the end.
+/// A maximum this close to the end of a step, as a fraction of the step, moves with the end.
 const NEAR_END: f64 = 1e-4;
 
-/// The way in which zero is crossed.
+/// Direction in which zero is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// From below zero to above.
     Rising,
     /// From above zero to below.
     Falling,
-    /// Either way.
+    /// Either direction.
     Either,
 }
 
-/// Where `g` crosses zero along `step`, by its signs at both ends; the value of `g` there is zero or has the new sign.
+/// Time at which `g` crosses zero along `step`, by its signs at both ends; the value of `g` there is zero or has the
+/// new sign.
 ///
 /// A zero at the very beginning belongs to the step before, a zero at the end to this one. After a retake that ends at a
 /// crossing, rounding may leave either sign there: what must happen only once is for the caller to remember.
@@ -83,8 +84,8 @@ pub fn crossing_sampled<const N: usize, S: Single>(
     None
 }
 
-/// Where `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the value of `g`
-/// there is zero or has the sign of the later instant.
+/// Time at which `g` crosses zero between two instants of `step`, at which its signs differ, within `tolerance`; the
+/// value of `g` there is zero or has the sign of the later instant.
 pub fn root_between<const N: usize, S: Single>(
     step: &Step<N, S>,
     g: impl Fn(S) -> S,
@@ -112,7 +113,7 @@ fn crosses(before: f64, here: f64, direction: Direction) -> bool {
     }
 }
 
-/// Where `g` is largest along `step`, ends included, and its value there; of several maxima one is found.
+/// Time at which `g` is largest along `step`, ends included, and its value there; of several maxima one is found.
 pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64) -> (f64, f64) {
     let along = |t: f64| g(t, &step.at(t));
     root::maximum(
@@ -123,8 +124,8 @@ pub fn maximum<const N: usize>(step: &Step<N>, g: impl Fn(f64, &[f64; N]) -> f64
     )
 }
 
-/// Where `g` is largest along `step`, looked for from the part `start` of the step: the zero of its slope where that is
-/// within the step, else the largest value, ends included.
+/// Time at which `g` is largest along `step`, searched from the fraction `start` of the step: the zero of its slope
+/// where that is within the step, else the largest value, ends included.
 pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, start: f64) -> S {
     let (t0, t1) = (step.t0.value(), step.t1.value());
     let length = t1 - t0;
@@ -135,7 +136,7 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
     let (t, _) = root::maximum(values, t0, t1, COARSE_TOLERANCE * length);
     let near = NEAR_END * length + NEAR_TIME * t1.abs();
     if t1 - t <= near {
-        // At a jump that ends the step, or at its beginning: it moves with the end.
+        // A maximum at a jump that ends the step, or at its beginning, moves with that end.
         step.t1 + (t - t1)
     } else if t - t0 <= near {
         step.t0 + (t - t0)
@@ -144,7 +145,7 @@ pub fn top<const N: usize, S: Single>(step: &Step<N, S>, g: impl Fn(S) -> S, sta
     }
 }
 
-/// Where the slope of `g` is zero within `step`, its curvature being negative, looked for from `t`.
+/// Time within `step` at which the slope of `g` is zero and its curvature negative, searched from `t`.
 ///
 /// ```text
 /// t ← t − g'/g'',   g' = (g₁ − g₋₁)/(2d),   g'' = (g₁ − 2 g₀ + g₋₁)/d²

@@ -1,11 +1,11 @@
-//! What the integrator asks of a Runge-Kutta formula.
+//! Interface of a Runge-Kutta formula to the integrator.
 
 use super::Dense;
 use super::control::{Control, Tolerance};
 use super::step::Step;
 use crate::scalar::{Mask, Scalar};
 
-/// Where a step begins.
+/// Start of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin<'a, const N: usize, S> {
     pub t: S,
@@ -15,7 +15,7 @@ pub(super) struct Origin<'a, const N: usize, S> {
 
 /// A step on trial: computed as far as is needed to judge it.
 pub(super) trait Trial<const N: usize, S: Scalar>: Sized {
-    /// How the length of the next step follows from the error.
+    /// Rule by which the length of the next step follows from the error.
     const CONTROL: Control;
     /// Evaluations of [`Trial::take`].
     const EVALUATIONS: u32;
@@ -89,7 +89,7 @@ pub(super) fn values<const N: usize, S: Scalar>(y: &[S; N]) -> [S::Value; N] {
     values
 }
 
-/// Where all numbers are finite.
+/// Lanes in which all numbers are finite.
 #[inline(always)]
 pub(super) fn finite<const N: usize, S: Scalar>(y: &[S; N]) -> S::Mask {
     let mut all = S::Mask::constant(true);

@@ -1,4 +1,4 @@
-//! The integrator: where it stands, how long the next step shall be, and what it has cost; one flight or many.
+//! The integrator: present state, length of the next step, and cost; one integration or many.
 
 mod account;
 mod alone;
@@ -15,16 +15,15 @@ pub use account::{Attempt, Statistics};
 
 /// Factor to the next trial after one that was not finite.
 const RETREAT: f64 = 0.1;
-/// A step that would end this close before the limit, as a part of itself, ends at the limit.
+/// A step that would end this close before the limit, as a fraction of the step, ends at the limit.
 const STRETCH: f64 = 0.01;
-/// The same for a fixed step: only the rounding of the sum of the steps.
+/// Limit of the stretch of a fixed step: only the rounding of the sum of the steps.
 const FIXED_STRETCH: f64 = 1e-9;
 /// Least adaptive step, in units of the last place of t.
 const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 const MAXIMUM_STEPS: u64 = 1_000_000;
 
-/// An integration of y' = f(t, y) under way: one, or in a number of several lanes one a lane, each with its own t and
-/// its own steps.
+/// An integration of y' = f(t, y) in progress: one, or one per lane, each with its own t and its own steps.
 ///
 /// With derivatives, the length of the steps is that of the values alone.
 #[derive(Clone, Debug)]
@@ -38,20 +37,20 @@ pub struct Integrator<const N: usize, S: Scalar = f64> {
     y: [S; N],
     /// Slope at (t, y).
     slope: [S; N],
-    /// Where the slope is known.
+    /// Lanes in which the slope is known.
     sloped: S::Mask,
     /// Length of the next step, where it is known.
     planned: S::Value,
     is_planned: S::Mask,
     /// Length of the next trial, where one of the same step was refused.
     h: S::Value,
-    /// Where no trial of the next step was refused.
+    /// Lanes in which no trial of the next step was refused.
     fresh: S::Mask,
-    /// Where the last trial was not finite.
+    /// Lanes in which the last trial was not finite.
     wild: S::Mask,
     /// Logarithm of the error of the last step, for the control.
     before: S::Value,
-    /// Where the last trial was not finite at its beginning.
+    /// Lanes in which the last trial was not finite at its beginning.
     unsound: S::Mask,
     /// The last step.
     step: Step<N, S>,
@@ -63,7 +62,7 @@ pub struct Integrator<const N: usize, S: Scalar = f64> {
 }
 
 impl<const N: usize, S: Scalar> Integrator<N, S> {
-    /// An integration that stands at (`t0`, `y0`); the length of the first step is found with that step.
+    /// An integration at the state (`t0`, `y0`); the length of the first step is found with that step.
     pub fn new(method: Method, tolerance: Tolerance<N>, t0: S, y0: [S; N]) -> Self {
         let zero = S::Value::constant(0.0);
         Self {
@@ -109,7 +108,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         self
     }
 
-    /// Where the integration stands.
+    /// Present time of the integration.
     #[inline]
     pub fn t(&self) -> S {
         self.t
@@ -127,7 +126,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         &self.step
     }
 
-    /// What the integration of a lane has cost so far.
+    /// Cost of the integration of a lane so far.
     pub fn statistics_of(&self, lane: usize) -> Statistics {
         let count = |of: S::Value| of.lane(lane) as u64;
         Statistics {
@@ -137,7 +136,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Begins another integration in a lane, as [`Integrator::new`] does.
+    /// Starts another integration in a lane, as [`Integrator::new`] does.
     pub fn restart(&mut self, lane: usize, t0: S::Lane, y0: &[S::Lane; N]) {
         self.put(lane, t0, y0);
         self.is_planned.set_lane(lane, false);
@@ -152,7 +151,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Puts the integration of a lane at (`t`, `y`), within the last step or elsewhere; the length of the next step and
+    /// Sets the integration of a lane to (`t`, `y`), within the last step or elsewhere; the length of the next step and
     /// the counts are kept. Costs one evaluation.
     #[inline]
     pub fn put(&mut self, lane: usize, t: S::Lane, y: &[S::Lane; N]) {
@@ -164,7 +163,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         self.slope0 = None;
     }
 
-    /// Says that the right-hand side of a lane has changed: its stored value is forgotten, the length of the next step is
+    /// Marks the right-hand side of a lane as changed: its stored value is dropped, the length of the next step is
     /// kept.
     #[inline]
     pub fn renew_lane(&mut self, lane: usize) {
@@ -173,7 +172,8 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
 
     /// One trial of a step in each of the `active` lanes, not beyond `t_limit` (which may be infinite).
     ///
-    /// Lanes in which it is accepted then stand at its end; the others stand where they stood and try a shorter one next time.
+    /// Lanes in which it is accepted are then at its end; the others stay where they were and try a shorter one next
+    /// time.
     #[inline]
     pub fn attempt(
         &mut self,
@@ -188,7 +188,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Why a lane cannot go on from where it stands towards `t_limit`.
+    /// Reason why a lane cannot continue from its present state toward `t_limit`.
     pub fn fault(&self, lane: usize, t_limit: f64) -> OdeError {
         let t = self.t.value().lane(lane);
         let ahead = t < t_limit;
@@ -278,7 +278,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
     fn plan(&mut self, control: &Control, ln_error: S::Value, h: S::Value, accepted: S::Mask) {
         let next = h * control.factor_accepted(ln_error, self.before);
         let cut_short = self.fresh.and(h.less(self.planned));
-        // A step cut short by its limit says little: the plan stands.
+        // A step cut short by its limit gives no information on the step size: the planned size stays.
         let after_refusal = S::Value::select(self.fresh, next, next.min(h));
         let planned = S::Value::select(cut_short, next.max(self.planned), after_refusal);
         self.planned = S::Value::select(accepted, planned, self.planned);
@@ -340,7 +340,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
             for (known, slope) in self.slope.iter_mut().zip(slope) {
                 *known = S::select(unknown, slope, *known);
             }
-            // What was accepted is finite; what was put here need not be.
+            // An accepted state is finite; one set by `put` need not be.
             let sound = finite(&self.y).and(finite(&self.slope));
             self.unsound = self.unsound.and(unknown.not()).or(unknown.and(sound.not()));
             self.sloped = self.sloped.or(active);
@@ -348,7 +348,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         }
     }
 
-    /// Lanes that may take a step towards `t_limit`.
+    /// Lanes that may take a step toward `t_limit`.
     #[inline]
     fn able(&self, active: S::Mask, t_limit: S) -> S::Mask {
         let trials = self.accepted + self.rejected;
@@ -357,7 +357,7 @@ impl<const N: usize, S: Scalar> Integrator<N, S> {
         active.and(ahead).and(allowed).and(self.unsound.not())
     }
 
-    /// Goes to the end of the step where it is accepted.
+    /// Moves to the end of the step where it is accepted.
     #[inline]
     fn accept(&mut self, slope1: &[S; N], accepted: S::Mask) {
         if S::LANES == 1 && accepted.any() {

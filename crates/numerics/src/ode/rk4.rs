@@ -14,7 +14,7 @@ pub(super) struct Rk4<const N: usize, S> {
 }
 
 impl<const N: usize, S: Scalar> Trial<N, S> for Rk4<N, S> {
-    // Never asked: the step is fixed.
+    // Never used: the step is fixed.
     const CONTROL: Control = Control {
         order: 4.0,
         proportional: 0.0,

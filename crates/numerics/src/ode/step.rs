@@ -193,7 +193,7 @@ impl<const N: usize, S: Single> Step<N, S> {
         }
     }
 
-    /// The same step, ended at `t` within it.
+    /// This step, ended at `t` within it.
     #[inline]
     pub fn cut(mut self, t: S) -> Self {
         self.y1 = self.at(t);

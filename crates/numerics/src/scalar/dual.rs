@@ -20,7 +20,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Dual<const N: usize> {
     /// The number.
     pub value: f64,
-    /// Its derivatives.
+    /// Derivatives of the number.
     pub slope: [f64; N],
 }
 
@@ -37,7 +37,7 @@ impl<const N: usize> Dual<N> {
     /// The function with this value and this derivative at `self`; nothing that moves gives nothing that moves.
     #[inline]
     fn chain(self, value: f64, rate: f64) -> Self {
-        // At the end of a domain the rate is infinite, and zero times infinity would be no number.
+        // At the end of a domain the rate is infinite, and zero times infinity would be NaN.
         let slope = self.slope.map(|s| if s == 0.0 { 0.0 } else { s * rate });
         Self { value, slope }
     }

@@ -7,7 +7,7 @@
 use super::Single;
 use crate::math;
 
-/// A function of `x` with its value there and its rate of change, which is asked for only where there are derivatives.
+/// A function of `x` with its value there and its rate of change, which is called only where there are derivatives.
 #[inline]
 pub fn function<S: Single>(x: S, value: f64, rate: impl FnOnce() -> f64) -> S {
     S::root(value, || x - x.value(), || -1.0 / rate())

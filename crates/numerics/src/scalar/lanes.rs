@@ -179,7 +179,7 @@ impl<const N: usize> Scalar for Lanes<N> {
     }
 }
 
-/// Rows of the lanes, turned to lanes of the columns.
+/// Rows of the lanes, transposed to lanes of the columns.
 #[inline(always)]
 fn across<const K: usize, const N: usize>(row: impl Fn(usize) -> [f64; K]) -> [Lanes<N>; K] {
     let mut columns = [Lanes([0.0; N]); K];

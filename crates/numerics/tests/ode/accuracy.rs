@@ -115,7 +115,7 @@ fn linear_oscillator_returns_after_a_turn_within_its_tolerance() {
                     .unwrap();
             }
             let [u, v] = *integrator.y();
-            // The error of each of some tens of steps is below the tolerance, those of a turn add up.
+            // Each of some tens of steps has an error below the tolerance; the errors of one revolution add up.
             assert!(
                 math::hypot(u - 1.0, v) < 50.0 * tolerance,
                 "{method:?} {tolerance}: {u} {v}"

@@ -70,7 +70,7 @@ fn three_hundred_fixed_steps_of_a_tenth_end_at_30_exactly() {
 
 #[test]
 fn start_at_rest_and_a_constant_need_no_special_care() {
-    // From rest at zero under 10: 5 t². Absolute tolerances alone decide at first.
+    // Fall from rest at zero under 10: 5 t². Absolute tolerances alone decide at first.
     let mut integrator =
         Integrator::new(Method::DormandPrince853, tight(1e-9), 0.0, [0.0, 0.0, 3.0]);
     while integrator.t() < 2.0 {

@@ -6,7 +6,7 @@ use numerics::ode::{Integrator, Method, OdeError};
 
 #[test]
 fn thrown_body_is_at_its_top_and_lands_when_it_must() {
-    // Up at 20 m/s under 10 m/s²: top after 2 s at 20 m, ground after 4 s.
+    // Thrown up at 20 m/s under 10 m/s²: top after 2 s at 20 m, ground after 4 s.
     for method in METHODS {
         let mut integrator =
             Integrator::new(method, tight(1e-9), 0.0, [0.0, 20.0]).with_longest_step(1.0);

@@ -1,4 +1,4 @@
-//! What cannot be integrated is an error, never a hang.
+//! Problems that cannot be integrated give an error, never a hang.
 
 use super::{METHODS, tight, wave};
 use numerics::ode::{Integrator, Method, OdeError};
@@ -11,7 +11,7 @@ fn right_hand_side_that_is_not_finite_is_an_error_and_ends() {
             let refused = integrator.step(&mut |_, _| [value], 1.0);
             assert_eq!(refused, Err(OdeError::NotFinite { t: 0.0 }));
         }
-        // Not a number from t = 0.5 on: the integration comes close and says so.
+        // NaN from t = 0.5 on: the integration comes close and reports it.
         let mut root = |t: f64, _: &[f64; 1]| [(0.5 - t).sqrt()];
         let mut integrator = Integrator::new(method, tight(1e-6), 0.0, [1.0]);
         let fault = loop {

@@ -15,7 +15,7 @@ const METHODS: [Method; 3] = [
     Method::Rk4 { step: 0.01 },
 ];
 
-/// No error of these problems is too large: the step is what the limit makes it.
+/// Tolerances that these problems always meet: the step is set by the limit.
 fn loose<const N: usize>() -> Tolerance<N> {
     Tolerance {
         relative: [0.0; N],

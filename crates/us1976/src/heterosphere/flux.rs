@@ -8,7 +8,7 @@
 //! with z, U, u in km, Q, q, W, w in 1/km³ and v in 1/km.
 //!
 //! # Valid
-//! 86 to 150 km; nought above.
+//! 86 to 150 km; zero above.
 //!
 //! # References
 //! - \[coesa-1976\] equation 37 and Table 7.
@@ -16,7 +16,7 @@
 use crate::definition::Species;
 use numerics::math;
 
-/// Above this v is nought, km.
+/// Above this v is zero, km.
 pub const FLUX_TOP_KM: f64 = 150.0;
 
 /// v, 1/m.
@@ -47,7 +47,7 @@ pub struct FluxIntegral<'a> {
     species: &'a Species,
     falling_at_86_km: f64,
     rising_at_86_km: f64,
-    /// From 86 km to the top.
+    /// Integral from 86 km to the top.
     whole: f64,
 }
 
@@ -64,7 +64,7 @@ impl<'a> FluxIntegral<'a> {
         integral
     }
 
-    /// From 86 km.
+    /// Integral from 86 km to an altitude, m.
     pub fn at(&self, z_m: f64) -> f64 {
         match z_m / 1000.0 {
             z if z < FLUX_TOP_KM => self.up_to(z),

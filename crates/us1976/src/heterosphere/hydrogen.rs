@@ -1,4 +1,4 @@
-//! Atomic hydrogen above 150 km, which flows upwards through the other gases.
+//! Atomic hydrogen above 150 km, which flows upward through the other gases.
 //!
 //! ```text
 //! n = [n₁₁ + ∫_z^500 φ/D (T/T₁₁)^(1+α) e^τ dz] (T₁₁/T)^(1+α) e^(−τ)

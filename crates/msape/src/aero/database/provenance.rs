@@ -1,18 +1,18 @@
-//! Where coefficients come from.
+//! Origin of coefficients.
 //!
 //! ```text
 //! table > free-molecular (Kn ≥ 10) > transitional (Kn > 10⁻³) > hypersonic (M ≥ 5) > supersonic (M ≥ 1.5) > transonic (M > 0.5) > subsonic
 //! ```
 //!
 //! # Valid
-//! Names of what [`super::Database`] did; nothing is computed from them.
+//! Names of the models used by [`super::Database`]; nothing is computed from them.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.1.
 
 use serde::{Deserialize, Serialize};
 
-/// Which part of a database answered.
+/// Part of a database that gave the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Regime {
@@ -28,7 +28,7 @@ pub enum Regime {
     Transonic,
     /// Continuum below Mach 0.5.
     Subsonic,
-    /// A table of one's own.
+    /// A table of the user.
     Table,
 }
 
@@ -43,7 +43,7 @@ impl Regime {
         }
     }
 
-    /// Its name.
+    /// Name of the regime.
     pub fn name(self) -> &'static str {
         match self {
             Regime::FreeMolecular => "free-molecular",
@@ -56,7 +56,7 @@ impl Regime {
         }
     }
 
-    /// Where its axial force, its normal force and moment come from: measured, computed or assumed.
+    /// Origin of the axial force, the normal force and the moment: measured, computed or assumed.
     pub fn provenance(self) -> &'static str {
         match self {
             Regime::FreeMolecular => "computed: Schaaf and Chambre over the outline",

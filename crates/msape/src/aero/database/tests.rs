@@ -119,6 +119,6 @@ fn between_the_nodes_it_agrees_with_the_integral() {
         }
     }
     // Impact theory has no corners here. Thermal motion is as wide as 1/S, 2 deg at S = 25: within that of an angle at which
-    // a flat side turns to lee, interpolation in α and in 1/S loses a few thousandths of coefficients of order one.
+    // a flat side turns to the lee, interpolation in α and in 1/S loses a few thousandths of coefficients of order one.
     assert!(worst[0] < 5e-5 && worst[1] < 5e-3, "{worst:?}");
 }

@@ -1,11 +1,11 @@
-//! What a reader of coefficients must know: which part is measured, computed, assumed.
+//! Findings about coefficients: which part is measured, computed or assumed.
 //!
 //! ```text
 //! one finding a regime, one for damping, one for what lies beyond a table
 //! ```
 //!
 //! # Valid
-//! Findings say where numbers come from; they change none.
+//! Findings name the origin of numbers; they change none.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.3.1 and 3.3.7.

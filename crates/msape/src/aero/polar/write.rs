@@ -5,7 +5,7 @@
 //! ```
 //!
 //! # Valid
-//! What is not known, such as a moment about a centre of gravity that was not given, is `null`, or an empty column.
+//! Unknown values, such as a moment about a center of gravity that was not given, are `null`, or an empty column.
 //!
 //! # References
 //! - Own convention.
@@ -15,7 +15,7 @@ use crate::finding::Finding;
 use crate::units::number::shortest;
 use serde_json::{Map, Value, json};
 
-/// A column: its name, and how its number is taken from a row.
+/// A column: its name, and the function that takes its number from a row.
 pub type Column = (&'static str, fn(&Row) -> Option<f64>);
 
 /// The columns of a polar.

@@ -1,4 +1,4 @@
-//! Rows of a table by which the air would push a body, and angles in radians.
+//! Rows of a table with negative drag, by which the air would push a body, and angles in radians.
 //!
 //! ```text
 //! C_A cos α + C_N sin α ≥ 0
@@ -19,10 +19,10 @@ use numerics::math::{PI, RADIANS_PER_DEGREE, sin_cos};
 /// Drag coefficient that a row may be below zero, assumed to cover rounding: of C_A and C_N to three decimals, 0.0005 (|cos α| + |sin α|) or
 /// 7.1e-4 at most, and of the angle to 0.1 deg at coefficients of about 1, 8.7e-4 (|cos α| + |sin α|) or 1.2e-3 at most; 1.9e-3 together.
 const PUSH: f64 = 2e-3;
-/// Angles that end at this part of π are taken for radians.
+/// Fractions of π: a table whose angles end at one of them is taken to be in radians.
 const OF_PI: [f64; 6] = [1.0, 2.0 / 3.0, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0];
-/// The same within this: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at most, and cut after three,
-/// 3.141, by less.
+/// Tolerance of these parts: a part of π printed with two decimals, 3.14, 1.57 or 1.05, is off by half of the last at
+/// most, and cut after three, 3.141, by less.
 const OF_PI_WITHIN: f64 = 0.005;
 
 /// Rows by which the air would push the body: C_A cos α + C_N sin α < 0.
@@ -50,7 +50,7 @@ pub(super) fn pushes(rows: &[Row], faults: &mut Vec<String>) {
     }
 }
 
-/// Whether the largest angle of a table, read as deg, is a part of π.
+/// Whether the largest angle of a table, read as deg, is one of these fractions of π.
 pub fn in_radians(largest_deg: f64) -> bool {
     let is = |part: &f64| (largest_deg - part * PI).abs() <= OF_PI_WITHIN;
     OF_PI.iter().any(is)

@@ -82,14 +82,14 @@ impl Row {
         cells
     }
 
-    /// What orders rows beside Mach number and angle: Knudsen number, or altitude above the lowest.
+    /// Quantity that orders rows besides Mach number and angle: Knudsen number, or altitude above the lowest.
     pub(super) fn height(&self) -> Option<f64> {
         self.knudsen
             .or(self.altitude_m.map(|altitude_m| altitude_m + 1e4))
     }
 }
 
-/// C_A, C_N, C_m, C_mq of a row.
+/// Coefficients C_A, C_N, C_m, C_mq of a row.
 pub(super) fn body_axes(row: &Row) -> [f64; 4] {
     let alpha = row.alpha_deg * RADIANS_PER_DEGREE;
     let (ca, cn) = match (row.cd, row.ca) {

@@ -1,4 +1,4 @@
-//! How a flight by the closed form ends.
+//! End of a flight by the closed form.
 //!
 //! ```text
 //! h ≤ h_end   or   t ≥ t_end
@@ -7,7 +7,7 @@
 //! with h the altitude in m and t the time after the start in s.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.
@@ -16,7 +16,7 @@ use crate::flight::mission::Mission;
 use crate::flight::{Flight, LANDED_WITHIN_M};
 use crate::outcome::Outcome;
 
-/// How a flight by the closed form ended, and why.
+/// Outcome of a flight by the closed form, and its reason.
 pub fn ending(mission: &Mission, flight: &Flight) -> (Outcome, Option<String>) {
     let start_m = mission.planet.local(mission.start.position_m).altitude_m;
     let ground_m = mission.stop.altitude_m.unwrap_or(0.0);

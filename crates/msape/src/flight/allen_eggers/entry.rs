@@ -1,4 +1,4 @@
-//! The constants of an entry by the closed form, and what follows from them.
+//! Constants of an entry by the closed form, and results that follow from them.
 //!
 //! ```text
 //! V(h) = V_E exp(−ρ(h) H / (2 β sin γ)),   a_max = V_E² sin γ / (2 e H)
@@ -7,7 +7,7 @@
 //! with the symbols and units of [`super`].
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - \[allen-eggers-1958\] equations 13, 15 and 17.
@@ -18,7 +18,7 @@ use numerics::math;
 
 /// Mach number of the drag coefficient.
 const MACH: f64 = 25.0;
-/// Least sine of the entry angle; shallower entries are taken as this.
+/// Least sine of the entry angle; shallower entries are computed with this one.
 const SINE_MIN: f64 = 0.01;
 
 /// The constants of one entry.

@@ -1,15 +1,15 @@
-//! The course of one flight from step to step: what each step runs into, and what follows.
+//! Progress of one flight from step to step: the events that each step meets, and their consequences.
 //!
 //! ```text
-//! end of a row, ground, way out, when slow   the step ends there on its dense output
+//! end of a row, ground, exit, when slow      the step ends there on its dense output
 //! all of them when fast, kink                the step is taken again so that it ends there
 //! ```
 //!
-//! Beyond the end of a row the row goes on smoothly, so that the dense output holds up to it at no cost, but with
-//! less accuracy than a step has: that is spent where peaks and heat loads are behind. Across a kink nothing is smooth.
+//! Beyond the end of a row the row continues smoothly, so that the dense output holds up to it at no cost, but it is
+//! less accurate than a step: this is accepted once peaks and heat loads are behind. Across a kink nothing is smooth.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.
@@ -32,57 +32,57 @@ use numerics::scalar::{Scalar, Single};
 
 /// Speed below which a step may end on its dense output, m/s.
 const SLOW_M_S: f64 = 1_000.0;
-/// A load is little below this part of its largest.
+/// A load below this fraction of its largest value is low.
 const QUIET: f64 = 0.25;
-/// Legs for which there is room at first.
+/// Number of legs allocated at first.
 const USUAL_LEGS: usize = 256;
 
-/// A flight under way.
+/// A flight in progress.
 pub(super) struct Course<'m, M, const N: usize, S> {
     pub(super) marks: &'m Marks,
-    /// The motion as it was before it began, with which its record is read.
+    /// Motion before its first step, with which its record is read.
     pub first: M,
-    /// The motion as it is now: by the rows that hold, in its phase.
+    /// Present motion: by the rows that hold, in its phase.
     pub motion: M,
-    /// What has been flown.
+    /// Record of the flight so far.
     pub record: Record<N, S>,
-    /// Where the next step must end at the latest, s.
+    /// Latest end of the next step, s.
     pub limit_s: S,
     /// Rows that hold and phase.
     pub(super) stage: Stage<S>,
-    /// Where it is among the ends of rows.
+    /// Position among the ends of rows.
     pub(super) rungs: Rungs,
-    /// When the parachute is full, s, where that is ahead.
+    /// Time at which the parachute is full, s, where that is ahead.
     pub(super) full_s: Option<f64>,
-    /// Phases whose value was passed before their turn.
+    /// Whether each phase's value was passed before the phase was next in order.
     pub(super) passed: Vec<bool>,
-    /// Energy so far, where it is watched.
+    /// Energy so far, where it is checked.
     pub(super) energy: Energy,
     /// Altitude at the start, m.
     start_m: f64,
-    /// Altitude above which the vehicle has left, m; none where gravity always brings it back.
+    /// Altitude above which the vehicle has left, m; `None` where gravity always brings it back.
     pub(super) exit_m: Option<f64>,
-    /// Whether the flight has turned from falling to rising.
+    /// Whether the flight has changed from falling to rising.
     pub(super) turned_up: bool,
-    /// Where the integration stands.
+    /// Present position of the integration.
     pub(super) here: Place,
-    /// What the step that ends at the limit runs into.
+    /// Event expected at the end of a step that ends at its limit.
     awaited: Option<Gate>,
-    /// The largest of each load so far: deceleration, dynamic pressure, convective and radiative heating.
+    /// Largest value of each load so far: deceleration, dynamic pressure, convective and radiative heating.
     largest: [f64; 4],
-    /// Whether the last step kept, and the state at its end, are of little load.
+    /// Whether the last step kept, and the state at its end, have low loads.
     quiet: [bool; 2],
 }
 
-/// How a flight goes on after a step.
+/// Continuation of a flight after a step.
 pub(super) enum Next<const N: usize, S> {
-    /// As it stands.
+    /// From the present state.
     On,
-    /// As it stands, under another right-hand side.
+    /// From the present state, with another right-hand side.
     Changed,
     /// From another instant and state.
     From(S, [S; N]),
-    /// No further.
+    /// End of the flight.
     Over,
 }
 
@@ -159,12 +159,12 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         ((self.start_m - self.here.altitude_m) / fall_m).clamp(0.0, 1.0)
     }
 
-    /// What has been flown.
+    /// The record of the flight.
     pub fn into_record(self) -> Record<N, S> {
         self.record
     }
 
-    /// The flight after the step of a lane, at whose end it is at a node.
+    /// Advances the flight by the step of a lane, which ends at a node.
     #[inline]
     pub fn advance<V: Scalar<Lane = S>>(
         &mut self,
@@ -175,11 +175,11 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         let end_s = step.t1.lane(lane).value();
         let (there, loads) = node.lane(lane);
         if self.marks.wind_energy_j_kg.is_some() && self.is_unstable(&step.lane(lane).y1) {
-            // The step is not kept: its numbers are no flight.
+            // The step is not kept: its numbers are not those of a flight.
             return self.blow_up();
         }
         if let Some(gate) = self.awaited {
-            // The step was begun again to end at the gate; a part of it may come first.
+            // The step was restarted to end at the gate; the integrator may still divide it.
             if end_s < self.limit_s.value() {
                 self.add_lane(step, lane, there, loads);
                 return Next::On;
@@ -198,7 +198,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.stopped(step.lane(lane), there, loads)
     }
 
-    /// The flight at the end of a step that was taken again to end at a gate.
+    /// Continues the flight from the end of a step that was repeated to end at a gate.
     fn arrive(
         &mut self,
         gate: Gate,
@@ -211,7 +211,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             self.add(step, there, loads);
             return self.pass(gate);
         }
-        // The dense output, by which the end was foretold, is less exact than the step.
+        // The dense output, which predicted the end, is less exact than the step.
         if above_m > 0.0 {
             self.add(step, there, loads);
             return Next::On;
@@ -221,7 +221,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.cut(step, t, gate)
     }
 
-    /// The flight at an instant of a step at which it passes a gate.
+    /// Ends a step at the instant at which it passes a gate.
     fn cut(&mut self, step: Step<N, S>, t: S, gate: Gate) -> Next<N, S> {
         let step = step.cut(t);
         let (t1, y1) = (step.t1, step.y1);
@@ -233,7 +233,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         }
     }
 
-    /// The flight after a step that may run into something.
+    /// Continues the flight after a step that may meet a gate.
     fn stopped(&mut self, step: Step<N, S>, there: Place, loads: Loads<S>) -> Next<N, S> {
         let end_s = step.t1.value();
         let Some((t, gate)) = self.first_gate(&step, there) else {
@@ -244,7 +244,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             return Next::On;
         };
         if t.value() <= step.t0.value() {
-            // The step began on the boundary: it is taken anew from there, on the other side.
+            // The step began on the boundary: it is repeated from there, on the other side.
             let (t0, y0) = (step.t0, step.y0);
             return match self.pass(gate) {
                 Next::Over => Next::Over,
@@ -269,7 +269,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         Next::From(step.t0, step.y0)
     }
 
-    /// Takes in the step of a lane.
+    /// Records the step of a lane.
     #[inline]
     fn add_lane<V: Scalar<Lane = S>>(
         &mut self,
@@ -313,7 +313,8 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         self.record.legs.push(Leg { step, stage, loads });
     }
 
-    /// Whether a step that ends under loads is one of little load after another such, of which only the end matters.
+    /// Whether a step that ends under these loads has low loads and follows another such step, so that only its end
+    /// matters.
     #[inline]
     fn is_passed_over(&mut self, loads: &Loads<S>) -> bool {
         if self.marks.keep == Keep::All {
@@ -346,7 +347,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
             Gate::Exit => {
                 let bound = self.energy_j_kg(&self.now().1) < 0.0;
                 if bound && self.record.exits < self.marks.exits {
-                    // It comes back: the next way out is that after the next turn upwards.
+                    // Gravity brings the vehicle back: the next exit is the one after the next turn upward.
                     self.record.exits += 1;
                     self.turned_up = false;
                     return Next::On;
@@ -369,7 +370,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         Next::Changed
     }
 
-    /// Whether nothing can have been run into on the way from here to there.
+    /// Whether no event can have occurred between the present place and another.
     #[inline]
     fn is_clear(&self, there: &Place) -> bool {
         let level = (self.here.climb_m_s < 0.0) == (there.climb_m_s < 0.0);
@@ -377,7 +378,7 @@ impl<'a, 'm, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'m, M, N, S>
         level && inside && there.altitude_m >= self.marks.ground_m && self.rungs.hold(there)
     }
 
-    /// Where the integration stands.
+    /// Time and state at the present position.
     pub(super) fn now(&self) -> (S, [S; N]) {
         let zero = S::constant(0.0);
         (self.record.legs.last())

@@ -1,4 +1,4 @@
-//! How a flight ends, and why.
+//! End of a flight, and its reason.
 //!
 //! ```text
 //! E = v_i²/2 − μ/r        below zero on a bound orbit
@@ -7,7 +7,7 @@
 //! with E in J/kg, v_i the inertial speed in m/s, μ in m³/s² and r in m.
 //!
 //! # Valid
-//! As [`super`].
+//! Range of [`super`].
 //!
 //! # References
 //! - Own convention.
@@ -60,7 +60,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.record.reason = Some(format!("rose through {exit_km:.0} km again, {orbit}"));
     }
 
-    /// Ends a flight that leaves a table beyond which the case refuses to go on.
+    /// Ends a flight that leaves a table beyond which the case refuses to continue.
     pub(super) fn refuse(&mut self, axis: usize) {
         self.record.outcome = Outcome::Stopped;
         self.record.refused = Some(axis);

@@ -1,13 +1,13 @@
-//! Where a step ends before its time: ends of rows of tables, the ground, the way out, phases.
+//! Gates, at which a step ends early: ends of rows of tables, the ground, the exit from the atmosphere, phases.
 //!
 //! ```text
 //! g(t) = 0 on the dense output, on parts of the step where the altitude only rises or falls
 //! ```
 //!
-//! with g an altitude less a level, m, or what a row is of over its end, less one.
+//! with g an altitude less a level, m, or the argument of a row over its end, less one.
 //!
 //! # Valid
-//! Steps in which the vertical speed changes its sign once at most.
+//! Steps in which the vertical speed changes its sign at most once.
 //!
 //! # References
 //! - [`numerics::ode::event`].
@@ -20,10 +20,10 @@ use numerics::ode::Step;
 use numerics::ode::event::root_between;
 use numerics::scalar::Single;
 
-/// A gate is met within this part of a step.
+/// Tolerance of the time of a gate, as a fraction of the step.
 const TOLERANCE: f64 = 1e-12;
 
-/// Where a step leaves a row of a table, or the flight ends.
+/// Event at which a step leaves a row of a table, or the flight ends.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Gate {
     /// Leaves the row of a table.
@@ -36,12 +36,12 @@ pub(super) enum Gate {
     Phase,
     /// Fills the parachute.
     Full,
-    /// Leaves a table of the case, of which this is the axis, where the case refuses to go on.
+    /// Leaves a table of the case, at this axis, where the case refuses to continue.
     Refused(usize),
 }
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
-    /// The first gate through which a step passes, and when.
+    /// The first gate that a step passes, and its time.
     pub(super) fn first_gate(&mut self, step: &Step<N, S>, there: Place) -> Option<(S, Gate)> {
         let ends = [step.t0.value(), step.t1.value()];
         let falls = [self.here.climb_m_s < 0.0, there.climb_m_s < 0.0];
@@ -76,7 +76,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             })
     }
 
-    /// Where a step leaves a row of drag or heating.
+    /// The gate at which a step leaves a row of drag or heating, and its time.
     fn row_in(&self, step: &Step<N, S>, there: f64, of: Of) -> Option<(S, Gate)> {
         let [low, high] = self.rungs.ends(of);
         let (level, way) = match there {
@@ -106,7 +106,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         Some((t, Gate::Row(of, way)))
     }
 
-    /// The gate of a part of a step in which the altitude only rises or only falls.
+    /// The gate in a part of a step in which the altitude only rises or only falls.
     fn gate_in(
         &self,
         step: &Step<N, S>,
@@ -123,7 +123,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
                 false => (self.marks.ground_m, Gate::Ground),
             };
             if gate == Gate::Ground && start_m < level_m {
-                // It was below, climbed and now falls: it will not come above any more.
+                // The vehicle was below the ground, climbed and now falls: it will not rise above it any more.
                 return Some((step.time(span[0]), gate));
             }
             let below = end_m < level_m;
@@ -149,7 +149,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.when_at(step, span, |y, _| g(y))
     }
 
-    /// The same for a quantity that depends on the time, too.
+    /// Time of a zero as in `when`, for a quantity that also depends on the time.
     pub(super) fn when_at(
         &self,
         step: &Step<N, S>,

@@ -1,4 +1,4 @@
-//! Where the rows of tables end, and between which of these ends a flight is.
+//! Ends of the rows of tables, and the interval between them in which a flight is.
 //!
 //! ```text
 //! xᵢ₋₁ ≤ x < xᵢ on rung i,   x₋₁ = −∞,   xₙ = ∞
@@ -15,7 +15,7 @@
 use super::node::Place;
 use crate::flight::held::Within;
 
-/// What the ends of rows are ends of.
+/// Argument of the tables whose rows end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Of {
     /// Geodetic altitude, m: atmosphere and wind.
@@ -76,14 +76,14 @@ impl Ladders {
     }
 }
 
-/// Where a flight is on the ladders.
+/// Rungs of a flight on the ladders.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rungs {
     rungs: [usize; 3],
     ends: [[f64; 2]; 3],
 }
 
-/// Which way a rung is left.
+/// Direction in which a rung is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Way {
     /// To the rung below.
@@ -117,7 +117,7 @@ impl Rungs {
         self.ends[of as usize] = ladders.of(of).ends(rung);
     }
 
-    /// Goes to the next rung of one ladder.
+    /// Moves to the next rung of one ladder.
     pub fn leave(&mut self, ladders: &Ladders, of: Of, way: Way) {
         let rung = self.rungs[of as usize];
         let next = match way {

@@ -1,4 +1,4 @@
-//! What flights through the same air may run into, found once for all of them.
+//! Events that flights through the same air may meet, collected once for all of them.
 //!
 //! ```text
 //! h, M and V of the ends of rows,   h of the ground,   t of the end
@@ -25,7 +25,7 @@ const LONGEST_FLIGHT_S: f64 = 30.0 * 86_400.0;
 /// Below this Mach number the rows of a drag table that is looked up at each stage no longer matter to peaks and heat loads.
 const KINKS_FROM_MACH: f64 = 3.0;
 
-/// What flights through the same air may run into.
+/// Events that flights through the same air may meet.
 #[derive(Clone, Debug)]
 pub(super) struct Marks {
     /// Ends of rows of atmosphere, wind, drag and heating.
@@ -38,7 +38,7 @@ pub(super) struct Marks {
     pub end_s: f64,
     /// Axes of the tables of the case that are looked up.
     pub axes: Vec<Axis>,
-    /// Whether the case refuses to go on beyond one of them.
+    /// Whether the case refuses to continue beyond one of them.
     pub refuses: bool,
     /// Whether the drag coefficient may fall below zero.
     pub may_push: bool,
@@ -46,12 +46,12 @@ pub(super) struct Marks {
     pub wind_energy_j_kg: Option<f64>,
     /// Number of times the vehicle may leave the atmosphere before that ends its flight.
     pub exits: u32,
-    /// Which steps are kept.
+    /// Choice of the steps to keep.
     pub keep: Keep,
 }
 
 impl Marks {
-    /// Whether each step is looked along for what is looked up in tables, or for the drag.
+    /// Whether each step is checked for the range of table look-ups, or for the drag.
     #[inline]
     pub fn looks_along(&self) -> bool {
         self.may_push || !self.axes.is_empty()

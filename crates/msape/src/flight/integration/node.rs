@@ -1,4 +1,4 @@
-//! What is known of a flight between two steps.
+//! State of a flight between two steps.
 //!
 //! ```text
 //! h,   ḣ = v·û,   M = |u|/a,   |u|
@@ -45,7 +45,7 @@ impl<S: Scalar> Node<S> {
         Self::within(motion, t, y, &motion.around(y))
     }
 
-    /// The same in its surroundings.
+    /// The node of one state in its known surroundings.
     #[inline]
     pub fn within<'a, const N: usize>(
         motion: &impl Motion<'a, N, S>,

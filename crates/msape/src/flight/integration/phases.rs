@@ -1,4 +1,4 @@
-//! Where phases begin, and where a parachute is full.
+//! Start of phases, and end of the inflation of a parachute.
 //!
 //! ```text
 //! x(t) − value changes its sign in the direction of the phase
@@ -7,9 +7,10 @@
 //! with x an altitude in m, a Mach number, a dynamic pressure in Pa or a deceleration in Earth g.
 //!
 //! # Valid
-//! A quantity that goes through its value once at most in a quarter of a step. One that went through it before the turn of its phase,
-//! or at that instant by what the phase before changed, and stands beyond it, begins the phase at once: a switch that closes and stays
-//! closed until the sequence reads it. One that has stood beyond its value since the start has not gone through it.
+//! Quantities that pass their value at most once in a quarter of a step. A quantity that passed it before its phase was
+//! next in order, or at that instant by a change of the previous phase, and is still beyond it, begins the phase at
+//! once: a switch that closes and stays closed until the sequence reads it. A quantity that has been beyond its value
+//! since the start has not passed it.
 //!
 //! # References
 //! - Own convention.
@@ -22,7 +23,7 @@ use crate::flight::sample;
 use numerics::ode::Step;
 use numerics::scalar::Single;
 
-/// Parts of a step at whose ends it is looked at.
+/// Number of parts of a step, at the ends of which the quantities are evaluated.
 const PARTS: u32 = 4;
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
@@ -32,13 +33,14 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         mission.phases.get(self.stage.phases)
     }
 
-    /// Where a step fills the parachute.
+    /// The time within a step at which the parachute is full.
     pub(super) fn filled_in(&self, step: &Step<N, S>) -> Option<(S, Gate)> {
         let full_s = self.full_s?;
         (step.t1.value() >= full_s).then(|| (step.time(full_s.max(step.t0.value())), Gate::Full))
     }
 
-    /// Takes in a step: which phases had their value passed in their direction, before their turn or where another gate ended the step.
+    /// Records from a step which phases had their value passed in their direction, before they were next in order or
+    /// where another gate ended the step.
     pub(super) fn look_ahead(&mut self, step: &Step<N, S>) {
         let mission = self.motion.point().mission;
         let ends = [(step.t0, &step.y0), (step.t1, &step.y1)];
@@ -50,7 +52,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
     }
 
-    /// Whether a quantity stands beyond the value of a phase in its direction; a time is met as it comes.
+    /// Whether a quantity is beyond the value of a phase in its direction; never so for a time.
     fn is_beyond(&self, begin: &Begin, t: S, y: &[S; N]) -> bool {
         if begin.mark == Mark::Time {
             return false;
@@ -62,7 +64,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
     }
 
-    /// The same of each phase that has not begun.
+    /// Whether the quantity of each phase that has not begun stands beyond its value.
     fn beyond(&self, t: S, y: &[S; N]) -> Vec<bool> {
         let phases = self.motion.point().mission.phases.iter();
         let ahead = phases.skip(self.stage.phases);
@@ -71,7 +73,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             .collect()
     }
 
-    /// Where the next phase begins in a step.
+    /// The time within a step at which the next phase begins.
     pub(super) fn phase_in(&self, step: &Step<N, S>) -> Option<(S, Gate)> {
         if self.passed.get(self.stage.phases) == Some(&true) {
             return self.next_phase().map(|_| (step.t0, Gate::Phase));
@@ -117,7 +119,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
     }
 
-    /// The next phase begins where the integration stands.
+    /// Begins the next phase at the present position.
     pub(super) fn begin_phase(&mut self) {
         let Some(phase) = self.next_phase() else {
             return;

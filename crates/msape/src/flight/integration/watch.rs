@@ -1,14 +1,14 @@
-//! What is watched from step to step: tables of the case, the drag, the energy.
+//! Checks from step to step: tables of the case, drag, energy.
 //!
 //! ```text
 //! E = v²/2 − μ/r − ω² (x² + y²)/2
 //! ```
 //!
-//! with E in J/kg, v relative to the planet in m/s, μ in m³/s², ω in rad/s: air that turns with the planet takes E away and
-//! gives none.
+//! with E in J/kg, v relative to the planet in m/s, μ in m³/s², ω in rad/s: air that rotates with the planet takes E
+//! away and gives none.
 //!
 //! # Valid
-//! Wind may give the square of its speed.
+//! Wind may add energy: the square of its speed.
 //!
 //! # References
 //! - \[vinh-1980\] chapter 2 for the energy in rotating axes (Jacobi's integral).
@@ -21,14 +21,14 @@ use numerics::ode::Step;
 use numerics::root;
 use numerics::scalar::Single;
 
-/// Parts of a step at whose ends it is looked at.
+/// Number of parts of a step, at the ends of which the state is checked.
 const PARTS: u32 = 4;
 /// Rise of the energy, as a part of the largest kinetic energy so far, that no rounding and no zonal term makes. The potential that is
 /// left out is J2 (R/r)² of the whole at most, 1.6 % on Saturn (J2 0.0163, the largest of the library), and on a circular orbit the potential is
 /// twice the kinetic energy: 3.3 %. The rest, to 10 %, is assumed, for the error of a step that is long but stable; an unstable method passes
 /// it within a few steps, for its error grows by powers.
 const RISE: f64 = 0.1;
-/// A table is left within this time, as a part of the step.
+/// Tolerance of the time at which a table is left, as a fraction of the step.
 const TOLERANCE: f64 = 1e-9;
 
 /// Energy of a flight at a fixed step so far, J/kg.
@@ -46,13 +46,13 @@ impl Energy {
 }
 
 impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
-    /// Whether each step is looked along for a phase or the end of a table.
+    /// Whether each step is checked for a phase or the end of a table.
     #[inline]
     pub(super) fn is_watched(&self) -> bool {
         self.marks.refuses || !self.motion.point().mission.phases.is_empty()
     }
 
-    /// Takes in the state at a time: what was looked up in tables, and the drag.
+    /// Records the state at a time: arguments of table look-ups, and the drag.
     pub(super) fn look(&mut self, t: S, y: &[S; N]) {
         let marks = self.marks;
         if !marks.looks_along() {
@@ -77,7 +77,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         }
     }
 
-    /// Takes in a step: attitude swings within it, all else is looked at where it ends.
+    /// Checks a step: tables of the attitude, which may oscillate, within it; all others at its end.
     pub(super) fn look_along(&mut self, step: &Step<N, S>) {
         let swings = |axis: &Axis| axis.argument == Argument::TotalAlpha;
         if self.marks.axes.iter().any(swings) || self.marks.may_push {
@@ -89,7 +89,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.look(step.t1, &step.y1);
     }
 
-    /// The axis of a table that the state is beyond where the case refuses to go on.
+    /// The axis of a table beyond which the state is and the case refuses to continue.
     pub(super) fn refused(&self, t: S, y: &[S; N]) -> Option<usize> {
         if !self.marks.refuses {
             return None;
@@ -101,7 +101,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         self.marks.axes.iter().position(beyond)
     }
 
-    /// Where a step first leaves such a table, and which.
+    /// The time within a step at which it first leaves such a table, and the axis.
     pub(super) fn refused_in(&self, step: &Step<N, S>) -> Option<(S, usize)> {
         if !self.marks.refuses {
             return None;

@@ -7,7 +7,7 @@
 //! with the argument in the unit of its column: m, Mach, rad, s, m/s or kg/m³.
 //!
 //! # Valid
-//! Tables that a case brings, and the altitudes of any atmosphere.
+//! Tables given by a case, and the altitudes of any atmosphere.
 //!
 //! # References
 //! - Own convention.
@@ -83,7 +83,8 @@ pub fn axes(mission: &Mission, body: &Body) -> Vec<Axis> {
     axes
 }
 
-/// The tables that the closed form looks up. It flies on beyond their ends, whatever the rule: the air as it goes on, heating held.
+/// Axes of the tables that the closed form looks up. It flies on beyond their ends whatever the rule, with the
+/// atmosphere extrapolated and the heating held.
 pub fn axes_of_closed_form(mission: &Mission) -> Vec<Axis> {
     let on = |axis: Axis, instead: Extrapolation| Axis {
         rule: match axis.rule {
@@ -105,7 +106,7 @@ pub fn of_atmosphere(mission: &Mission) -> Option<Axis> {
         Atmosphere::Table(table) => table.is_held(),
         _ => [false; 2],
     };
-    // held or not, an end of the air is an end: what is level goes on as the rule says
+    // an end of the atmosphere counts whether it is held or not; level rows continue as the rule says
     (bottom_m.is_finite() && top_m.is_finite()).then_some(Axis {
         key: ATMOSPHERE,
         argument: Argument::Altitude,

@@ -1,4 +1,4 @@
-//! Where the air would push a vehicle, as no air does.
+//! Negative drag coefficients, at which the air would push a vehicle forward, as air cannot.
 //!
 //! ```text
 //! C_D < 0

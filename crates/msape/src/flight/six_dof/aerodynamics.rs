@@ -6,9 +6,9 @@
 //! p̂ = p b/(2 V),   q̂ = q d/(2 V),   r̂ = r b/(2 V)
 //! ```
 //!
-//! with F in N and M in N·m about the centre of gravity, axes of the body (x forward, y right, z down); (u, v, w) the
+//! with F in N and M in N·m about the center of gravity, axes of the body (x forward, y right, z down); (u, v, w) the
 //! velocity relative to the air and V its size in m/s, q the dynamic pressure in Pa, S in m², d and b the reference length
-//! and span in m, r from the centre of gravity to the point to which C_m belongs, m; p, q, r the inertial rates in rad/s;
+//! and span in m, r from the center of gravity to the point to which C_m belongs, m; p, q, r the inertial rates in rad/s;
 //! α the total angle of attack in rad. C_m is positive when it lifts the nose away from the velocity.
 //!
 //! # Valid
@@ -25,7 +25,7 @@ use crate::aero::database::{Coefficients, Database};
 use nalgebra::Vector3;
 use numerics::math;
 
-/// Where force and moment come from.
+/// Model of force and moment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Aerodynamics {
     /// Drag against the velocity, without moment, by the drag of the body.
@@ -45,7 +45,7 @@ pub struct OfOutline {
     pub axial_force: Option<DragTable>,
 }
 
-/// Coefficients that do not depend on Mach number, moment about the centre of gravity.
+/// Coefficients that do not depend on Mach number, moment about the center of gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constants {
     /// Axial force coefficient.
@@ -67,7 +67,7 @@ pub struct Damping {
     pub cnr: f64,
 }
 
-/// Lengths to which coefficients belong.
+/// Reference lengths and area of the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// Area, m².
@@ -95,7 +95,7 @@ pub struct Stream {
     pub mach_knudsen: [f64; 2],
 }
 
-/// Force and moment about the centre of gravity, axes of the body.
+/// Force and moment about the center of gravity, axes of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
     /// Force, N.
@@ -105,7 +105,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// As many times the load.
+    /// The load multiplied by a factor.
     pub fn times(self, factor: f64) -> Load {
         Load {
             force_n: self.force_n * factor,
@@ -113,8 +113,8 @@ impl Load {
         }
     }
 
-    /// The same with a parachute that pulls at a point, given like the centre of gravity, m, against the velocity that the
-    /// point has relative to the air.
+    /// The load with that of a parachute, which pulls at a point, given like the center of gravity, m, against the
+    /// velocity of the point relative to the air.
     ///
     /// ```text
     /// F = −½ ρ |u_p| (C_D S) u_p,   u_p = u + ω × r,   M = r × F
@@ -126,7 +126,7 @@ impl Load {
         attachment_m: [f64; 3],
         cg_m: [f64; 3],
     ) -> Load {
-        // x aft, y right, z down become forward, right, down from the centre of gravity.
+        // x aft, y right, z down become forward, right, down from the center of gravity.
         let (cg_m, attachment_m) = (Vector3::from(cg_m), Vector3::from(attachment_m));
         let arm_m = (attachment_m - cg_m).component_mul(&Vector3::new(-1.0, 1.0, 1.0));
         let velocity_m_s = stream.velocity_m_s + stream.rates_rad_s.cross(&arm_m);
@@ -149,7 +149,7 @@ struct Static {
     cmq: f64,
     /// Length of `cm` and `cmq`, m.
     length_m: f64,
-    /// From the centre of gravity to the point of `cm`, axes of the body, m.
+    /// Vector from the center of gravity to the point of `cm`, body axes, m.
     arm_m: Vector3<f64>,
 }
 
@@ -184,7 +184,7 @@ impl Aerodynamics {
             span_m: b,
         } = *reference;
         let pressure_area = 0.5 * rho * speed_m_s * speed_m_s * s;
-        // q S/(2 V): the damping does not divide by a speed that may be nothing.
+        // q S/(2 V): the damping does not divide by a speed that may be zero.
         let rate_area = 0.25 * rho * speed_m_s * s;
         let damped = Vector3::new(
             rate_area * b * b * damping.clp * p,
@@ -345,7 +345,7 @@ mod tests {
         for (force, expected) in load.force_n.iter().zip([-0.15, 0.0, -0.2]) {
             assert!((force - expected).abs() < 1e-15);
         }
-        // M = r × F: (−0.5, 0, 0) × (−0.15, 0, −0.2) = (0, −0.1, 0): nose down, towards the velocity
+        // M = r × F: (−0.5, 0, 0) × (−0.15, 0, −0.2) = (0, −0.1, 0): nose down, toward the velocity
         assert!((load.moment_n_m[1] + 0.1).abs() < 1e-15, "{load:?}");
     }
 

@@ -1,4 +1,4 @@
-//! Attitude of the start from angles, and angles of an attitude.
+//! Attitude at the start from angles, and angles of an attitude.
 //!
 //! ```text
 //! R = H R₃₂₁(yaw, pitch, roll)                     against the local horizon
@@ -25,18 +25,18 @@ use crate::planet::wind::Wind;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use numerics::math;
 
-/// How a case gives the attitude of the start.
+/// Attitude at the start, as given by a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
     /// Yaw, pitch and roll against local north, east and down, rad.
     YawPitchRoll([f64; 3]),
     /// Angle of attack, of sideslip and of bank against the velocity relative to the air, rad.
     AlphaBetaBank([f64; 3]),
-    /// From axes of the body to local north, east and down, unit length.
+    /// Rotation from body axes to local north, east and down, unit length.
     Quaternion(UnitQuaternion<f64>),
 }
 
-/// From axes of the body to planet-fixed axes at the start of a mission.
+/// Rotation from body axes to planet-fixed axes at the start of a mission.
 pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> UnitQuaternion<f64> {
     let local = mission.planet.local(start.position_m);
     let horizon = Horizon::new(local.up);
@@ -68,13 +68,13 @@ pub fn at_start(given: &Given, start: &Start, mission: &Mission) -> UnitQuaterni
 /// Tangent of the angle to the vertical within which a velocity has no azimuth of its own.
 const UPRIGHT: f64 = 1e-9;
 
-/// From local north, east and down to planet-fixed axes.
+/// Rotation from local north, east and down to planet-fixed axes.
 fn of_horizon(horizon: &Horizon<f64>) -> Rotation3<f64> {
     let [north, east, up] = [horizon.north, horizon.east, horizon.up].map(Vector3::from);
     Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[north, east, -up]))
 }
 
-/// From axes of the body to those of the stream.
+/// Rotation from body axes to wind axes.
 fn of_stream(alpha: f64, beta: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -beta)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), alpha)

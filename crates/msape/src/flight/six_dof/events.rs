@@ -1,4 +1,5 @@
-//! What happens to the attitude along a flight: largest angles, the first time below 10 deg, turns to the other side.
+//! Events of the attitude along a flight: largest angles, first time below 10 deg, changes from nose first to backward
+//! and back.
 //!
 //! ```text
 //! α(t) on the dense output, five points a step; the largest by Brent's method beside the highest point
@@ -7,7 +8,7 @@
 //! with α the angle between the axis and the velocity relative to the air, rad.
 //!
 //! # Valid
-//! Steps shorter than a quarter of an oscillation, which the accuracy of the integration sees to.
+//! Steps shorter than a quarter of an oscillation, as the accuracy of the integration requires.
 //!
 //! # References
 //! - \[brent-1973\] for the search.
@@ -22,11 +23,11 @@ use serde::{Deserialize, Serialize};
 
 /// Angle below which a vehicle flies nose forward, rad.
 const SMALL_RAD: f64 = 10.0 * RADIANS_PER_DEGREE;
-/// Parts into which a step is cut.
+/// Number of parts into which a step is divided.
 const PARTS: u32 = 4;
 /// A step whose highest point reaches this part of the largest angle so far is searched.
 const NEARLY: f64 = 0.97;
-/// A largest angle is placed within this part of a step.
+/// Tolerance of the time of a largest angle, as a fraction of the step.
 const TOLERANCE: f64 = 1e-4;
 /// The end of a flight over which the amplitude is taken, s.
 const LAST_S: f64 = 10.0;
@@ -65,11 +66,11 @@ pub struct AttitudeEvents {
     pub final_total_alpha_rad: f64,
     /// Largest total angle of attack in the last 10 s, rad.
     pub final_amplitude_rad: f64,
-    /// Largest rate of turn across the axis, rad/s, at the points looked at.
+    /// Largest transverse angular rate, rad/s, at the sampled points.
     pub maximum_transverse_rate_rad_s: f64,
 }
 
-/// Times of the loads beside which attitude is looked at.
+/// Times of the loads at which the attitude is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marks {
     /// Largest total heat flux, s after the start.
@@ -78,7 +79,7 @@ pub struct Marks {
     pub peak_deceleration_time_s: f64,
 }
 
-/// Looks along a flight.
+/// The events of the attitude along a flight.
 pub fn events(motion: RigidMotion, record: &Record<RIGID_STATES>, marks: Marks) -> AttitudeEvents {
     let course = Course { motion, record };
     let end_s = record.legs.last().map_or(0.0, |leg| leg.step.t1);
@@ -155,7 +156,7 @@ impl Highest {
         }
     }
 
-    /// Looks beside the highest point of a step.
+    /// Searches for a larger angle near the highest point of a step.
     fn look(
         &mut self,
         leg: &Leg<RIGID_STATES>,

@@ -1,4 +1,4 @@
-//! Inertia of a rigid body about its centre of gravity, and Euler's equations.
+//! Inertia of a rigid body about its center of gravity, and Euler's equations.
 //!
 //! ```text
 //! I ω̇ = M − ω × (I ω)
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-4;
 pub struct Inertia {
     /// The tensor, kg·m².
     pub tensor_kg_m2: Matrix3<f64>,
-    /// Its inverse, 1/(kg·m²).
+    /// Inverse of the inertia, 1/(kg·m²).
     inverse: Matrix3<f64>,
 }
 
@@ -147,7 +147,7 @@ mod tests {
         (too_large[0][1], too_large[1][0]) = (1.5, 1.5);
         assert!(said(too_large).contains("must be above 0"));
         assert!(Inertia::try_new(diagonal(1.0, 1.0, f64::NAN)).is_err());
-        // A flat disc stands on the limit.
+        // A flat disc is at the limit.
         assert!(Inertia::try_new(diagonal(2.0, 1.0, 1.0)).is_ok());
     }
 }

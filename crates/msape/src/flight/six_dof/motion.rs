@@ -11,7 +11,8 @@
 //! M in N·m from [`super::aerodynamics`].
 //!
 //! # Valid
-//! Rigid bodies; where a phase changes the mass, centre of gravity and shape of the inertia stay. Gravity has no moment. Heating is that of the nose forward, whatever the attitude.
+//! Rigid bodies; where a phase changes the mass, center of gravity and shape of the inertia stay. Gravity has no
+//! moment. Heating is that of the nose forward, whatever the attitude.
 //!
 //! # References
 //! - \[stevens-lewis-2016\] section 1.7; \[samareh-2014\] section 3.2.
@@ -36,7 +37,7 @@ pub const RIGID_STATES: usize = RATES + 3;
 pub const ATTITUDE: usize = STATES;
 /// Index of the rates in the state.
 pub const RATES: usize = ATTITUDE + 4;
-/// Rate below which the error of a step does not shrink any more, rad/s.
+/// Rate below which the allowed error of a step no longer decreases, rad/s.
 const RATE_SCALE_RAD_S: f64 = 1.0;
 
 /// Below this speed against the air the attitude has no drag coefficient of its own, m/s.
@@ -99,7 +100,7 @@ impl RigidMotion<'_> {
         }
     }
 
-    /// The same within a step, at the cost of the components that it takes.
+    /// Total angle of attack within a step, rad, from only those components of the dense output that it needs.
     #[inline]
     pub fn total_alpha_in_rad(&self, step: &Step<RIGID_STATES>, t: f64) -> f64 {
         match &self.point.mission.wind {
@@ -146,7 +147,7 @@ impl RigidMotion<'_> {
         )
     }
 
-    /// Mass as a part of that at the start: inertia keeps its shape when a phase changes the mass.
+    /// Mass over that at the start: the inertia is scaled with it when a phase changes the mass.
     #[inline]
     fn part_of_mass(&self) -> f64 {
         self.point.numbers().mass_kg / self.point.body.mass_kg

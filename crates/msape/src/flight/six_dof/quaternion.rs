@@ -34,7 +34,7 @@ pub fn parts(q: &Quaternion<f64>) -> [f64; 4] {
     [q.w, q.i, q.j, q.k]
 }
 
-/// The same rotation with unit length.
+/// The rotation scaled to unit length.
 #[inline]
 pub fn unit(q: Quaternion<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::new_unchecked(q / q.norm_squared().sqrt())

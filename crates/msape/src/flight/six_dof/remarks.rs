@@ -1,4 +1,4 @@
-//! What a reader of attitudes must know.
+//! Findings about the attitude.
 //!
 //! ```text
 //! α beyond the range of constants;  heating with the nose away from the air;  damping that is assumed
@@ -20,7 +20,7 @@ use crate::finding::{Finding, Severity};
 use crate::quantity::input;
 use numerics::math::RADIANS_PER_DEGREE;
 
-/// Angle up to which slopes at zero stand for the whole, deg.
+/// Largest angle at which slopes at zero represent the coefficients, deg.
 const LINEAR_DEG: f64 = 30.0;
 /// Angle at peak heating beyond which the stagnation point is not on the nose, deg.
 const NOSE_FORWARD_DEG: f64 = 30.0;

@@ -1,14 +1,14 @@
-//! Backward entries: the same entry with the centre of gravity at several places.
+//! Backward entries: one entry with the center of gravity at several places.
 //!
 //! ```text
 //! α(Kn) for each x_cg,   turned: α < 90 deg at peak heating and ever after
 //! ```
 //!
-//! with α the total angle of attack in rad, Kn the mean free path over the diameter, x_cg the place of the centre of gravity
+//! with α the total angle of attack in rad, Kn the mean free path over the diameter, x_cg the place of the center of gravity
 //! aft of the virtual apex in m.
 //!
 //! # Valid
-//! Bodies with a database. Inertia is that of the case at every place of the centre of gravity.
+//! Bodies with a database. Inertia is that of the case at every place of the center of gravity.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.3.2 and Figure 27.
@@ -20,7 +20,7 @@ use crate::flight::{Request, fly};
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use serde::{Deserialize, Serialize};
 
-/// Which way a vehicle flies.
+/// Orientation of a vehicle from peak heating on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Facing {
     /// Nose first from peak heating on.
@@ -34,19 +34,19 @@ pub enum Facing {
 /// One entry of the study.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reorientation {
-    /// Centre of gravity aft of the virtual apex, m.
+    /// Center of gravity aft of the virtual apex, m.
     pub cg_x_m: f64,
     /// Knudsen number at each step of the flight up to peak heating.
     pub knudsen: Vec<f64>,
     /// Total angle of attack at the same steps, rad.
     pub total_alpha_rad: Vec<f64>,
-    /// How it faces the heat.
+    /// Orientation from peak heating on.
     pub facing: Facing,
-    /// What happens to the attitude.
+    /// Events of the attitude.
     pub attitude: AttitudeEvents,
 }
 
-/// Flies a body with the centre of gravity at several places aft of the virtual apex, m; nothing where the body has no
+/// Flies a body with the center of gravity at several places aft of the virtual apex, m; empty where the body has no
 /// attitude.
 pub fn study(mission: &Mission, body: &Body, cg_x_m: &[f64]) -> Vec<Reorientation> {
     let entries = cg_x_m.iter().map(|x| entry(mission, body, *x));
@@ -77,7 +77,7 @@ fn entry(mission: &Mission, body: &Body, cg_x_m: f64) -> Option<Reorientation> {
     })
 }
 
-/// How an entry faces the heat.
+/// Orientation of an entry from peak heating on.
 pub(super) fn facing(attitude: &AttitudeEvents) -> Facing {
     if attitude.total_alpha_at_peak_heating_rad >= FRAC_PI_2 {
         Facing::Backward

@@ -1,4 +1,4 @@
-//! A rigid body: inertia, centre of gravity, aerodynamics, attitude and rates at the start.
+//! A rigid body: inertia, center of gravity, aerodynamics, attitude and rates at the start.
 
 use super::aerodynamics::{Aerodynamics, Damping, Reference};
 use super::inertia::Inertia;
@@ -7,9 +7,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rigid {
-    /// Inertia about the centre of gravity.
+    /// Inertia about the center of gravity.
     pub inertia: Inertia,
-    /// Centre of gravity: x aft of the virtual apex, y to the right, z down, m.
+    /// Center of gravity: x aft of the virtual apex, y to the right, z down, m.
     pub cg_m: [f64; 3],
     /// Lengths and area of the coefficients.
     pub reference: Reference,

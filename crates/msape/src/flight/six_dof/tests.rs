@@ -104,7 +104,7 @@ body_rates_deg_s = [40.0, 60.0, -25.0]
     let (rigid, record) = (rigid(&problem), record(&problem));
     let momentum = |y: &[f64; RIGID_STATES]| rigid.inertia.tensor_kg_m2 * rates(y);
     let energy = |y: &[f64; RIGID_STATES]| 0.5 * rates(y).dot(&momentum(y));
-    // Planet-fixed axes turn with the planet; in axes that do not, the angular momentum stands still.
+    // Planet-fixed axes rotate with the planet; in inertial axes the angular momentum is constant.
     let inertial = |t: f64, y: &[f64; RIGID_STATES]| {
         let angle = problem.mission.planet.rotation_rate_rad_s * t;
         UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle) * (attitude(y) * momentum(y))
@@ -121,7 +121,7 @@ body_rates_deg_s = [40.0, 60.0, -25.0]
     assert!(worst_momentum < 1e-9, "momentum {worst_momentum:e}");
 }
 
-/// ω across the axis turns about it at (1 − I_x/I) p, and the axis about the angular momentum at |H|/I.
+/// ω across the axis rotates about it at (1 − I_x/I) p, and the axis about the angular momentum at |H|/I.
 #[test]
 fn without_forces_a_symmetric_body_follows_the_closed_form() {
     let text = STREAM.replace("density_kg_m3 = 0.02", "density_kg_m3 = 1e-30")
@@ -136,7 +136,7 @@ time_s = 100.0
     let (t, y) = last(&record(&problem));
     let [p, q, r] = rates(&y).into();
     let (p_0, q_0) = (90.0 * DEG, 30.0 * DEG);
-    // İ q̇ = (I − I_x) r p, I ṙ = (I_x − I) p q: (q, r) turns at (I_x/I − 1) p = p/2
+    // İ q̇ = (I − I_x) r p, I ṙ = (I_x − I) p q: (q, r) rotates at (I_x/I − 1) p = p/2
     let (sin, cos) = math::sin_cos(0.5 * p_0 * t);
     assert!((p - p_0).abs() < 1e-12);
     assert!(
@@ -200,7 +200,8 @@ fn a_spinning_body_precesses_at_the_rate_of_the_closed_form() {
     let precession = (i_x * spin - root) / (2.0 * i * cos);
     // [60 − √(3600 + 8 0.98007 503.35)]/(4 0.98007)
     assert!((precession + 6.8543).abs() < 1e-3, "{precession}");
-    // The axis goes round the velocity (north): across it turns at Ω sin α about the third axis of the pitch plane.
+    // The axis moves on a cone about the velocity (north): the transverse rate is Ω sin α about the third axis of the
+    // pitch plane.
     let text = format!(
         "{STREAM}inertia_kg_m2 = [[{i_x:?}, 0.0, 0.0], [0.0, {i:?}, 0.0], [0.0, 0.0, {i:?}]]
 [vehicle.aerodynamics]

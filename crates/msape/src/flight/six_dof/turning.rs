@@ -1,4 +1,4 @@
-//! Whether a vehicle turns nose first: the same entry from a small fixed set of attitudes and pitch rates.
+//! Whether a vehicle turns nose first: one entry from a small fixed set of attitudes and pitch rates.
 //!
 //! ```text
 //! share = n(α < 90 deg at peak heating)/n
@@ -28,7 +28,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 
-/// Total angles of attack at the start, deg: nearly backwards, about the trims of shipped vehicles, beyond broadside.
+/// Total angles of attack at the start, deg: nearly backward, about the trims of shipped vehicles, beyond broadside.
 const ALPHAS_DEG: [f64; 3] = [175.0, 145.0, 120.0];
 /// Pitch rates at the start, deg/s.
 const RATES_DEG_S: [f64; 3] = [-2.0, 0.0, 2.0];
@@ -61,13 +61,13 @@ impl Start {
 /// One entry of the set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Turn {
-    /// How it starts.
+    /// Attitude and rate at the start.
     pub start: Start,
-    /// How it faces the heat.
+    /// Orientation from peak heating on.
     pub facing: Facing,
     /// Altitude of the largest total heat flux, m.
     pub peak_heating_altitude_m: f64,
-    /// What happens to the attitude as far as it is flown.
+    /// Events of the attitude up to the end of the flight.
     pub attitude: AttitudeEvents,
 }
 
@@ -85,7 +85,7 @@ impl Turning {
         those.filter(|e| e.facing != Facing::Backward).count()
     }
 
-    /// The same over those flown; nothing where none was.
+    /// Share of the flown entries that are nose first at peak heating; `None` where none was flown.
     pub fn nose_first_share(&self) -> Option<f64> {
         let flown = self.entries.len();
         (flown > 0).then(|| self.nose_first() as f64 / flown as f64)
@@ -110,7 +110,7 @@ pub fn turning(mission: &Mission, body: &Body, progress: &mut dyn Progress) -> O
     Some(Turning { entries })
 }
 
-/// One entry; nothing where it was stopped or the body has no attitude.
+/// Flies one entry; `None` where it was stopped or the body has no attitude.
 pub fn turn(
     mission: &Mission,
     body: &Body,
@@ -137,7 +137,7 @@ pub fn turn(
     let slow_s = slow_s(mission, body);
     short.stop.time_s = earlier(mission.stop.time_s, slow_s);
     let (mut flight, ..) = fly_watched(&short, body, &rigid, Request::Nothing, &mut watch);
-    // Backwards a vehicle may be slower to stop: it flies on where its heat still grows.
+    // A backward vehicle may decelerate more slowly: the flight continues while its heat flux still grows.
     if slow_s.is_some() && !watch.stopped && heats_at_its_end(&flight) {
         (flight, ..) = fly_watched(mission, body, &rigid, Request::Nothing, &mut watch);
     }

@@ -1,4 +1,4 @@
-//! Heating from outside at points of the body.
+//! Heating given from outside at points of the body.
 //!
 //! ```text
 //! q̇(f, ρ, V) at each fraction f        f = r/R or s/S
@@ -43,7 +43,8 @@ impl Along {
     }
 }
 
-/// Where the rows of a point are others than those of the stagnation point: one integration meets the kinks of all.
+/// First difference between the rows of a point and those of the stagnation point: one integration meets the kinks of
+/// all.
 fn difference(first: &GivenHeating, table: &GivenHeating) -> Option<String> {
     let axes = [
         ("speed", &first.speeds_m_s, &table.speeds_m_s, "m/s"),

@@ -1,4 +1,4 @@
-//! From rows of a case to a checked table of heat fluxes.
+//! Checks the rows of a case and builds the table of heat fluxes.
 //!
 //! ```text
 //! rows (V, ρ, q) → q[i, j] at V[i], ρ[j]
@@ -16,7 +16,7 @@ use super::{Fluxes, GivenHeating};
 use crate::aero::table::Extrapolation;
 use crate::units::told;
 
-/// Faults of one table that are told, assumed: as many as are read.
+/// Largest number of reported faults of one table, assumed: as many as a person reads.
 const MOST_FAULTS: usize = 20;
 
 /// A row of a table of the case: its number there, from 1, and its numbers.
@@ -38,7 +38,7 @@ impl GivenHeating {
         GivenHeating::of_rows(key, &rows, extrapolation)
     }
 
-    /// The same of rows that are some of those of the case.
+    /// Heating by some of the rows of the case, each with its number there.
     pub(super) fn of_rows(
         key: &'static str,
         rows: &[Numbered],

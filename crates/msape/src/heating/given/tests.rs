@@ -11,7 +11,7 @@ fn flux(table: &GivenHeating, part: Part, v: f64, rho: f64) -> f64 {
     table.heat_flux_w_m2(part, &Flow::new(rho, v, 1.0))
 }
 
-/// q̇ᶜ = 1e-4 √ρ V³; q̇ʳ nothing at 8 km/s, then 1e6 and 4e6 W/m² for 1e-4 kg/m³, as ρ beside it.
+/// q̇ᶜ = 1e-4 √ρ V³; q̇ʳ zero at 8 km/s, then 1e6 and 4e6 W/m² for 1e-4 kg/m³, as ρ beside it.
 fn two_columns(rule: Extrapolation) -> GivenHeating {
     let mut rows = Vec::new();
     for (v, q_r) in [(12e3, 4e6), (8e3, 0.0), (10e3, 1e6)] {
@@ -50,7 +50,7 @@ fn rows_with_nought_are_linear_and_the_two_forms_meet() {
     // half-way from 8 to 10 km/s at 1e-4 kg/m³: half of 1e6; at 3e-4, a power law of ρ, half of 3e6
     assert!((flux(&table, Part::Radiative, 9e3, 1e-4) / 5e5 - 1.0).abs() < 1e-12);
     assert!((flux(&table, Part::Radiative, 9e3, 3e-4) / 1.5e6 - 1.0).abs() < 1e-12);
-    // both rows above nought: geometric; √(1 · 4) at the geometric mean of the speeds
+    // both rows above zero: geometric; √(1 · 4) at the geometric mean of the speeds
     let middle = (10e3_f64 * 12e3).sqrt();
     assert!((flux(&table, Part::Radiative, middle, 1e-4) / 2e6 - 1.0).abs() < 1e-12);
     let [below, above] = [10e3 - 1e-7, 10e3 + 1e-7].map(|v| flux(&table, Part::Radiative, v, 2e-4));
@@ -196,7 +196,7 @@ fn rows_of_every_point_are_those_of_the_stagnation_point_and_are_counted_in_the_
     };
     // out of order is no fault
     assert_eq!(faults(grid(1.0, &[9e3, 5e3, 7e3], &[1e-3, 1e-4])), "");
-    // the ends are the same, a row between them is not
+    // the ends are equal, a row between them is not
     assert_eq!(
         faults(grid(1.0, &[5e3, 6e3, 9e3], &[1e-4, 1e-3])),
         "at the fraction 1: got the speed 6000 m/s, must be one of those of the fraction 0"

@@ -24,7 +24,7 @@ pub struct Exponential {
     air: PlanetAir,
 }
 
-/// What is wrong with the two numbers.
+/// Fault of the two numbers.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ExponentialFault {
     /// Density at the surface.

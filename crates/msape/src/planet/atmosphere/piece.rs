@@ -1,4 +1,4 @@
-//! Smooth pieces of an atmosphere, one a lane, and where their rows stand in its tables.
+//! Smooth pieces of an atmosphere, one per lane, and the position of their rows in its tables.
 //!
 //! ```text
 //! row = first row + (z − z₀)/w, whole, within the rows of the piece
@@ -19,9 +19,9 @@ use numerics::scalar::{Mask, Scalar};
 pub struct Piece<V> {
     /// Index of the piece, from below.
     layer: V,
-    /// Where the first row begins, m.
+    /// Start of the first row, m.
     first_m: V,
-    /// Rows in a metre, 1/m.
+    /// Rows per meter, 1/m.
     rows_per_m: V,
     /// Index of the first row in the table.
     first_row: V,
@@ -29,7 +29,7 @@ pub struct Piece<V> {
     rows: V,
 }
 
-/// Where an altitude stands among the rows of its piece.
+/// Position of an altitude among the rows of its piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<V: Scalar> {
     /// Index of the row in the table, the nearest of the piece.
@@ -73,7 +73,7 @@ impl Piece<f64> {
 }
 
 impl<V: Scalar<Value = V, Lane = f64>> Piece<V> {
-    /// The same piece in every lane.
+    /// Equal pieces in every lane.
     pub fn everywhere(piece: &Piece<f64>) -> Self {
         let of = V::constant;
         Self {
@@ -111,7 +111,7 @@ impl<V: Scalar<Value = V, Lane = f64>> Piece<V> {
         self.layer
     }
 
-    /// Where an altitude, m, stands among the rows.
+    /// Position of an altitude, m, among the rows.
     #[inline]
     pub(super) fn place(&self, altitude_m: V) -> Place<V> {
         let zero = V::constant(0.0);

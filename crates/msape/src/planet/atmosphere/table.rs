@@ -6,8 +6,9 @@
 //! ```
 //!
 //! with ρ in kg/m³, p in Pa, T in K, z in m, R in J/(kg K), γ the ratio of the heat capacities.
-//! Beyond the ends ln ρ goes on with its last slope, but is held where density would grow with height; p/ρ, T and γ are held.
-//! Without temperatures those of the planet's own atmosphere are taken.
+//! Beyond the ends ln ρ continues with its last slope, but is held where density would grow with height; p/ρ, T and γ
+//! are held.
+//! Without temperatures, those of the planet's own atmosphere are used.
 //!
 //! # Valid
 //! Between the first and the last altitude. Mean free path, and γ where it is not given, are those of the planet's gas.
@@ -50,7 +51,7 @@ pub const COLUMNS: [Column; 4] = [
 ];
 
 /// Molar masses that a gas can have, kg/kmol. The least is that of atomic hydrogen, 1.008 rounded down. The greatest is assumed:
-/// sulphur hexafluoride, among the heaviest gases by which facilities stand in for air, has 146, and none of a planet comes near; what
+/// sulfur hexafluoride, among the heaviest gases by which facilities replace air, has 146, and none of a planet comes near; what
 /// is beyond is a wrong unit, which is a factor of ten or more.
 const POSSIBLE_KG_KMOL: [f64; 2] = [1.0, 200.0];
 
@@ -64,7 +65,7 @@ pub struct Table {
     /// Whether density is held below and above.
     held: [bool; 2],
     gas: Gas,
-    /// Where no temperature is given.
+    /// Temperature model, where the rows give no temperature.
     temperature: Option<OwnTemperature>,
     /// Altitude, m, and standard deviation of density over density, where the source gives it.
     density_sigma: Vec<[f64; 2]>,
@@ -157,7 +158,7 @@ impl Table {
             interval.is_some_and(|interval| interval.ln_density.slope_per_m > 0.0)
         };
         let held = [rises(intervals.first()), rises(intervals.last())];
-        // Beyond the ends of a table that rises there, a level interval of its own.
+        // A level interval beyond the ends of a table that rises there.
         if let (true, Some(last), Some(row)) = (held[1], intervals.last().cloned(), rows.last()) {
             intervals.push(last.level_at(row));
         }
@@ -204,12 +205,12 @@ impl Table {
         &self.gas
     }
 
-    /// Whether the rows bring the temperature.
+    /// Whether the rows give the temperature.
     pub fn has_temperature(&self) -> bool {
         self.intervals.iter().all(|i| i.temperature_k.is_some())
     }
 
-    /// Least and largest molar mass that density, temperature and pressure make, kg/kmol; `None` where one is not given.
+    /// Least and largest molar mass from density, temperature and pressure, kg/kmol; `None` where one is not given.
     pub fn molar_masses_kg_kmol(&self) -> Option<[f64; 2]> {
         let of = |interval: &Interval| {
             let quotient = math::exp(interval.ln_pressure_over_density?.value);
@@ -308,7 +309,7 @@ impl Table {
         self.air_in(piece, altitude_m).speed_of_sound_m_s
     }
 
-    /// Temperature of the planet's own atmosphere, K, where the rows bring none.
+    /// Temperature of the planet's own atmosphere, K, where the rows give none.
     #[inline]
     fn lent_k<S: Scalar>(&self, altitude_m: S) -> S {
         match &self.temperature {
@@ -349,7 +350,7 @@ impl Interval {
         }
     }
 
-    /// The same columns at one row, at every altitude.
+    /// Constant columns: the values at one row, at every altitude.
     fn level_at(&self, row: &Row) -> Self {
         let level = |line: Line| Line {
             value: line.value + (row.altitude_m - self.from_m) * line.slope_per_m,

@@ -8,9 +8,9 @@
 //! a = √(γ R* T / M),   L = M / (√2 π σ² N_A ρ)
 //! ```
 //!
-//! Density and speed of sound are looked up in cubic Hermite cells through knots of the definition (relative error below
-//! 2e-10 to 86 km, 3e-7 above), so that no elementary function is called per step; beyond its ends a piece goes on by its
-//! own formula.
+//! Density and speed of sound are looked up in cubic Hermite cells through knots of the definition (relative error
+//! below 2e-10 to 86 km, 3e-7 above), so that no elementary function is called per step; beyond its ends a piece
+//! continues by its own formula.
 //!
 //! with z in m, ρ in kg/m³, p in Pa, T in K, M in kg/kmol, a in m/s, mean free path L in m.
 //!
@@ -34,8 +34,8 @@ use us1976::heterosphere::{Heterosphere, SPANS, SpanKnots};
 use us1976::lower::{self, Lower};
 use us1976::temperature::{StandardTemperature, Upper};
 
-/// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for a
-/// definition of one's own.
+/// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for
+/// a definition of the user.
 #[cfg(feature = "prepared-air")]
 fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
     // At each knot density, kg/m³, and its slope, molar mass, kg/kmol, and its slope.
@@ -52,7 +52,7 @@ fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
     matches!(data, Data::Shipped(_)).then(|| SHIPPED.iter().map(of_span).collect())
 }
 
-/// None: the gases are integrated at the start.
+/// No prepared gases: they are integrated at the start.
 #[cfg(not(feature = "prepared-air"))]
 fn prepared_gases(_: Data) -> Option<Vec<SpanKnots>> {
     None
@@ -66,14 +66,14 @@ const LOWER_CELL_M: f64 = 100.0;
 pub struct UsStandard1976 {
     temperature: StandardTemperature,
     strata: Vec<Stratum>,
-    /// Where the rows of each of them stand.
+    /// Rows of each stratum.
     pieces: Vec<Piece<f64>>,
     cells: Cells,
     boundaries_m: Vec<f64>,
     gas: Gas,
 }
 
-/// What the equation of state needs.
+/// Constants of the equation of state.
 #[derive(Clone, Debug, PartialEq)]
 struct Gas {
     heat_capacity_ratio: f64,
@@ -161,7 +161,7 @@ impl UsStandard1976 {
         }
     }
 
-    /// Air of the composition at sea level with the temperature of this atmosphere, for models that bring less.
+    /// Air of the composition at sea level with the temperature of this atmosphere, for models that give less.
     pub fn planet_air(&self) -> super::PlanetAir {
         let molar_mass_kg_kmol = self.gas.sea_level_molar_mass_kg_kmol;
         super::PlanetAir {

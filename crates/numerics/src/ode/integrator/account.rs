@@ -1,8 +1,8 @@
-//! What a trial has come to, and what an integration has cost.
+//! Result of a trial, and cost of an integration.
 
 use crate::scalar::Scalar;
 
-/// What an integration has cost.
+/// Cost of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
     /// Steps taken, each counted once however often it was retaken.
@@ -13,11 +13,11 @@ pub struct Statistics {
     pub evaluations: u64,
 }
 
-/// What became of a trial.
+/// Result of a trial.
 #[derive(Clone, Copy, Debug)]
 pub struct Attempt<S: Scalar> {
     /// Lanes whose step was accepted; [`super::Integrator::last_step`] is that step.
     pub accepted: S::Mask,
-    /// Lanes that cannot go on; [`super::Integrator::fault`] says why.
+    /// Lanes that cannot go on; [`super::Integrator::fault`] gives the reason.
     pub failed: S::Mask,
 }

@@ -1,4 +1,4 @@
-//! What an integration of one lane offers besides: a step at a time as a result, and a step taken again.
+//! Methods of an integration of one lane only: a step as a result, and the repetition of a step.
 
 use super::super::dormand_prince_54::DormandPrince54;
 use super::super::dormand_prince_853::DormandPrince853;
@@ -11,19 +11,19 @@ use super::Statistics;
 use crate::scalar::Single;
 
 impl<const N: usize, S: Single> Integrator<N, S> {
-    /// Puts the integration at (`t`, `y`); the length of the next step and the counts are kept.
+    /// Sets the integration to (`t`, `y`); the length of the next step and the counts are kept.
     pub fn at(mut self, t: S, y: [S; N]) -> Self {
         self.put(0, t, &y);
         self
     }
 
-    /// What the integration has cost so far.
+    /// Cost of the integration so far.
     #[inline]
     pub fn statistics(&self) -> Statistics {
         self.statistics_of(0)
     }
 
-    /// Says that the right-hand side has changed: its stored value is forgotten, the length of the next step is kept.
+    /// Marks the right-hand side as changed: its stored value is dropped, the length of the next step is kept.
     #[inline]
     pub fn renew(&mut self) {
         self.renew_lane(0);
@@ -33,7 +33,7 @@ impl<const N: usize, S: Single> Integrator<N, S> {
     ///
     /// # Errors
     /// Where `t_limit` is not ahead, the tolerance cannot be met, the right-hand side is not finite, or the allowance
-    /// of steps is used up; the integration then still stands where it stood.
+    /// of steps is used up; the integration then stays where it was.
     #[inline]
     pub fn step(
         &mut self,
@@ -55,12 +55,12 @@ impl<const N: usize, S: Single> Integrator<N, S> {
 
     /// Takes the last step again so that it ends at `t_end`, beyond its beginning and not beyond its end.
     ///
-    /// The integration then stands at `t_end`, with the accuracy of a step, not only of the dense output. May be
+    /// The integration is then at `t_end`, with the accuracy of a step, not only of the dense output. May be
     /// repeated with an earlier end.
     ///
     /// # Errors
-    /// Where `t_end` is not within the last step, or the right-hand side is not finite; the integration then still
-    /// stands where it stood.
+    /// Where `t_end` is not within the last step, or the right-hand side is not finite; the integration then stays
+    /// where it was.
     #[inline]
     pub fn retake(
         &mut self,

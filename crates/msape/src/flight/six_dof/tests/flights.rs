@@ -1,4 +1,4 @@
-//! The same flight with three and with six degrees of freedom, and lift of a point mass.
+//! Flights of one entry with three and with six degrees of freedom, and lift of a point mass.
 
 use crate::flight::Request;
 use crate::{Answer, Case, Library};
@@ -97,7 +97,7 @@ body_rates_deg_s = [3.0, 20.0, -5.0]
     assert!((six.downrange_m / three.downrange_m - 1.0).abs() < 1e-5);
 }
 
-/// A centre of gravity off the axis, above it: trimmed nose down, a blunt body lifts up. With lift the point mass at trim and
+/// A center of gravity off the axis, above it: trimmed nose down, a blunt body lifts up. With lift the point mass at trim and
 /// the rigid body that starts at trim, in continuum flow, fly one path to a thousandth.
 #[test]
 fn at_trim_with_lift_three_and_six_degrees_of_freedom_agree_to_a_thousandth() {
@@ -151,7 +151,7 @@ alpha_deg = -9.6
     // The lift is there: without it the vehicle comes down sooner.
     let ballistic = case("");
     assert!(trimmed.time_of_flight_s > 2.0 * ballistic.time_of_flight_s);
-    // It keeps its angle: quarter of a degree of swing about a trim that moves by little.
+    // The attitude stays near trim: a quarter of a degree of oscillation about a trim that changes little.
     let largest = six.attitude.unwrap().maximum_total_alpha;
     assert!(
         largest.angle_rad < 10.5 * DEG,
@@ -160,7 +160,7 @@ alpha_deg = -9.6
     );
 }
 
-/// A lift of nothing is no lift; other rounding may move a peak within the part of a step to which it is placed.
+/// Zero lift equals no lift; different rounding may move a peak within the tolerance of its time.
 #[test]
 fn lift_of_nothing_changes_nothing() {
     let none = entry("drag_coefficient = 1.5\n").flight.unwrap();
@@ -175,7 +175,7 @@ fn lift_of_nothing_changes_nothing() {
     assert!((zero.downrange_m / none.downrange_m - 1.0).abs() < 1e-9);
 }
 
-/// Lift to the right turns the path to the right, and a schedule that is level is a constant.
+/// Lift to the right bends the path to the right, and a level schedule equals a constant.
 #[test]
 fn banked_to_the_right_it_comes_down_to_the_right() {
     let of = |bank: &str| {

@@ -9,7 +9,7 @@
 //! is (w/H)⁴/384.
 //!
 //! # Valid
-//! Any span of at least one cell; what holds beyond its ends is for the caller to say.
+//! Any span of at least one cell; the caller decides the values beyond its ends.
 //!
 //! # References
 //! - \[dlmf\] section 3.3(i).
@@ -64,7 +64,7 @@ impl Curve {
         }
     }
 
-    /// The cubics of the cells, upwards.
+    /// The cubics of the cells, upward.
     pub fn into_cells(self) -> Vec<Cubic> {
         self.cells
     }

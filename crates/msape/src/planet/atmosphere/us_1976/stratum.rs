@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! below 86 km   ρ of the layer, also beyond its ends
-//! above         ln ρ goes on beyond the ends with its last slope, M with its last
+//! above         ln ρ continues beyond the ends with its last slope, M with its last
 //! a = √(γ R* T / M)
 //! ```
 //!
@@ -113,7 +113,7 @@ impl Stratum {
         Some((stratum, knots))
     }
 
-    /// What goes on above this piece for ever: its last slope of ln ρ and its last molar mass.
+    /// Continuation above this piece without end: with its last slope of ln ρ and its last molar mass.
     pub fn exosphere(&self) -> Option<Self> {
         let Kind::Upper {
             segment,

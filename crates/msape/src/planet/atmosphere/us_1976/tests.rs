@@ -157,7 +157,7 @@ fn lanes_and_derivatives_see_the_same_air() {
     use crate::planet::atmosphere::Piece;
     use numerics::scalar::{Dual, Lanes, Scalar};
     let air = us_1976();
-    // The first and the last are looked at from the piece below, far beyond its end.
+    // The first and the last are evaluated from the piece below, far beyond its end.
     let places = [(3, 50e3), (7, 90e3), (2, 12e3), (9, 140e3)];
     let mut pieces = Piece::<Lanes<4>>::everywhere(&air.piece(0));
     for (lane, (layer, _)) in places.iter().enumerate() {
