@@ -70,13 +70,13 @@ use serde::{Deserialize, Serialize};
 pub struct Vehicle {
     /// Concept.
     pub concept: Concept,
-    /// Outer mould line, closed.
+    /// Outer mold line, closed.
     pub outline: Profile,
     /// Where everything stands.
     pub layout: Layout,
     /// Components with profiles and masses.
     pub components: Vec<Component>,
-    /// Mass, centre of gravity, inertia.
+    /// Mass, center of gravity, inertia.
     pub mass: MassProperties,
     /// The same after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties,

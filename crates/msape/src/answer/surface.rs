@@ -83,7 +83,7 @@ impl SurfaceHeating {
             .max(self.aftbody_w_m2)
     }
 
-    /// The part of the surface on which a segment of the outer mould line lies.
+    /// The part of the surface on which a segment of the outer mold line lies.
     pub fn region(&self, segment: &Segment) -> Region {
         let center = self.forebody.shoulder_center();
         let radius = self.forebody.shoulder_radius_m;

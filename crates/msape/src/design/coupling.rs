@@ -98,7 +98,7 @@ impl Coupled<'_> {
         &self.searched.run.passes
     }
 
-    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    /// Where the passes of a neighbor may begin; absent where these did not settle.
     pub fn start(&self) -> Option<Start> {
         self.searched.run.start()
     }

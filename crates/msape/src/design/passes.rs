@@ -145,7 +145,7 @@ impl Run<'_> {
         }
     }
 
-    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    /// Where the passes of a neighbor may begin; absent where these did not settle.
     pub(super) fn start(&self) -> Option<Start> {
         let numbers = self.converged()?.numbers();
         let mut memories = self.memories.clone();
@@ -195,7 +195,7 @@ impl Made {
 pub(super) struct Way<'a> {
     /// Numbers of the first pass; the guesses of the input if absent.
     pub(super) from: Option<Numbers>,
-    /// What the passes of a neighbour have taught.
+    /// What the passes of a neighbor have taught.
     pub(super) taught: Option<&'a Memories>,
     /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
     pub(super) as_asked_below_kg: Option<f64>,

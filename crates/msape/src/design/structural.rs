@@ -23,7 +23,7 @@ pub struct Structural {
     pub shell: Option<CarrierAnalysis>,
 }
 
-/// A margin that is nought but for rounding.
+/// A margin that is zero but for rounding.
 const ROUNDING: f64 = 1e-6;
 /// Part by which the deceleration of the shell model may differ from that of the flight before it is told.
 const LOAD_DIFFERENCE: f64 = 0.15;
@@ -97,7 +97,7 @@ impl Structural {
         ];
         let of_wall = walls.map(|(place, name, wall)| {
             let margin = self.critical(place).map_or(String::new(), |check| {
-                // a wall that a rule sized has a margin of nought but for rounding
+                // a wall that a rule sized has a margin of zero but for rounding
                 format!(
                     " (least margin of safety {:+.2}, {})",
                     check.margin + ROUNDING,

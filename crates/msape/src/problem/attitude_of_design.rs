@@ -1,4 +1,4 @@
-//! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
+//! Checks the attitude of a designed vehicle: its own mass, inertia, center of gravity and database, through its own mission.
 
 use super::aerodynamics::{Coefficients, Medium};
 use super::forms::one_row;
@@ -28,7 +28,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 use numerics::ode::Method;
 
 /// The flight of a designed vehicle with its attitude. `[attitude]` of the case gives that of the start, `vehicle.cg_m`
-/// a centre of gravity in the place of the vehicle's own.
+/// a center of gravity in the place of the vehicle's own.
 ///
 /// # Errors
 /// Every fault of the case at once.

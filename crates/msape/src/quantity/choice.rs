@@ -243,7 +243,7 @@ choice! {
 choice! {
     /// A unit of length that files are drawn in.
     LengthUnit {
-        /// Metre.
+        /// Meter.
         Metre = "m", "m";
         /// Centimetre.
         Centimetre = "cm", "cm";

@@ -7,7 +7,7 @@ pub enum Module {
     Coupling,
     /// Dimensions.
     Geometry,
-    /// Masses, centre of gravity, inertias.
+    /// Masses, center of gravity, inertias.
     Mass,
     /// Landing.
     Impact,

@@ -92,7 +92,7 @@ pub struct CarrierAnalysis {
     pub pressure_force_n: f64,
     /// Deceleration that balances it, Earth g.
     pub deceleration_earth_g: f64,
-    /// Force that is left at the foot of the lid when both act, over that of the pressure: nought but for rounding.
+    /// Force that is left at the foot of the lid when both act, over that of the pressure: zero but for rounding.
     pub imbalance: f64,
     /// Entry.
     pub entry: CaseStress,

@@ -309,13 +309,13 @@ mod tests {
             assert!(found.imbalance.abs() < 1e-12);
             assert_eq!(found.frequencies.len(), 5);
             for frequency in &found.frequencies {
-                // a stiff vehicle of metres: tens to thousands of hertz
+                // a stiff vehicle of meters: tens to thousands of hertz
                 assert!(
                     (5.0..5000.0).contains(&frequency.frequency_hz),
                     "{frequency:?}"
                 );
             }
-            // a pressure of 1 bar makes tens of MPa in a shell of a metre
+            // a pressure of 1 bar makes tens of MPa in a shell of a meter
             let peak = found
                 .entry
                 .parts

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! K = Σ ∫ Bᵀ D B r ds        M = Σ ∫ Nᵀ m N r ds        K_ij(n) = K_ij(0) + nᵖ [K_ij(1) − K_ij(0)]
-//! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all nought
+//! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all zero
 //! ```
 //!
 //! with K in N/m and M in kg, per radian; p = 1 between a freedom that goes with cos nθ and one that goes with sin nθ, else 2.
@@ -44,7 +44,7 @@ pub enum Held {
 }
 
 impl Held {
-    /// Which of U_x, U_r, V, β, φ are nought.
+    /// Which of U_x, U_r, V, β, φ are zero.
     fn freedoms(self) -> [bool; NODE_FREEDOMS] {
         match self {
             Self::Axially => [true, false, false, false, false],
@@ -68,7 +68,7 @@ pub struct Model {
     pub walls: Vec<Wall>,
 }
 
-/// An unknown, and the sign with which it stands for a freedom; `None` where the freedom is nought.
+/// An unknown, and the sign with which it stands for a freedom; `None` where the freedom is zero.
 type Slot = Option<(usize, f64)>;
 
 /// The unknowns of a harmonic.
@@ -165,13 +165,13 @@ impl Freedoms {
         })
     }
 
-    /// A matrix of noughts over the unknowns.
+    /// A matrix of zeros over the unknowns.
     pub fn matrix(&self) -> Skyline {
         Skyline::new(&self.first)
     }
 }
 
-/// Which freedoms of a node are nought; in the harmonic 0 those of torsion.
+/// Which freedoms of a node are zero; in the harmonic 0 those of torsion.
 fn held(supports: &[Support], node: usize, harmonic: u32) -> [bool; NODE_FREEDOMS] {
     let torsion = harmonic == 0;
     let mut all = [false, false, torsion, false, torsion];

@@ -125,7 +125,7 @@ impl Solution {
             let stations = [-GAUSS_2, GAUSS_2].map(|xi| station(&points, xi));
             let n = self.freedoms.harmonic;
             let best = stations.map(|at| resultants(&at, wall, n, &a));
-            // the forces with which its neighbours hold the element: Σ Bᵀ F − f
+            // the forces with which its neighbors hold the element: Σ Bᵀ F − f
             let mut balance = self
                 .loads
                 .by_element

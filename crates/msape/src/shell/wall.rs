@@ -1,7 +1,7 @@
 //! What the shell model says of one wall of the vehicle.
 //!
 //! ```text
-//! σ_allowed = σ (1 + margin)                 stress at the limit load at which the margin of safety is nought
+//! σ_allowed = σ (1 + margin)                 stress at the limit load at which the margin of safety is zero
 //! u = √(u_x² + u_r²)
 //! ```
 //!
@@ -35,7 +35,7 @@ impl PartStress {
             .map_or(self.margin, |core| core.min(self.margin))
     }
 
-    /// Stress in laminate or faces at which the margin of safety is nought, Pa.
+    /// Stress in laminate or faces at which the margin of safety is zero, Pa.
     pub fn allowed_stress_pa(&self) -> f64 {
         self.stress_pa * (1.0 + self.margin)
     }

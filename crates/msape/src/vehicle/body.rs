@@ -97,7 +97,7 @@ impl RigidBody {
 const NOSE_TOLERANCE: f64 = 1e-3;
 /// Points, beside the tip, that make a nose sphere.
 const NOSE_POINTS: usize = 3;
-/// A nose sphere cut by this or less by the axis is centred on it.
+/// A nose sphere cut by this or less by the axis is centered on it.
 const CENTER_TOLERANCE: f64 = 1e-6;
 
 /// Radius of the nose: of an arc about a point of the axis, or of the sphere on which the first points lie.

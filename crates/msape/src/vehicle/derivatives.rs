@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with u what the search finds: diameter, place about which the vehicle is laid out, thickness, faces and density of the three
-//! walls; and r what holds there: the diameter asked for or no room to spare, the centre of gravity at that place, walls as the
+//! walls; and r what holds there: the diameter asked for or no room to spare, the center of gravity at that place, walls as the
 //! rules ask for. Roots within a layout (shoulder, foam, lid) move by their own equations.
 //!
 //! # Valid

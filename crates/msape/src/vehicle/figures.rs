@@ -20,7 +20,7 @@ pub struct Figures<S = f64> {
     pub layout: Layout<S>,
     /// Walls.
     pub structure: Structure<S>,
-    /// Mass, centre of gravity, inertia.
+    /// Mass, center of gravity, inertia.
     pub mass: MassProperties<S>,
     /// The same after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties<S>,
@@ -59,7 +59,7 @@ pub struct Dimensions<S = f64> {
     pub payload_diameter_m: S,
     /// Payload density, kg/m³.
     pub payload_density_kg_m3: S,
-    /// Nose tip to payload centre, m.
+    /// Nose tip to payload center, m.
     pub payload_height_m: S,
     /// Impact foam, m.
     pub foam_thickness_m: S,
@@ -71,15 +71,15 @@ pub struct Dimensions<S = f64> {
     pub lid_insulation_thickness_m: S,
     /// Inner radius of the primary structure, m.
     pub primary_structure_radius_m: S,
-    /// Centre of gravity behind the nose tip, m.
+    /// Center of gravity behind the nose tip, m.
     pub cg_from_nose_m: S,
-    /// Centre of gravity behind the virtual apex, m.
+    /// Center of gravity behind the virtual apex, m.
     pub cg_from_apex_m: S,
     /// The same over the diameter.
     pub cg_over_diameter: S,
     /// Area of nose, cone and shoulder up to the largest diameter, m².
     pub forebody_area_m2: S,
-    /// Area of the whole outer mould line, m².
+    /// Area of the whole outer mold line, m².
     pub wetted_area_m2: S,
 }
 

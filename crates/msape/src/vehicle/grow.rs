@@ -10,7 +10,7 @@
 //!
 //! # Valid
 //! Up to the largest diameter of the rules. L is that of a rigid filling in a growing forebody, with a reserve for what
-//! centre of gravity and walls do; tests scan what lies below the diameters found.
+//! center of gravity and walls do; tests scan what lies below the diameters found.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2: the diameter is increased until the smallest vehicle is found.
@@ -34,7 +34,7 @@ pub struct NotClosed {
     pub at_largest: Option<Misfit>,
 }
 
-/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's centre, that times cot θ along the axis; and as much
+/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's center, that times cot θ along the axis; and as much
 /// again for what the filling does.
 fn largest_growth(input: &VehicleInput) -> f64 {
     let (s, c) = sin_cos(input.cone_half_angle_rad);
@@ -146,7 +146,7 @@ fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
             high = middle
         }
     }
-    // rounded down to the millimetre, so that what is said does fit
+    // rounded down to the millimeter, so that what is said does fit
     let said = (low * 1000.0).floor() / 1000.0;
     (said > 0.0 && closes(said)).then_some(said)
 }

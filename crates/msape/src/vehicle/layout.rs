@@ -28,7 +28,7 @@ use numerics::scalar::Single;
 use numerics::scalar::functions::sin_cos;
 use serde::{Deserialize, Serialize};
 
-/// Depths of the layers under the outer mould line and thickness of the inner walls.
+/// Depths of the layers under the outer mold line and thickness of the inner walls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Depths<S = f64> {
     /// Forebody heat shield, m.
@@ -80,7 +80,7 @@ pub struct Frame<'a, S = f64> {
     pub payload_radius_m: S,
     /// Impact foam that the stroke asks for, m.
     pub foam_thickness_m: S,
-    /// Centre of gravity, the lid's centre of curvature in the non-MSR concept, m.
+    /// Center of gravity, the lid's center of curvature in the non-MSR concept, m.
     pub cg_x_m: S,
     /// Constants.
     pub rules: &'a Rules,
@@ -89,11 +89,11 @@ pub struct Frame<'a, S = f64> {
 /// Where everything stands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layout<S = f64> {
-    /// Outer mould line.
+    /// Outer mold line.
     pub outline: Outline<S>,
     /// Layers.
     pub depths: Depths<S>,
-    /// Axial position of the payload's centre, m.
+    /// Axial position of the payload's center, m.
     pub payload_x_m: S,
     /// Radius of the payload, m.
     pub payload_radius_m: S,
@@ -129,7 +129,7 @@ pub enum Misfit {
     LidWiderThanShoulder {
         /// Outer radius of the annulus, m.
         annulus_r_m: f64,
-        /// Distance of the shoulder's centre from the axis, m.
+        /// Distance of the shoulder's center from the axis, m.
         shoulder_r_m: f64,
     },
     /// The wing's aft side would be shallower than allowed.

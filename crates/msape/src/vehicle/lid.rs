@@ -7,7 +7,7 @@
 //! with R_L the lid's radius about x_L, x_a its foot and r_a the outer edge of the annulus, m.
 //!
 //! # Valid
-//! A foot within the radius of its centre.
+//! A foot within the radius of its center.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
@@ -18,7 +18,7 @@ use numerics::scalar::Single;
 /// A lid: a spherical cap that stands on the plane of the annulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lid<S = f64> {
-    /// Axial position of its centre, m.
+    /// Axial position of its center, m.
     pub center_x_m: S,
     /// Outer radius, m.
     pub radius_m: S,

@@ -8,7 +8,7 @@
 //! payload. Sums run in the order of the components.
 //!
 //! # Valid
-//! Homogeneous components; centre of gravity on the axis.
+//! Homogeneous components; center of gravity on the axis.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
@@ -49,28 +49,28 @@ pub struct Component {
     pub mass_kg: f64,
     /// Mass with margin, kg.
     pub mass_with_margin_kg: f64,
-    /// Axial position of its centre of gravity from the virtual apex, m.
+    /// Axial position of its center of gravity from the virtual apex, m.
     pub cg_x_m: f64,
     /// Moment of inertia about the axis, with margin, kg m².
     pub ixx_kg_m2: f64,
-    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    /// Moment of inertia about a transverse axis through its own center of gravity, with margin, kg m².
     pub iyy_kg_m2: f64,
     /// Volume and moments.
     pub solid: SolidProperties,
 }
 
-/// Mass, centre of gravity and inertia of the whole, margin included.
+/// Mass, center of gravity and inertia of the whole, margin included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MassProperties<S = f64> {
     /// Mass, kg.
     pub mass_kg: S,
     /// Mass without any margin, kg.
     pub mass_without_margin_kg: S,
-    /// Axial position of the centre of gravity from the virtual apex, m.
+    /// Axial position of the center of gravity from the virtual apex, m.
     pub cg_x_m: S,
     /// Moment of inertia about the axis, kg m².
     pub ixx_kg_m2: S,
-    /// Moment of inertia about a transverse axis through the centre of gravity, kg m².
+    /// Moment of inertia about a transverse axis through the center of gravity, kg m².
     pub iyy_kg_m2: S,
     /// The same about the other transverse axis, kg m².
     pub izz_kg_m2: S,
@@ -87,14 +87,14 @@ pub struct Densities<'a, S = f64> {
     pub foam: Foam<S>,
 }
 
-/// Mass and centre of gravity alone, margin included.
+/// Mass and center of gravity alone, margin included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Masses<S = f64> {
     /// Each component, with margin, kg: zero where the concept does not have it.
     parts_kg: [S; ComponentKind::COUNT],
     /// Their sum, kg.
     pub mass_kg: S,
-    /// Axial position of the centre of gravity from the virtual apex, m.
+    /// Axial position of the center of gravity from the virtual apex, m.
     pub cg_x_m: S,
 }
 
@@ -239,7 +239,7 @@ pub fn parts<S: Single>(
     ComponentKind::ALL.map(|kind| (kind, part(kind, input, found, &solids[kind as usize])))
 }
 
-/// Area swept by closed profiles, and by those of their segments that are part of the outer mould line, m².
+/// Area swept by closed profiles, and by those of their segments that are part of the outer mold line, m².
 fn areas_m2(profiles: &[Profile], outside: &Profile) -> [f64; 2] {
     let (mut all, mut wetted) = (0.0, 0.0);
     for segment in profiles.iter().flat_map(|profile| &profile.segments) {
@@ -298,11 +298,11 @@ pub struct Part<S = f64> {
     pub mass_kg: S,
     /// Mass with margin, kg.
     pub mass_with_margin_kg: S,
-    /// Axial position of its centre of gravity from the virtual apex, m.
+    /// Axial position of its center of gravity from the virtual apex, m.
     pub cg_x_m: S,
     /// Moment of inertia about the axis, with margin, kg m².
     pub ixx_kg_m2: S,
-    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    /// Moment of inertia about a transverse axis through its own center of gravity, with margin, kg m².
     pub iyy_kg_m2: S,
 }
 

@@ -16,7 +16,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::material::DensityBasis;
 use serde::{Deserialize, Serialize};
 
-/// A line of the mass tree; moments of inertia are through the line's own centre of gravity.
+/// A line of the mass tree; moments of inertia are through the line's own center of gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Name.
@@ -35,7 +35,7 @@ pub struct Line {
     pub wetted_area_m2: Option<f64>,
     /// Mass, kg; of components without margin.
     pub mass_kg: f64,
-    /// Centre of gravity behind the nose, m.
+    /// Center of gravity behind the nose, m.
     pub cg_from_nose_m: f64,
     /// Moment of inertia about the axis, kg m²; of components without margin.
     pub ixx_kg_m2: f64,

@@ -1,7 +1,7 @@
 //! The MSR concept: payload in a foam-filled impact sphere with a shell, under a hemispherical lid.
 //!
 //! ```text
-//! x_c = (R_i + T) / sin θ            centre of an impact sphere R_i that rests in the cone under layers T,
+//! x_c = (R_i + T) / sin θ            center of an impact sphere R_i that rests in the cone under layers T,
 //! x_c = x_n − (Rₙ − T) + R_i         or in the nose when R_i < Rₙ − T
 //! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure stand at x_c
 //! ```
@@ -154,7 +154,7 @@ fn body_foam<S: Single>(layout: &Layout<S>, center: Point<S>, sphere: S, draft: 
     let dome_r = sphere + layout.body_foam_thickness_m;
     let dome = Segment::arc(center, dome_r, quarter, -quarter);
     let in_nose = sphere.less(forebody.nose_radius_m - fore);
-    // direction from the sphere's centre to where it touches
+    // direction from the sphere's center to where it touches
     let touch = if in_nose { half } else { theta + FRAC_PI_2 };
     let touch_r = if in_nose {
         zero

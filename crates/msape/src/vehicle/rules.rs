@@ -23,7 +23,7 @@ pub struct Rules {
     pub diameter_max_m: f64,
     /// Width of the last interval in the search for the smallest diameter, m.
     pub diameter_resolution_m: f64,
-    /// Largest move of centre of gravity, attached structure and walls at convergence, m.
+    /// Largest move of center of gravity, attached structure and walls at convergence, m.
     pub convergence_m: f64,
     /// Thickness of the impact shell, m.
     pub impact_shell_thickness_m: f64,

@@ -44,11 +44,11 @@ pub enum Segment<S = f64> {
         start: Point<S>,
         /// Where it ends.
         end: Point<S>,
-        /// Centre of the circle.
+        /// Center of the circle.
         center: Point<S>,
         /// Radius of the circle, m.
         radius_m: S,
-        /// Direction from the centre to the start, from the x axis towards the r axis, rad.
+        /// Direction from the center to the start, from the x axis towards the r axis, rad.
         start_angle_rad: S,
         /// Angle run through, positive from the x axis towards the r axis, rad.
         sweep_rad: S,
@@ -239,7 +239,7 @@ impl Segment {
         }
     }
 
-    /// Whether the arc passes the direction `angle_rad` from its centre; never for a line.
+    /// Whether the arc passes the direction `angle_rad` from its center; never for a line.
     pub fn sweeps(&self, angle_rad: f64) -> bool {
         match *self {
             Self::Line { .. } => false,

@@ -4,7 +4,7 @@
 //! layers of forebody and aftbody | primary structure | wing | what the concept has inside | payload
 //! ```
 //!
-//! with lengths in m; each layer between two surfaces of the outer mould line at a depth.
+//! with lengths in m; each layer between two surfaces of the outer mold line at a depth.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`].

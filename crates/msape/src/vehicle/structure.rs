@@ -127,7 +127,7 @@ impl Governs {
 pub struct Wall<S = f64> {
     /// Thickness, of a sandwich its height, m.
     pub thickness_m: S,
-    /// Thickness of one face of a sandwich, m; nought for a laminate.
+    /// Thickness of one face of a sandwich, m; zero for a laminate.
     pub face_thickness_m: S,
     /// Mean density, kg/m³.
     pub density_kg_m3: S,

@@ -6,7 +6,7 @@
 //! R_s − (x_a − x_s) cos φ₀ − (r_s − r_a) sin φ₀ ≥ 0    no shallower than φ₀
 //! ```
 //!
-//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the centre of the shoulder arc in m, R_s its radius in m, φ and φ₀
+//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the center of the shoulder arc in m, R_s its radius in m, φ and φ₀
 //! the steepest and the least slope of the wing's aft side in rad.
 //!
 //! # Valid
@@ -25,7 +25,7 @@ const WING_LENGTH_M: f64 = 1e-6;
 /// shallowest wing.
 #[derive(Clone, Copy, Debug)]
 pub struct Wing<S = f64> {
-    /// Centre of the shoulder arc.
+    /// Center of the shoulder arc.
     pub center: Point<S>,
     /// Its radius, m.
     pub radius_m: S,
@@ -61,7 +61,7 @@ impl<S: Single> Wing<S> {
         ahead.min(along - self.radius_m * s).min(outside)
     }
 
-    /// Half the width of the shoulder's circle at a distance behind its centre, m; zero aft of it.
+    /// Half the width of the shoulder's circle at a distance behind its center, m; zero aft of it.
     fn circle_m(&self, behind_m: S) -> S {
         let square = self.radius_m * self.radius_m - behind_m * behind_m;
         square.max(S::constant(0.0)).sqrt()
@@ -99,7 +99,7 @@ mod tests {
             shallowest: sin_cos(PI / 36.0),
         };
         let edge = |x_m, r_m| Point { x_m, r_m };
-        // at the height of the centre the steepest wing is 0.5 / sin 30° inwards of it
+        // at the height of the center the steepest wing is 0.5 / sin 30° inwards of it
         assert!((wing.widest_r_m(1.0) - 1.0).abs() < 1e-15);
         assert!(wing.clearance_m(edge(1.0, 1.01)) < 0.0 && wing.clearance_m(edge(1.0, 0.99)) > 0.0);
         // 0.48 m aft of it the circle is √(0.5² − 0.48²) = 0.14 m inwards

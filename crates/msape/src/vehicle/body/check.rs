@@ -1,7 +1,7 @@
 //! What keeps an open chain of lines and arcs from being the outline of a body of revolution: what crosses what, and where.
 //!
 //! ```text
-//! r = 0 at both ends, r > 0 between them; no two segments share a point but neighbours their joint; V > 0
+//! r = 0 at both ends, r > 0 between them; no two segments share a point but neighbors their joint; V > 0
 //! ```
 //!
 //! with r the distance from the axis in m and V the volume in m³, zero being a billionth of the outline's size.
@@ -213,7 +213,7 @@ fn crossing(first: &Numbered, second: &Numbered, near: f64) -> Option<OutlineFau
     let ((p, one, a), (q, other, b)) = (*first, *second);
     let joint = (q == p + 1).then(|| a.end());
     let mut points = meetings(a, b, near);
-    // neighbours share their joint
+    // neighbors share their joint
     let loose = 1e3 * near;
     points.retain(|p| joint.is_none_or(|joint| distance_m(*p, joint) > loose));
     let at = At(*points.first()?);

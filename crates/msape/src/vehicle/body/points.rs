@@ -1,7 +1,7 @@
 //! An outline from rows of points, with arcs where a row has a bulge.
 //!
 //! ```text
-//! bulge = tan(sweep / 4)      R = L (1 + b²) / (4 |b|)      distance of the centre from the chord = L (1 − b²) / (4 b)
+//! bulge = tan(sweep / 4)      R = L (1 + b²) / (4 |b|)      distance of the center from the chord = L (1 − b²) / (4 b)
 //! ```
 //!
 //! with L the chord to the next point in m, R the radius in m, the sweep in rad, positive from the x axis towards the r axis; a bulge of

@@ -200,7 +200,7 @@ mod tests {
                 .unwrap()
                 .length_m()
         };
-        // Apollo 135 in; Genesis was divided so; Hayabusa 0.20 m, to the millimetres of its transcription
+        // Apollo 135 in; Genesis was divided so; Hayabusa 0.20 m, to the millimeters of its transcription
         assert!((height("apollo") - 135.0 * 0.0254).abs() < 0.01);
         assert!((height("genesis") - 1.31).abs() < 1e-3);
         assert!((height("hayabusa") - 0.20).abs() < 0.005);

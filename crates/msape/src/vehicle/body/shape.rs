@@ -6,7 +6,7 @@
 //! r_t = R_c cos φ                                                                         end of an aft cone at a cap
 //! ```
 //!
-//! with x_n and (x_s, r_s) the centres of nose and shoulder in m, θ the half-angle of the forebody's cone, φ that of an aft cone
+//! with x_n and (x_s, r_s) the centers of nose and shoulder in m, θ the half-angle of the forebody's cone, φ that of an aft cone
 //! against the axis in rad, R_c the radius of a cap that the last aft cone touches in m.
 //!
 //! # Valid
@@ -203,7 +203,7 @@ impl Shape {
         }
     }
 
-    /// Centre of the shoulder, and the angle from its centre to where the forebody meets it, from the x axis.
+    /// Center of the shoulder, and the angle from its center to where the forebody meets it, from the x axis.
     fn shoulder(&self) -> (Point, f64) {
         let (nose, radius) = (self.nose_radius_m, self.shoulder_radius_m);
         let r_m = self.diameter_m / 2.0 - radius;
@@ -436,7 +436,7 @@ mod tests {
         };
         assert_eq!((lid(45.0), lid(60.0), lid(70.0)), (0, 1, 1));
         let body = sound(&sphere_cone(60.0, Aft::Mmeev));
-        // centre at 0.2 D, top a radius of 0.3 D behind
+        // center at 0.2 D, top a radius of 0.3 D behind
         assert!((body.nose_tip_x_m() + body.length_m() - 0.5).abs() < 1e-12);
     }
 

@@ -111,7 +111,7 @@ impl<S: Single> Absorber<S> {
             + self.area_m2(crush_m) * self.law.slope_pa(strain) / self.thickness_m
     }
 
-    /// Way over which the force goes to nought when the load is taken off, m.
+    /// Way over which the force goes to zero when the load is taken off, m.
     pub fn elastic_way_m(&self, crush_m: S) -> S {
         let law = &self.law;
         let yield_m = law.yield_strain() * self.thickness_m;
@@ -221,7 +221,7 @@ impl<S: Single> Absorber<S> {
         energy_j / self.taken_m3(self.plateau_crush_m())
     }
 
-    /// Thickness that takes an energy up to the end of the plateau, m; `None` beyond ten metres.
+    /// Thickness that takes an energy up to the end of the plateau, m; `None` beyond ten meters.
     pub fn thickness_needed_m(&self, energy_j: S) -> Option<S> {
         let left_j = |thickness_m: S| {
             let other = Absorber {

@@ -196,7 +196,7 @@ impl Motion {
         first
     }
 
-    /// The equations after an event; the state may lose what is left of a speed that has come to nought.
+    /// The equations after an event; the state may lose what is left of a speed that has come to zero.
     fn after(mut self, event: Event, y: &mut [f64; STATES]) -> Motion {
         match event {
             // ends of a step where the force bends, nothing else

@@ -250,7 +250,7 @@ mod tests {
         assert_eq!(ground("rigid").rigid_body_load(&striker(30.0)), None);
     }
 
-    /// Two flight-like vehicles fell on the sandy clay of Utah at about 30 m/s: less than 600 g at the centre of gravity
+    /// Two flight-like vehicles fell on the sandy clay of Utah at about 30 m/s: less than 600 g at the center of gravity
     /// (abstract of \[kellas-2017\]; sizes and masses are not in it, those of Table 15 stand in for them).
     #[test]
     fn drops_of_2017_stay_below_600_g() {
@@ -267,7 +267,7 @@ mod tests {
             };
             clay.rigid_body_load(&striker).unwrap().load_earth_g
         };
-        // equation 1: 28 · 900 / 45.7 = 551.42 g for each metre; with the nose a quarter of that of the whole vehicle
+        // equation 1: 28 · 900 / 45.7 = 551.42 g for each meter; with the nose a quarter of that of the whole vehicle
         assert!((load(0.225) - 124.07).abs() < 0.01 && (load(0.9) - 496.28).abs() < 0.01);
     }
 

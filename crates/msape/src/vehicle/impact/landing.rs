@@ -60,7 +60,7 @@ pub struct Landing {
     pub ground: Pulse,
     /// Depth of a rigid vehicle in the chosen ground, m; zero on rigid ground.
     pub rigid_body_depth_m: f64,
-    /// Foam of this strength that would stay on its plateau on a rigid surface, m; absent beyond ten metres.
+    /// Foam of this strength that would stay on its plateau on a rigid surface, m; absent beyond ten meters.
     pub foam_needed_m: Option<f64>,
     /// Strength with which the foam would stay on its plateau on a rigid surface, Pa.
     pub strength_needed_pa: f64,

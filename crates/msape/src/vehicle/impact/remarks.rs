@@ -9,7 +9,7 @@
 //! with z the depth of a rigid vehicle, Rₙ, θ, D nose radius, cone half-angle and diameter; lengths in m.
 //!
 //! # Valid
-//! One per cent of the energy is an assumption of ours: about 6 deg.
+//! The limit of 1 % of the energy is an assumption of this project: about 6 deg.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5; \[young-1997\].

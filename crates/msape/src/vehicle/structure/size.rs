@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with pressures in Pa, forces in N, N in N/m; f the safety factor, p₀ the peak stagnation pressure, M a the entry mass
-//! times its deceleration, A the frontal area, h the distance of the centre of gravity from the attached structure, R the
+//! times its deceleration, A the frontal area, h the distance of the center of gravity from the attached structure, R the
 //! radius of the primary structure, m. On the primary structure lateral bending is counted as if its largest force went
 //! round the whole circle: it buckles at a smaller stress under axial load than in bending, so that this is safe.
 //!

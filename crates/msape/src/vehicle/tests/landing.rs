@@ -107,7 +107,7 @@ fn foam_of_equation_6_over_a_small_payload_is_a_finding() {
     assert_eq!(one.severity, Severity::Exceeded);
     assert_eq!((one.value, one.valid), (Some(load), (None, Some(3500.0))));
     assert_eq!(one.field.as_deref(), Some("design.foam_strength"));
-    // from one per cent over the limit
+    // from 1 % over the limit
     for (limit, expected) in [(load / 1.009, false), (load / 1.011, true)] {
         let mut vehicle = vehicle.clone();
         vehicle.impact.crush_load_limit_earth_g = limit;
