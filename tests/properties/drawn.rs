@@ -56,7 +56,7 @@ impl Random {
     }
 }
 
-/// What a flight is drawn by: entry state in words, and the vehicle.
+/// Number of parameters from which a random flight is drawn: entry state and vehicle.
 pub const PARAMETERS: usize = 14;
 
 pub fn drawn(random: &mut Random) -> [f64; PARAMETERS] {

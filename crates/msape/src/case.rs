@@ -1,4 +1,4 @@
-//! What a person asks for: keys and values, as typed, not yet checked.
+//! A case: keys and values as the user typed them, not yet checked.
 //!
 //! A [`Case`] keeps everything it was given, faults included, so that nothing is lost; [`crate::problem`] checks it and
 //! reports all faults at once.
@@ -54,7 +54,7 @@ pub struct Case {
     /// Version of the program whose defaults it was written for.
     #[serde(default)]
     pub version: Version,
-    /// What was given, by dotted key.
+    /// Values given, by dotted key.
     pub values: BTreeMap<String, Value>,
 }
 
@@ -122,7 +122,7 @@ impl Case {
         self.values.insert(key, value);
     }
 
-    /// What was given for a key, as text; rows have none.
+    /// Value given for a key, as text; `None` for rows.
     pub fn text(&self, key: &str) -> Option<String> {
         match self.values.get(key)? {
             Value::Number(number) => Some(number.to_string()),

@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 /// A data file.
 #[derive(Clone, Copy, Debug)]
 pub enum Data<'d> {
-    /// Text of a file of one's own.
+    /// Text of a file of the user.
     #[cfg(feature = "own-data")]
     Own(&'d str),
-    /// What the build made of a shipped file.
+    /// A shipped file as converted by the build script.
     Shipped(&'d str),
 }
 
@@ -32,7 +32,7 @@ impl<'d> From<&'d String> for Data<'d> {
 }
 
 impl Data<'_> {
-    /// The file as a type that says its keys.
+    /// The file as a type that names its keys.
     ///
     /// # Errors
     /// Place, key and what it must be.

@@ -5,7 +5,7 @@
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer. [`start`]: where they may begin.
 //! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
 //! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
-//! - `given`: what is said of results that the user gives.
+//! - `given`: findings on results that the user gives.
 //! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
@@ -43,7 +43,7 @@ use serde::{Deserialize, Serialize};
 /// The end of the coupling: the last pass, how it ended, and the record of all passes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// How it ended.
+    /// Outcome: how the computation ended.
     pub outcome: Outcome,
     /// Why, in one sentence, where the outcome needs one.
     pub reason: Option<String>,
@@ -80,11 +80,11 @@ pub struct Design {
     pub aftbody_heat_load_j_m2: f64,
     /// Largest heat flux on the shoulder with margins, W/m².
     pub shoulder_heat_flux_w_m2: f64,
-    /// The same over that of the stagnation point.
+    /// Largest heat flux on the shoulder over that of the stagnation point.
     pub shoulder_heat_flux_ratio: f64,
     /// Heat load on the shoulder with margins, with the factor of the flux, J/m².
     pub shoulder_heat_load_j_m2: f64,
-    /// The point of the forebody at which its heat shield is judged, and what it goes through.
+    /// Point of the forebody at which its heat shield is sized, and the environment there.
     pub forebody_judged: Environment,
     /// Largest pressure on the aftbody, Pa.
     pub aftbody_pressure_pa: f64,

@@ -1,4 +1,4 @@
-//! Warnings as values: what a result's reader must know, beside the result and never instead of it.
+//! Warnings as values: remarks on a result, returned with it and never instead of it.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub enum Severity {
     Exceeded,
 }
 
-/// One remark beside a result: which model, which quantity, its value, the range in which it is good.
+/// A remark on a result: model, quantity, value, and the range in which the model is valid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// How much it matters.
@@ -29,7 +29,7 @@ pub struct Finding {
     pub value: Option<f64>,
     /// Range in which the model is good, in the same unit; an open end is `None`.
     pub valid: (Option<f64>, Option<f64>),
-    /// One sentence, with the numbers in the units of the source.
+    /// Message in one sentence, with the numbers in the units of the source.
     pub message: String,
     /// Where the limit comes from, such as `NASA/TM-2014-218507, Table 7`.
     pub source: String,

@@ -41,7 +41,7 @@ pub use files::{case_file, cases, data_file, data_folder};
 pub struct DataError {
     /// Path of the file below `data`.
     pub file: String,
-    /// What is wrong with it: key, value, and what it must be.
+    /// Fault of the file: key, value, and the values allowed.
     pub message: String,
 }
 
@@ -53,9 +53,9 @@ pub type Named<T> = Vec<(String, T)>;
 pub struct World {
     /// The planet.
     pub planet: Planet,
-    /// Title of its own atmosphere.
+    /// Title of the planet's own atmosphere.
     pub atmosphere_title: String,
-    /// Its own atmosphere.
+    /// The planet's own atmosphere.
     pub atmosphere: Atmosphere,
     /// Sutton-Graves constant.
     pub sutton_graves: SuttonGraves,

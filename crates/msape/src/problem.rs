@@ -48,9 +48,9 @@ pub struct FlightProblem {
     pub mission: Mission,
     /// The vehicle.
     pub body: Body,
-    /// Its outline, where the case has one.
+    /// Outline of the vehicle, if the case has one.
     pub outline: Option<RigidBody>,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
@@ -59,7 +59,7 @@ pub struct FlightProblem {
 pub struct DesignProblem {
     /// Everything that determines the design.
     pub input: DesignInput,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
@@ -247,7 +247,7 @@ pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer
     design_watched(case, library, request, &mut Unwatched)
 }
 
-/// The same as [`design`]; who watches may end it after a pass, and has the vehicle of that pass.
+/// Checks and solves a design like [`design`]; the observer may stop it after a pass, and the vehicle of that pass is the answer.
 ///
 /// # Errors
 /// Every fault of the case at once.

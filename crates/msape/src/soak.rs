@@ -46,7 +46,7 @@ pub struct SoakCorrelation {
     pub place: String,
     /// How the form was found.
     pub note: String,
-    /// What is seen and what deduced.
+    /// Facts that were read from the source, and those deduced.
     pub provenance: String,
     a: f64,
     b: f64,
@@ -86,7 +86,7 @@ struct Valid {
     diameter_m: Range,
 }
 
-/// What the correlation asks for.
+/// Inputs of the correlation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SoakInput<S = f64> {
     /// Peak stagnation heat flux, cold wall, with margins, W/m².
@@ -136,7 +136,7 @@ impl SoakCorrelation {
         -self.b / (2.0 * self.a)
     }
 
-    /// What a reader must know: that the form is deduced, and where the correlation is used beyond its data.
+    /// Findings: that the form is deduced, and where the correlation is used beyond its data.
     pub fn findings(&self, input: &SoakInput) -> Vec<Finding> {
         const SOURCE: &str = "NASA/TM-2014-218507, section 3.6";
         let temperature = Some(self.peak_temperature_k(input));

@@ -78,7 +78,7 @@ pub struct Vehicle {
     pub components: Vec<Component>,
     /// Mass, center of gravity, inertia.
     pub mass: MassProperties,
-    /// The same after landing, the payload moved forward by the required stroke.
+    /// Mass, center of gravity and inertia after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties,
     /// Key dimensions.
     pub dimensions: Dimensions,

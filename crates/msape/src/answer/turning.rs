@@ -15,7 +15,7 @@ pub enum Cell {
     Word(&'static str),
 }
 
-/// One column of the table of entries.
+/// A column of the table of entries.
 #[derive(Clone, Copy)]
 pub struct Column {
     /// Key with its unit.
@@ -123,7 +123,7 @@ pub fn json(turning: &Turning) -> Value {
     value!({ "nose_first_share": turning.nose_first_share(), "entries": entries })
 }
 
-/// One sentence: how many entries met the heat nose first.
+/// Sentence that states how many entries are nose first at the largest heat rate.
 pub fn sentence(turning: &Turning) -> String {
     format!(
         "{} of {} entries are nose first at the largest heat rate.",

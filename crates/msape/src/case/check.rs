@@ -9,9 +9,9 @@ use crate::quantity::input::{self, Alternatives, Choices, Input, Key, Kind, Pres
 use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
 
-/// Unknown keys that are told; a file with more of them is no case.
+/// Largest number of reported unknown keys; a file with more of them is not a case.
 const UNKNOWN_MAX: usize = 50;
-/// Faults of one table that are told.
+/// Largest number of reported faults of one table.
 const ROW_FAULTS_MAX: usize = 100;
 
 /// Files whose rows have to stand in the case; who reads files puts them in their place.
@@ -262,7 +262,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// One of the fixed choices of an input, or its default.
+    /// Value of an input with fixed choices, or its default.
     pub fn choice<C: Choice>(&mut self, key: impl Into<Key>) -> Option<C> {
         let key = key.into();
         let fixed = match key.input.kind {

@@ -19,7 +19,7 @@ use std::fmt;
 pub struct InputError {
     /// Dotted key; empty when the whole file is at fault.
     pub key: String,
-    /// What was got and what must be, with range and unit.
+    /// Message: the value given and the values allowed, with range and unit.
     pub message: String,
 }
 

@@ -18,7 +18,7 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// Whether it has keys of its own.
+    /// Whether the node is a table, with keys of its own.
     pub(super) fn is_map(&self) -> bool {
         matches!(self, Node::Map(_))
     }
@@ -111,7 +111,7 @@ pub(super) fn rows_of_text(text: &str) -> Option<Value> {
     }
 }
 
-/// What a value is that no input takes, of its spelling in TOML; of rows, which of them is at fault.
+/// Description, for a message, of a value that no input takes, from its spelling in TOML; of rows, the row at fault.
 pub(super) fn described(spelling: &str, rows_expected: bool) -> String {
     match node_of(spelling) {
         Some(list @ Node::List(_)) if rows_expected => {

@@ -54,7 +54,7 @@ impl fmt::Display for Version {
 /// Versions that have a list of what they did otherwise, each with its file and the folder of its shipped cases.
 const EARLIER: [(Version, &str, &str); 1] = [(Version::FIRST, "versions/0.1.toml", "cases/0.1")];
 
-/// What a version did otherwise.
+/// Differences of an earlier version from this one.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Changes {
@@ -94,7 +94,7 @@ struct Place {
 struct Mended {
     section: String,
     what: String,
-    /// Where it shows; everywhere when absent.
+    /// Cases that it affects; all cases if absent.
     #[serde(rename = "where")]
     only: Option<Place>,
 }
@@ -130,7 +130,7 @@ pub fn shipped(version: Version, id: &str) -> Option<Case> {
     Case::from_toml(text).ok()
 }
 
-/// What all versions from this one on did otherwise, the oldest first: a default that changed twice is taken from it.
+/// Differences of all versions from `version` on, the oldest first: a default that changed twice is taken from the oldest.
 fn since(version: Version) -> Vec<(Version, Changes)> {
     EARLIER
         .iter()

@@ -69,7 +69,7 @@ impl Coupled<'_> {
         }
     }
 
-    /// How it ended.
+    /// Outcome: how the passes ended.
     pub fn outcome(&self) -> Outcome {
         match &self.searched.run.end {
             End::Vehicle(made) => made.outcome,

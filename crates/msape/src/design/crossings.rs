@@ -1,4 +1,4 @@
-//! What crosses between the modules: the entries of the design structure matrix off its diagonal.
+//! Values passed between the modules: the entries of the design structure matrix off its diagonal.
 //!
 //! # References
 //! - \[samareh-2014\] Figure 4.
@@ -28,17 +28,17 @@ impl Crossed<'_> {
 pub struct Crossing {
     /// Key with its SI unit.
     pub key: &'static str,
-    /// What it is.
+    /// Label.
     pub label: &'static str,
-    /// What it measures.
+    /// Physical dimension.
     pub dimension: Dimension,
     /// Symbol of the unit shown by default.
     pub unit: &'static str,
-    /// Module that gives it.
+    /// Module that computes the value.
     pub from: Module,
-    /// Modules that take it.
+    /// Modules that use the value.
     pub to: &'static [Module],
-    /// Takes it out of a pass.
+    /// Function that returns the value in a pass.
     get: fn(&Crossed) -> f64,
 }
 

@@ -11,7 +11,7 @@ pub enum DesignDrag {
     Table(DragTable),
     /// Computed from the outline.
     Outline {
-        /// With these.
+        /// Axial forces of the outline.
         forces: AxialForces,
         /// Coefficient below Mach 0.5.
         subsonic: f64,

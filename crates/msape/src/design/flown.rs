@@ -17,7 +17,7 @@ pub(super) struct Flown {
     pub(super) outcome: Outcome,
     pub(super) reason: Option<String>,
     pub(super) terminal_speed_m_s: f64,
-    /// Whether it ended where the case asks for.
+    /// Whether the flight ended where the case asks for.
     pub(super) came_down: bool,
     /// Speed at impact, or the terminal speed where the flight does not come down.
     pub(super) impact_speed_m_s: f64,

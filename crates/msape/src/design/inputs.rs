@@ -40,11 +40,11 @@ pub struct DesignInput {
     pub soak: SoakCorrelation,
     /// Trajectory space of the mass-estimating relations.
     pub fit_space: FitSpace,
-    /// What the aftbody gets of the forebody's environment.
+    /// Environment of the aftbody as fractions of that of the forebody.
     pub afterbody: Afterbody,
-    /// What the shoulder gets of the stagnation point's heating.
+    /// Heating of the shoulder relative to that of the stagnation point.
     pub shoulder: Shoulder,
-    /// Where the forebody's heat shield is judged.
+    /// Point at which the forebody's heat shield is sized.
     pub judged_at: JudgedAt,
     /// Drag coefficient against Mach number.
     pub drag: DesignDrag,

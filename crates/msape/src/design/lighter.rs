@@ -31,18 +31,18 @@ const HALVINGS: usize = 15;
 /// Passes allowed at each diameter, if not more are asked for: assumed. Where the light vehicle ends they settle slowly.
 const MOST_PASSES: u32 = 200;
 
-/// What was found beside the vehicle of the first passes.
+/// Result of the search for a lighter vehicle.
 #[derive(Debug)]
 pub(super) struct Searched<'a> {
-    /// The vehicle that answers.
+    /// Passes of the vehicle that is the answer.
     pub(super) run: Run<'a>,
-    /// The heavier vehicle, where it is not that one.
+    /// The heavier vehicle, if the answer is a lighter one.
     pub(super) heavier: Option<Heavier>,
     /// Why the search was cut short, where it was.
     pub(super) cut: Option<Cut>,
 }
 
-/// A heavier vehicle that answers, too.
+/// A heavier vehicle that satisfies the case, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Heavier {
     /// Diameter from which it was grown, m.

@@ -1,4 +1,4 @@
-//! Why a vehicle does not close, told at the inputs that mend it.
+//! Reasons why a vehicle does not close, reported at the inputs that mend it.
 
 use crate::finding::{Finding, Severity};
 use crate::quantity::input;

@@ -4,7 +4,7 @@ use super::crossings::CROSSINGS;
 use crate::flight::mission::Model;
 use serde::{Deserialize, Serialize};
 
-/// One pass of the coupling through the modules.
+/// A pass of the coupling through the modules.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pass {
     /// Number of the pass, from 1.

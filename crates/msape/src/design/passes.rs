@@ -56,7 +56,7 @@ pub(super) struct Work<'a> {
     is_stopped: bool,
 }
 
-/// Passes after which half is told to be done, assumed: how many it takes is not known before.
+/// Passes after which progress is reported as one half, assumed: the number needed is not known before.
 const HALF_DONE: f64 = 5.0;
 
 impl<'a> Work<'a> {
@@ -80,7 +80,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Takes in a pass and tells who watches.
+    /// Records a pass and reports it to the observer.
     fn add(&mut self, evaluations: u64) {
         self.done += WORK_OF_PASS + evaluations;
         self.passes += 1;
@@ -106,14 +106,14 @@ impl<'a> Work<'a> {
 /// Why passes were cut short.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cut {
-    /// At a limit of work, in evaluations of the equations of motion.
+    /// The limit of work was reached, in evaluations of the equations of motion.
     Work(u64),
-    /// By who watches.
+    /// The caller stopped the passes.
     Stopped,
 }
 
 impl Cut {
-    /// It in a part of a sentence.
+    /// The reason as part of a sentence.
     pub(super) fn reason(self) -> String {
         match self {
             Cut::Work(most) => format!(
@@ -135,7 +135,7 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// The same with an input of its own.
+    /// This run with an owned input.
     pub(super) fn into_owned(self) -> Run<'static> {
         Run {
             input: Cow::Owned(self.input.into_owned()),
@@ -195,7 +195,7 @@ impl Made {
 pub(super) struct Way<'a> {
     /// Numbers of the first pass; the guesses of the input if absent.
     pub(super) from: Option<Numbers>,
-    /// What the passes of a neighbor have taught.
+    /// Memory of the acceleration from the passes of a neighbor.
     pub(super) taught: Option<&'a Memories>,
     /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
     pub(super) as_asked_below_kg: Option<f64>,

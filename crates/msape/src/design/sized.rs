@@ -105,7 +105,7 @@ fn of_points(flight: &Flight, stagnation: &Environment) -> OffStagnation {
     }
 }
 
-/// One over the other; 0 where that is 0.
+/// Ratio of `value` to `of`; 0 if `of` is 0.
 fn ratio(value: f64, of: f64) -> f64 {
     if of > 0.0 { value / of } else { 0.0 }
 }

@@ -1,4 +1,4 @@
-//! Which way a designed vehicle flies of itself: static margin and trims of its outline about its center of gravity.
+//! Static stability of a designed vehicle: static margin and trims of its outline about its center of gravity.
 //!
 //! ```text
 //! nose first: margin > 0;   another stable trim: the vehicle may stay there

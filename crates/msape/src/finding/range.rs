@@ -70,9 +70,9 @@ pub struct Check<'a> {
     pub range: Range,
     /// The unit of both.
     pub unit: &'a str,
-    /// One such unit in SI (1 for degrees).
+    /// Value of the unit in SI (1 for degrees).
     pub si_per_unit: f64,
-    /// What it means to be outside; ends the sentence.
+    /// Consequence of a value outside the range, as the end of the sentence.
     pub meaning: &'a str,
     /// Where the range comes from.
     pub source: &'a str,

@@ -203,7 +203,7 @@ fn concepts(
     stacks
 }
 
-/// What a file names, or a fault that says what there is.
+/// Item of a list that a file names; otherwise a fault that lists the names there are.
 fn find<'l, T>(
     files: &mut Files,
     file: &str,

@@ -20,7 +20,7 @@ pub type BodyCoefficients = (AeroBody, Database);
 pub struct AeroProblem {
     body: Body,
     coefficients: Coefficients,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
@@ -60,7 +60,7 @@ impl AeroProblem {
                 None
             }
         };
-        // The check of a design has said before what is wrong with the planet.
+        // the check of the design has already reported the faults of the planet
         let medium = match reader.faults.is_empty() {
             true => Medium::of_case(&mut reader, library),
             false => None,

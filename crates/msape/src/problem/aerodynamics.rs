@@ -1,4 +1,4 @@
-//! Checks what a case says about coefficients over the angle of attack.
+//! Checks the coefficients over the angle of attack of a case.
 
 use super::forms::{beyond, names};
 use super::planet::{atmosphere, planet};
@@ -359,7 +359,7 @@ fn noted(
     }
 }
 
-/// What is said of angles that may be in radians.
+/// Finding on angles of a table that may be in radians.
 fn of_radians(input: &Input, largest_deg: f64) -> Finding {
     Finding {
         severity: Severity::Exceeded,

@@ -84,7 +84,7 @@ pub fn attitude_of_design(
         axial_force: axial_force.filter(|_| database.table().is_none()),
         database,
     };
-    // What the case says of the integration is for its point mass.
+    // the integration settings of the case are for its point mass
     let mut mission = input.mission.clone();
     mission.phases = phases;
     mission.solver.model = Model::ThreeDof;
@@ -303,7 +303,7 @@ mod tests {
         let faults = crate::fly(&case(), &library, Request::Nothing).unwrap_err();
         let mass = faults.iter().find(|f| f.key == "vehicle.mass_kg").unwrap();
         assert!(mass.message.contains("vehicle.dof = 6"), "{mass}");
-        // A vehicle of its own is flown as before, whatever else the case says.
+        // a vehicle given in the case is flown as before, whatever else the case contains
         let mut own = case();
         own.set("vehicle.dof", "6");
         own.set("vehicle.mass_kg", "46");

@@ -43,7 +43,7 @@ pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Optio
 fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
     let mut crossings = 0;
     for segment in &outline.segments {
-        // What closes the outline along the axis is not a wall.
+        // the segment that closes the outline along the axis is not a wall
         if segment.bounds_m()[3] == 0.0 {
             continue;
         }

@@ -26,7 +26,7 @@ const FIRST_LOADS: Loads = Loads {
 const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
 
-/// What would cross what where a dimension is outside its range.
+/// Explanations, by input, of the surfaces that would intersect if a dimension were outside its range.
 const CROSSINGS: [(&Input, &str); 4] = [
     (
         &input::design::SHOULDER_RADIUS_RATIO,

@@ -50,7 +50,7 @@ pub(super) fn degrees(reader: &mut Reader) -> Option<Degrees> {
     }
 }
 
-/// What is known of the body besides.
+/// Other data of the body.
 pub(super) struct Known<'a> {
     pub(super) degrees: Degrees,
     pub(super) mission: Option<&'a Mission>,

@@ -26,12 +26,12 @@ pub fn rigid_body(case: &Case, library: &Library) -> Result<Option<RigidBody>, V
     }
 }
 
-/// What the section `[outline]` of a case makes.
+/// Result of the section `[outline]` of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outline {
     /// The case has no such section.
     Absent,
-    /// It has faults, which are noted.
+    /// The section has faults, which are recorded.
     Faulty,
     /// An outline.
     Body(Box<RigidBody>),

@@ -254,7 +254,7 @@ fn own_atmosphere(
     Some(world.atmosphere.clone())
 }
 
-/// The gas with what the case says of it; `None` at a fault.
+/// The gas, with the properties that the case gives; `None` at a fault.
 fn given_gas(reader: &mut Reader, gas: &mut Gas) -> Option<()> {
     let [molar_mass, ratio] = GAS.map(|key| (reader.given(key), reader.number(key)));
     if let (true, mass) = molar_mass {
@@ -266,7 +266,7 @@ fn given_gas(reader: &mut Reader, gas: &mut Gas) -> Option<()> {
     Some(())
 }
 
-/// What is not the case's own in an atmosphere that it brings, and a gas that is not the planet's.
+/// Messages on properties that an atmosphere given in the case does not contain, and on a gas that is not the planet's.
 fn assumed(
     reader: &Reader,
     model: &Atmosphere,

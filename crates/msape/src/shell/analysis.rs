@@ -12,7 +12,7 @@
 //! held there, as a launcher asks for them.
 //!
 //! # Valid
-//! As [`super::carrier`].
+//! Same as [`super::carrier`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.6; \[spacex-falcon-guide\] load factors; \[nasa-std-5001\] factors of safety.
@@ -52,13 +52,13 @@ pub struct PartStress {
 /// A load case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseStress {
-    /// Its parts; the edge member, a stand-in, is left out.
+    /// Stresses of the parts, without the edge member, which is a stand-in.
     pub parts: Vec<PartStress>,
     /// Largest displacement relative to the foot of the lid, m.
     pub largest_displacement_m: f64,
 }
 
-/// Values along the meridians: at entry unless the name says launch. One entry for each Gauss point, in the order of the parts.
+/// Values along the meridians, at entry unless the name contains `launch`; one for each Gauss point, in the order of the parts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Distributions {
     /// Part.
@@ -81,7 +81,7 @@ pub struct Distributions {
     pub launch_displacement_m: Vec<f64>,
 }
 
-/// What the shell model says of a vehicle.
+/// Results of the shell model of a vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CarrierAnalysis {
     /// Number of elements.
@@ -90,9 +90,9 @@ pub struct CarrierAnalysis {
     pub pressure_factor: f64,
     /// Force of the pressure along the axis, N.
     pub pressure_force_n: f64,
-    /// Deceleration that balances it, Earth g.
+    /// Deceleration that balances the pressure force, Earth g.
     pub deceleration_earth_g: f64,
-    /// Force that is left at the foot of the lid when both act, over that of the pressure: zero but for rounding.
+    /// Remaining force at the foot of the lid over the pressure force: zero within rounding.
     pub imbalance: f64,
     /// Entry.
     pub entry: CaseStress,

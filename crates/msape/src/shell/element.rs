@@ -53,7 +53,7 @@ pub struct Station {
     pub hoop_curvature_per_m: f64,
     /// Shape functions.
     pub shape: [f64; 3],
-    /// Their derivatives along the meridian, 1/m.
+    /// Derivatives of the shape functions along the meridian, 1/m.
     pub slope_per_m: [f64; 3],
 }
 

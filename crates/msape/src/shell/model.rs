@@ -24,27 +24,27 @@ use numerics::linear::sparse::Sparse;
 pub struct Wall {
     /// Build and material.
     pub section: Section,
-    /// Its own mass and what lies on it.
+    /// Mass of the wall and of the layers on it.
     pub areal: ArealMass,
 }
 
-/// How a node is held.
+/// Support of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// Not along the axis.
+    /// Held along the axis.
     Axially,
-    /// Not across the axis, free to move along it and to turn.
+    /// Held across the axis; free to move along it and to rotate.
     ByDiaphragm,
-    /// Not at all to move, free to turn about the circle.
+    /// All displacements held; free to rotate about the circle.
     ByHinge,
-    /// Neither to move nor to turn.
+    /// Displacements and rotations held.
     Clamped,
-    /// As by its mirror image in a plane normal to the axis.
+    /// Symmetry about a plane normal to the axis.
     BySymmetry,
 }
 
 impl Held {
-    /// Which of U_x, U_r, V, β, φ are zero.
+    /// Whether each of U_x, U_r, V, β, φ is zero.
     fn freedoms(self) -> [bool; NODE_FREEDOMS] {
         match self {
             Self::Axially => [true, false, false, false, false],
@@ -68,7 +68,7 @@ pub struct Model {
     pub walls: Vec<Wall>,
 }
 
-/// An unknown, and the sign with which it stands for a freedom; `None` where the freedom is zero.
+/// Index of an unknown, and the sign with which it gives a degree of freedom; `None` where that is zero.
 type Slot = Option<(usize, f64)>;
 
 /// The unknowns of a harmonic.
@@ -165,13 +165,13 @@ impl Freedoms {
         })
     }
 
-    /// A matrix of zeros over the unknowns.
+    /// Zero matrix over the unknowns.
     pub fn matrix(&self) -> Skyline {
         Skyline::new(&self.first)
     }
 }
 
-/// Which freedoms of a node are zero; in the harmonic 0 those of torsion.
+/// Whether each degree of freedom of a node is zero; in the harmonic 0 those of torsion are.
 fn held(supports: &[Support], node: usize, harmonic: u32) -> [bool; NODE_FREEDOMS] {
     let torsion = harmonic == 0;
     let mut all = [false, false, torsion, false, torsion];

@@ -17,7 +17,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a wall is made of.
+/// Build of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Build {
     /// One laminate.

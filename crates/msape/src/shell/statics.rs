@@ -28,20 +28,20 @@ use numerics::linear::skyline::Factor;
 /// Displacements of a harmonic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// Which unknown is what.
+    /// Assignment of the unknowns to the degrees of freedom.
     pub freedoms: Freedoms,
     /// The unknowns, m and rad.
     pub unknowns: Vec<f64>,
-    /// What loads it.
+    /// Loads.
     pub loads: Loads,
 }
 
 /// Nodal forces of loads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loads {
-    /// By unknown, N and N m per radian.
+    /// Forces by unknown, N and N m per radian.
     pub by_unknown: Vec<f64>,
-    /// By element and its freedoms, N per radian.
+    /// Forces by element and degree of freedom, N per radian.
     pub by_element: Vec<[f64; FREEDOMS]>,
 }
 

@@ -1,4 +1,4 @@
-//! What the shell model says of one wall of the vehicle.
+//! Results of the shell model for one wall of the vehicle.
 //!
 //! ```text
 //! σ_allowed = σ (1 + margin)                 stress at the limit load at which the margin of safety is zero

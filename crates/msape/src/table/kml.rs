@@ -30,7 +30,7 @@ pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
 /// Writes that text piece by piece.
 ///
 /// # Errors
-/// What the writer refuses.
+/// The error of the writer.
 pub fn write(answer: &Answer, epoch: Instant, text: &mut dyn fmt::Write) -> Option<fmt::Result> {
     let flight = answer.flight.as_ref()?;
     let track = Track::of(flight.trajectory.as_ref()?)?;
@@ -76,7 +76,7 @@ fn write_track(
     text.write_str("</Document>\n</kml>\n")
 }
 
-/// How a file says over which body the track is; a viewer takes the Earth where nothing is said.
+/// Way in which a file names the body of the track; viewers assume the Earth where none is named.
 struct Body {
     hint: String,
     remark: String,
@@ -104,7 +104,7 @@ impl Body {
     }
 }
 
-/// The body over which viewers draw when nothing is said.
+/// Body that viewers assume where none is named.
 const EARTH: &str = "earth";
 
 struct Event<'a> {

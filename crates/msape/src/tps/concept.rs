@@ -8,7 +8,7 @@
 //! the structural rules.
 //!
 //! # Valid
-//! As heat shield and carrier are.
+//! Same as for heat shield and carrier.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.1 and Table B1.
@@ -26,7 +26,7 @@ pub struct Concept {
     pub source: String,
     /// Place in it.
     pub place: String,
-    /// What is assumed.
+    /// Assumptions.
     pub note: String,
     /// File name of the material in `data/materials`.
     pub tps: String,

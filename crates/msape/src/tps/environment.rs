@@ -1,4 +1,4 @@
-//! What a heat shield goes through, and the point of its part at which it is judged.
+//! Environment of a heat shield, and the point at which it is sized.
 //!
 //! ```text
 //! q̇ = max(1, f) q̇₀      Q = max(1, f) Q₀      p = p₀            forebody, hottest-point
@@ -30,7 +30,7 @@ use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 impl JudgedAt {
-    /// What the forebody's heat shield is judged by, from the stagnation point and the hottest point off it.
+    /// Environment for which the forebody's heat shield is sized, from those of the stagnation point and the hottest point off it.
     pub fn environment<S: Single>(
         self,
         stagnation: &Environment<S>,
@@ -91,7 +91,7 @@ pub enum Point {
 }
 
 impl Point {
-    /// The part to which it belongs.
+    /// Side of the vehicle to which the point belongs.
     pub fn side(self) -> Side {
         match self {
             Self::Stagnation | Self::Shoulder | Self::Given => Side::Forebody,
@@ -99,7 +99,7 @@ impl Point {
         }
     }
 
-    /// Where it is, for a sentence.
+    /// Place of the point, as part of a sentence.
     pub fn place(self) -> &'static str {
         match self {
             Self::Stagnation => "at the stagnation point",
@@ -136,10 +136,10 @@ impl Point {
     }
 }
 
-/// What a heat shield goes through, at its own place: an aftbody's values are already those of the aftbody.
+/// Environment of a heat shield at its own place: the values for an aftbody are already those on the aftbody.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Environment<S = f64> {
-    /// Where it is.
+    /// Point on the surface.
     pub point: Point,
     /// Peak total heat flux, cold wall, with margins, W/m².
     pub peak_heat_flux_w_m2: S,
@@ -156,7 +156,7 @@ pub struct Environment<S = f64> {
 }
 
 impl<S: Single> Environment<S> {
-    /// What the aftbody goes through when the stagnation point goes through this.
+    /// Environment of the aftbody, given this of the stagnation point.
     pub fn aftbody(&self, fractions: &Afterbody) -> Self {
         Self {
             point: Point::Aftbody,
@@ -170,7 +170,7 @@ impl<S: Single> Environment<S> {
 }
 
 impl Environment {
-    /// The part to which it belongs.
+    /// Side of the vehicle to which the point belongs.
     pub fn side(&self) -> Side {
         self.point.side()
     }
@@ -180,7 +180,7 @@ impl Environment {
         -self.entry_flight_path_angle_rad / RADIANS_PER_DEGREE
     }
 
-    /// Which choice judged the forebody's heat shield, and where.
+    /// Finding on the choice by which the forebody's heat shield is sized, and on the point.
     pub fn judged(&self, by: JudgedAt, off: &OffStagnation) -> Finding {
         let [factor, load_factor] = [off.heat_flux_ratio, off.heat_load_ratio].map(short);
         let place = self.point.place();

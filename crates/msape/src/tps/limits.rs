@@ -1,4 +1,4 @@
-//! What a reader must know about a sized heat shield: limits of the material, range of its relation.
+//! Findings on a sized heat shield: limits of the material, range of its relation.
 //!
 //! ```text
 //! q̇ ≤ q̇max, or q̇ ≤ q̇short for no longer than the short duration;  p ≤ pmax;  tmin ≤ t ≤ tmax

@@ -18,7 +18,7 @@ pub enum TextError {
     /// The unit is not known, or measures something else.
     #[error("unit \"{unit}\" does not fit here: use one of {known}")]
     UnknownUnit {
-        /// What was typed.
+        /// Unit as typed.
         unit: String,
         /// The units that fit.
         known: String,
@@ -41,7 +41,7 @@ pub(crate) fn cut(text: &str) -> String {
 /// Accepts a decimal comma, and a sum or product after `=`.
 ///
 /// # Errors
-/// [`TextError`] says what was not understood and which units fit.
+/// [`TextError`] with the text that was not understood and the units that fit.
 pub fn parse_number(text: &str, dimension: Dimension, default: &Unit) -> Result<f64, TextError> {
     let text = text.trim().replace('\u{2212}', "-");
     if text.is_empty() {

@@ -48,7 +48,7 @@ pub struct Closed {
 /// Turns after which walls count as rising without end.
 const MOST_TURNS: u32 = 500;
 
-/// Turns after which a vehicle that does not fit is taken as it stands: thicker walls give it no room.
+/// Iterations after which a vehicle that does not fit is taken as it is: thicker walls give it no room.
 const MOST_UNFIT_TURNS: u32 = 12;
 
 /// Precision of center of gravity and walls, as part of what the rules ask.
@@ -60,7 +60,7 @@ const HOPELESS_M: f64 = -0.02;
 /// Room that is missing, or center of gravity that is off, so much that the walls need not be known well, m.
 const UNFIT_M: f64 = 1e-4;
 
-/// Step that tells to which side there is more room, and room that is zero but for rounding, m.
+/// Step for finding the side with more room, and room that is zero within rounding, m.
 const NEAR_M: f64 = 1e-9;
 
 /// Room that counts for each meter by which a center of gravity lies beyond the places that leave room: it moves faster with
@@ -131,7 +131,7 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// For the vehicle of an input, whose landing asks for `foam`.
+    /// Search for the vehicle of an input, whose landing requires `foam`.
     pub fn new(input: &'a VehicleInput, foam: &'a FoamRule<'a>) -> Self {
         Self {
             input,
@@ -204,7 +204,7 @@ struct Candidate<'a> {
     memory: &'a mut Memory,
     forebody: Forebody,
     payload_radius_m: f64,
-    /// Walls of the last turn.
+    /// Walls of the last iteration.
     structure: Structure,
     layouts: u32,
 }

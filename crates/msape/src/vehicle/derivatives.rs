@@ -39,7 +39,7 @@ const NO_ROOM_M: f64 = 1e-6;
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;
 
-/// What a vehicle's diameter is set by.
+/// Condition that determines the diameter of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DiameterBy {
     /// The case.
@@ -50,10 +50,10 @@ pub enum DiameterBy {
     Jump,
 }
 
-/// The branches that a vehicle's numbers are on.
+/// Branches taken by the numbers of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Branches {
-    /// What sets the diameter.
+    /// Condition that determines the diameter.
     pub diameter: DiameterBy,
     /// Shoulder radius against that asked for.
     pub shoulder: core::cmp::Ordering,
@@ -65,7 +65,7 @@ pub struct Branches {
     pub steepest_by_rule: bool,
     /// Whether payload and foam rest in the nose and not in the cone.
     pub in_nose: bool,
-    /// What sets each wall.
+    /// Criterion that determines the thickness of each wall.
     pub walls: [Governs; 3],
 }
 
@@ -128,10 +128,10 @@ pub fn figures<S: Single>(input: &VehicleInput<S>) -> Result<(Figures<S>, Branch
     Ok((figures, branches))
 }
 
-/// What holds of a vehicle that closes.
+/// Equations that a vehicle that closes satisfies.
 struct System {
     by: DiameterBy,
-    /// What sets each wall.
+    /// Criterion that determines the thickness of each wall.
     governs: [Governs; 3],
 }
 

@@ -16,13 +16,13 @@ use serde::{Deserialize, Serialize};
 /// The numbers of a vehicle that closes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figures<S = f64> {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout<S>,
     /// Walls.
     pub structure: Structure<S>,
     /// Mass, center of gravity, inertia.
     pub mass: MassProperties<S>,
-    /// The same after landing, the payload moved forward by the required stroke.
+    /// Mass, center of gravity and inertia after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties<S>,
     /// Key dimensions.
     pub dimensions: Dimensions<S>,
@@ -75,7 +75,7 @@ pub struct Dimensions<S = f64> {
     pub cg_from_nose_m: S,
     /// Center of gravity behind the virtual apex, m.
     pub cg_from_apex_m: S,
-    /// The same over the diameter.
+    /// Center of gravity behind the virtual apex over the diameter.
     pub cg_over_diameter: S,
     /// Area of nose, cone and shoulder up to the largest diameter, m².
     pub forebody_area_m2: S,

@@ -36,7 +36,7 @@ pub struct Forebody<S = f64> {
 }
 
 impl<S: Single> Forebody<S> {
-    /// That of an input at a diameter.
+    /// Forebody of an input at a diameter.
     pub fn new(input: &VehicleInput<S>, diameter_m: S) -> Self {
         let radius_m = diameter_m / 2.0;
         Self {

@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 /// A vehicle that closes at no diameter up to the largest allowed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotClosed {
-    /// One sentence: what does not fit where, and what was tried.
+    /// Message in one sentence: the parts that do not fit, the place, and the attempts made.
     pub reason: String,
     /// Why it did not fit at the diameter asked for.
     pub at_input: Option<Misfit>,
@@ -44,7 +44,7 @@ fn largest_growth(input: &VehicleInput) -> f64 {
 /// Smallest step of the diameter, as part of it.
 const LEAST_STEP: f64 = 0.002;
 
-/// Step of the diameter where no room tells how far it is, as part of it.
+/// Relative step of the diameter where no measure of room gives the distance to a fit.
 const BLIND_STEP: f64 = 0.01;
 
 /// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.

@@ -63,11 +63,11 @@ pub struct Impact<S = f64> {
     pub required_foam_thickness_m: S,
     /// Part of the foam's thickness that was used for it.
     pub stroke_efficiency: S,
-    /// What the strength of the foam follows from.
+    /// Law that determines the strength of the foam.
     pub foam_strength_by: FoamStrength,
     /// Compressive strength asked for, Pa.
     pub foam_strength_pa: S,
-    /// The same by equation 6, Pa.
+    /// Compressive strength by equation 6, Pa.
     pub equation_6_strength_pa: S,
     /// Density of the foam, kg/m³.
     pub foam_density_kg_m3: S,

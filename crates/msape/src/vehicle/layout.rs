@@ -9,7 +9,7 @@
 //! it stands ahead of the shallowest wing then tells by how much a vehicle is too small, continuously in every dimension.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
@@ -46,7 +46,7 @@ pub struct Depths<S = f64> {
 }
 
 impl<S: Single> Depths<S> {
-    /// Those of an input with its walls.
+    /// Depths of the layers of an input with its walls.
     pub fn new(input: &VehicleInput<S>, structure: &Structure<S>) -> Self {
         Self {
             forebody_tps_m: input.forebody.tps_thickness_m,
@@ -69,7 +69,7 @@ impl<S: Single> Depths<S> {
     }
 }
 
-/// What a concept is laid out from.
+/// Data from which a concept is laid out.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, S = f64> {
     /// Forebody with the shoulder radius asked for.
@@ -146,7 +146,7 @@ pub enum Misfit {
         /// Layers of forebody and aftbody together, m.
         layers_m: f64,
     },
-    /// Walls that carry themselves were not found: each turn asks for thicker ones.
+    /// Walls that carry their own weight were not found: each iteration requires thicker ones.
     NotConverged {
         /// Last growth of a wall, m.
         move_m: f64,

@@ -7,7 +7,7 @@
 //! with masses in kg. Sums run in the order of the components, so that the lines add up to the last bit.
 //!
 //! # Valid
-//! As [`crate::vehicle::mass`].
+//! Same as [`crate::vehicle::mass`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
@@ -48,9 +48,9 @@ pub struct Line {
 /// The lines of a vehicle: components, their sum without margin, the margin, the whole.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MassTree {
-    /// One line a component.
+    /// Components, one line each.
     pub components: Vec<Line>,
-    /// Their sum.
+    /// Sum of the components, without margin.
     pub without_margin: Line,
     /// The margin on everything but the payload, where its mass is.
     pub margin: Line,
@@ -74,7 +74,7 @@ impl Moments {
         self.iyy_kg_m2 + self.mass_kg * self.cg_x_m * self.cg_x_m
     }
 
-    /// What is left of the whole without a part.
+    /// Moments of the whole without a part.
     fn less(self, part: Self) -> Self {
         let mass_kg = self.mass_kg - part.mass_kg;
         if mass_kg <= 0.0 {

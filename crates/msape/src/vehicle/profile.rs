@@ -34,7 +34,7 @@ impl<S> Default for Profile<S> {
     }
 }
 
-/// What a closed profile encloses when it is turned about the axis.
+/// Properties of the solid that a closed profile encloses when revolved about the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SolidProperties<S = f64> {
     /// Area of the half-section, m².
@@ -95,7 +95,7 @@ impl<S: Single> Profile<S> {
         self.segments.first().map(Segment::start)
     }
 
-    /// The same curve, run the other way.
+    /// The curve in the opposite direction.
     pub fn reversed(&self) -> Self {
         Self {
             segments: self.segments.iter().rev().map(Segment::reversed).collect(),

@@ -1,4 +1,4 @@
-//! What is said beside a vehicle: inputs that the closing rules changed, and findings.
+//! Remarks on a vehicle: inputs that the closing rules changed, and findings.
 
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::quantity::input;

@@ -49,7 +49,7 @@ pub struct Datum {
     pub source: String,
     /// Where in the source, or the reason of the choice.
     pub place: String,
-    /// What has this density, where it is one.
+    /// Name of the material with this density, if it is a single one.
     pub material: Option<String>,
 }
 
@@ -78,7 +78,7 @@ pub struct CarrierMaterial {
     pub source: String,
     /// Where in the source.
     pub place: String,
-    /// What is assumed.
+    /// Assumptions.
     pub note: String,
     /// Key in the list of references for the densities, or `assumed`.
     pub density_source: String,
@@ -95,7 +95,7 @@ pub struct CarrierMaterial {
 }
 
 impl CarrierMaterial {
-    /// Its name and where its density comes from.
+    /// Name of the material and source of its density.
     pub fn material(&self) -> Material {
         let basis = DensityBasis::of_source(&self.density_source);
         Material::new(self.name.clone(), basis)
@@ -140,7 +140,7 @@ pub struct VehicleData {
     pub source: String,
     /// Where in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Constants of the geometry, by name.
     pub rules: BTreeMap<String, Datum>,

@@ -33,16 +33,16 @@ pub struct Point<S = f64> {
 pub enum Segment<S = f64> {
     /// A straight line.
     Line {
-        /// Where it starts.
+        /// Start.
         start: Point<S>,
-        /// Where it ends.
+        /// End.
         end: Point<S>,
     },
     /// A circular arc.
     Arc {
-        /// Where it starts.
+        /// Start.
         start: Point<S>,
-        /// Where it ends.
+        /// End.
         end: Point<S>,
         /// Center of the circle.
         center: Point<S>,
@@ -73,7 +73,7 @@ pub struct Integrals<S = f64> {
 }
 
 impl<S: Single> Integrals<S> {
-    /// Those of nothing.
+    /// Integrals over nothing: all zero.
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -86,7 +86,7 @@ impl<S: Single> Integrals<S> {
         }
     }
 
-    /// With those of another segment.
+    /// Sum with the integrals over another segment.
     pub fn plus(self, other: &Self) -> Self {
         Self {
             r_dx: self.r_dx + other.r_dx,
@@ -131,21 +131,21 @@ impl<S: Single> Segment<S> {
         }
     }
 
-    /// Where it starts.
+    /// Start.
     pub fn start(&self) -> Point<S> {
         match *self {
             Self::Line { start, .. } | Self::Arc { start, .. } => start,
         }
     }
 
-    /// Where it ends.
+    /// End.
     pub fn end(&self) -> Point<S> {
         match *self {
             Self::Line { end, .. } | Self::Arc { end, .. } => end,
         }
     }
 
-    /// The same piece, run the other way.
+    /// The segment in the opposite direction.
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line { start, end } => Self::Line {

@@ -7,7 +7,7 @@
 //! with lengths in m; each layer between two surfaces of the outer mold line at a depth.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.

@@ -7,7 +7,7 @@
 //!
 //! with thicknesses in m, N the largest force in the wall in N/m, σ the strength and σ_wr the stress at which faces wrinkle,
 //! Pa, S the size of a honeycomb's cells, m: a sandwich has faces t_f, and its height follows from the other rules.
-//! [`capacity`] holds each rule, [`size`] the loads, [`check`] what every rule says of a wall as built.
+//! [`capacity`] contains each rule, [`size`] the loads, [`check`] the results of every rule for a wall as built.
 //!
 //! # Valid
 //! Thin walls; see each rule.
@@ -90,7 +90,7 @@ pub struct StructureLoads<S = f64> {
     pub aftbody_pressure_fraction: S,
 }
 
-/// What determines the thickness of a wall.
+/// Criterion that determines the thickness of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Governs {
@@ -122,7 +122,7 @@ impl Governs {
     }
 }
 
-/// One wall as sized.
+/// A wall as sized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Wall<S = f64> {
     /// Thickness, of a sandwich its height, m.
@@ -131,7 +131,7 @@ pub struct Wall<S = f64> {
     pub face_thickness_m: S,
     /// Mean density, kg/m³.
     pub density_kg_m3: S,
-    /// What determines it.
+    /// Criterion that determines the thickness.
     pub governs: Governs,
     /// Thickness that strength alone asks for, m.
     pub strength_thickness_m: S,
@@ -180,7 +180,7 @@ impl<S: Copy> Structure<S> {
     }
 }
 
-/// What the rules ask of a wall.
+/// Requirements of the rules for a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs<S = f64> {
     /// Largest force in the wall, N/m.

@@ -27,7 +27,7 @@ const WING_LENGTH_M: f64 = 1e-6;
 pub struct Wing<S = f64> {
     /// Center of the shoulder arc.
     pub center: Point<S>,
-    /// Its radius, m.
+    /// Radius of the shoulder arc, m.
     pub radius_m: S,
     /// Sine and cosine of the steepest slope.
     pub steepest: (S, S),

@@ -7,14 +7,14 @@ use super::Range;
 pub struct Column {
     /// Name with unit, such as `altitude_m`.
     pub name: &'static str,
-    /// Whether every row must have it.
+    /// Whether every row must contain it.
     pub required: bool,
-    /// Range of its cells.
+    /// Allowed range of the values.
     pub allowed: Range,
 }
 
 impl Column {
-    /// The same, which rows may leave away.
+    /// This column as one that rows may omit.
     pub(super) const fn optional(self) -> Column {
         Column {
             required: false,

@@ -4,7 +4,7 @@
 //! runs apart by more than a tolerance, in x or in r, hold no such pair; else their halves are compared
 //! ```
 //!
-//! Lengths in m. Neighbors along a chain are neighbors in the plane, so that the work grows little faster than the number of pieces.
+//! Lengths in m. Neighbors along a chain are neighbors in the plane: the work grows little faster than the number of pieces.
 //!
 //! # Valid
 //! Any boxes; the search ends after [`MOST_PAIRS`].

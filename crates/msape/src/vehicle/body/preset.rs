@@ -7,7 +7,7 @@
 //! with lengths in m; angles stay.
 //!
 //! # Valid
-//! As [`crate::vehicle::body::shape`].
+//! Same as [`crate::vehicle::body::shape`].
 //!
 //! # References
 //! - Those of each file.
@@ -42,7 +42,7 @@ pub struct OutlineData {
     pub source: String,
     /// Where in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Aftbody.
     pub aft: AftKind,
@@ -61,7 +61,7 @@ impl OutlineData {
         Ok(data)
     }
 
-    /// Its shape.
+    /// Shape that the dimensions define.
     pub fn shape(&self) -> Result<Shape, String> {
         let mut read = 0;
         let mut get = |key: &str| {
@@ -106,12 +106,12 @@ impl OutlineData {
         Ok(shape)
     }
 
-    /// Its body, at the size of the file.
+    /// Body of the shape, at the size in the file.
     pub fn body(&self) -> Result<RigidBody, String> {
         self.scaled_body(None)
     }
 
-    /// Its body, at another diameter where one is given.
+    /// Body of the shape, scaled to another diameter if one is given.
     pub fn scaled_body(&self, diameter_m: Option<f64>) -> Result<RigidBody, String> {
         let shape = self.shape()?;
         let factor = diameter_m.map_or(1.0, |diameter| diameter / shape.diameter_m);

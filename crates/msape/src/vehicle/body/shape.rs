@@ -31,7 +31,7 @@ pub struct AftCone {
     pub end_radius_m: f64,
 }
 
-/// What is behind the shoulder.
+/// Shape behind the shoulder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Aft {
     /// A half-torus shoulder, then a disc.
@@ -64,7 +64,7 @@ pub struct Shape {
     pub aft: Aft,
 }
 
-/// What is wrong with a dimension: its name without the section, and the message.
+/// Fault of a dimension: its name without the section, and the message.
 pub type ShapeFault = (&'static str, String);
 
 /// Slope of the aft face of [`Aft::Mmeev`] against the plane normal to the axis, rad.
@@ -174,7 +174,7 @@ impl Shape {
         })
     }
 
-    /// The same shape at another size.
+    /// The shape scaled by a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         let cones = |cones: &[AftCone]| {
             let scaled = |cone: &AftCone| AftCone {

@@ -49,7 +49,7 @@ pub enum Shape<S = f64> {
 }
 
 impl<S: Single> Shape<S> {
-    /// That of the foam of a vehicle.
+    /// Shape of the foam of a vehicle.
     pub fn of(input: &VehicleInput<S>) -> Shape<S> {
         let payload_radius_m = input.payload_diameter_m() / 2.0;
         match input.concept {
@@ -64,7 +64,7 @@ impl<S: Single> Shape<S> {
 /// Foam that takes the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Absorber<S = f64> {
-    /// Where it stands.
+    /// Shape of the foam.
     pub shape: Shape<S>,
     /// Thickness, m.
     pub thickness_m: S,
@@ -111,7 +111,7 @@ impl<S: Single> Absorber<S> {
             + self.area_m2(crush_m) * self.law.slope_pa(strain) / self.thickness_m
     }
 
-    /// Way over which the force goes to zero when the load is taken off, m.
+    /// Elastic recovery over which the force falls to zero on unloading, m.
     pub fn elastic_way_m(&self, crush_m: S) -> S {
         let law = &self.law;
         let yield_m = law.yield_strain() * self.thickness_m;

@@ -59,7 +59,7 @@ pub enum PulseEnd {
     Unfinished,
 }
 
-/// What the payload feels, from first contact to its stop.
+/// Load history of the payload, from first contact to its stop.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pulse {
     /// Largest deceleration of the payload, Earth g.
@@ -74,9 +74,9 @@ pub struct Pulse {
     pub foam_energy_j: f64,
     /// Energy taken by the ground, or by the structure on rigid ground, J.
     pub ground_energy_j: f64,
-    /// Energy that is missing in the balance, over that at impact.
+    /// Residual of the energy balance over the energy at impact.
     pub energy_residual: f64,
-    /// How it ended.
+    /// Event that ended the pulse.
     pub end: PulseEnd,
     /// Time history.
     pub history: History,
@@ -196,7 +196,7 @@ impl Motion {
         first
     }
 
-    /// The equations after an event; the state may lose what is left of a speed that has come to zero.
+    /// Equations of motion after an event; the remainder of a speed that has reached zero is removed from the state.
     fn after(mut self, event: Event, y: &mut [f64; STATES]) -> Motion {
         match event {
             // ends of a step where the force bends, nothing else

@@ -27,7 +27,7 @@ pub struct FoamKind {
     pub source: String,
     /// Where in the sources.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Density of the solid, kg/m³.
     pub solid_density_kg_m3: f64,

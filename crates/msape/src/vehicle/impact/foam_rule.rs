@@ -57,7 +57,7 @@ pub struct FoamRule<'a, S = f64> {
     pub stroke_efficiency: S,
     /// Thickness that gives this stroke, m.
     pub required_thickness_m: S,
-    /// The same or the least that the rules allow, m.
+    /// Thickness used, m: the required one, or the least that the rules allow.
     pub least_thickness_m: S,
     /// Strength of equation 6, Pa.
     pub equation_6_pa: S,

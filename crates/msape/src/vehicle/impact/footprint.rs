@@ -34,7 +34,7 @@ pub struct Footprint<S = f64> {
 }
 
 impl<S: Single> Footprint<S> {
-    /// Of a forebody's outer mold line.
+    /// Footprint of the outer mold line of a forebody.
     pub fn new(forebody: &Forebody<S>) -> Footprint<S> {
         let (sin, cos) = forebody.sin_cos();
         let nose_radius_m = forebody.nose_radius_m;

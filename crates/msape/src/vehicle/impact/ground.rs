@@ -32,7 +32,7 @@ pub struct Ground {
     pub source: String,
     /// Where in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Name.
     pub name: String,
@@ -69,15 +69,15 @@ pub struct Penetrability {
 /// Load of a rigid vehicle in the ground, Earth g.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RigidBodyLoad<S = f64> {
-    /// With the value used, Earth g.
+    /// Load with the value used, Earth g.
     pub load_earth_g: S,
-    /// Least of the range, Earth g.
+    /// Least load of the range, Earth g.
     pub least_earth_g: S,
-    /// Largest of the range, Earth g.
+    /// Largest load of the range, Earth g.
     pub largest_earth_g: S,
 }
 
-/// What resists.
+/// Law of the resistance of a ground.
 enum Law {
     Rigid,
     Equation1(Penetration),
@@ -114,7 +114,7 @@ impl Ground {
         }
     }
 
-    /// What resists, for a vehicle.
+    /// Resistance of the ground to a vehicle.
     pub fn soil<S: Single>(&self, striker: &Striker<S>) -> Soil<S> {
         match self.law() {
             Law::Rigid => Soil::Rigid,

@@ -1,4 +1,4 @@
-//! What is said beside a landing.
+//! Findings on a landing.
 //!
 //! ```text
 //! sin² δ > 1 %       share of the kinetic energy that is not vertical, δ between velocity and vertical

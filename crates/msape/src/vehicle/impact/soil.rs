@@ -29,7 +29,7 @@ const DEPTH_TOLERANCE: f64 = 1e-13;
 pub enum Soil<S = f64> {
     /// Does not give way.
     Rigid,
-    /// In proportion to the depth.
+    /// Force proportional to the depth.
     Linear {
         /// Force over depth, N/m.
         stiffness_n_m: S,

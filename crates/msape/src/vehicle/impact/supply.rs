@@ -28,7 +28,7 @@ pub struct Supply<'a, S = f64> {
 }
 
 impl<S: Single> Supply<'_, S> {
-    /// Those of an input.
+    /// Foam supply of an input.
     pub fn new(input: &VehicleInput<S>) -> Supply<'_, S> {
         Supply {
             kind: &input.impact.foam,

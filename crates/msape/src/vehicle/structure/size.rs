@@ -55,7 +55,7 @@ pub struct PressureShell<S = f64> {
 pub struct AxialLoads<S = f64> {
     /// Radius, m.
     pub radius_m: S,
-    /// At entry, N.
+    /// Axial load at entry, N.
     pub entry_n: S,
     /// Corners at launch, and the axial load that makes the same largest force, N.
     pub launch: [(LaunchLoad<S>, S); 4],
@@ -131,7 +131,7 @@ pub fn loads(
     loads_of(input, layout, &Masses::of(parts, mass))
 }
 
-/// The same from masses alone.
+/// Loads of the three walls from the masses alone.
 pub fn loads_of<S: Single>(
     input: &VehicleInput<S>,
     layout: &Layout<S>,
