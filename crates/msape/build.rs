@@ -55,8 +55,8 @@ fn main() -> io::Result<()> {
     write("validation_files.rs", &validation, included)
 }
 
-/// Content of a shipped data file as the program reads it: keys and values; of a CSV file its headings, `# key: value`, and as `rows`
-/// its lines by the names of their columns.
+/// Content of a shipped data file as the program reads it: keys and values; of a CSV file headings, `# key: value`, and, as
+/// `rows`, its lines by the names of their columns.
 fn shipped(file: &str) -> io::Result<Value> {
     let text = fs::read_to_string(file)?;
     let fault = |message: String| io::Error::other(format!("{file}: {message}"));

@@ -1,7 +1,7 @@
-//! Data files: text of one's own, or what the build made of the text of a shipped one.
+//! Data files: text of the user, or a shipped file as converted by the build script.
 //!
 //! The build reads the TOML and CSV of the folder `data` once and embeds the same keys and values in the form that the
-//! program reads fastest. TOML and CSV of one's own are read with the feature `own-data` only, which the page, where nobody can
+//! program reads fastest. TOML and CSV of the user are read with the feature `own-data` only, which the page, where nobody can
 //! add such a file, is built without.
 
 use serde::de::{DeserializeOwned, IgnoredAny};

@@ -1,10 +1,10 @@
 //! The coupled design: passes through the modules until the mass settles.
 //!
 //! - [`inputs`]: what a design is made from, checked.
-//! - [`drag`]: its drag, by name or of its own outline.
+//! - [`drag`]: drag of the vehicle, by name or from its outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer. [`start`]: where they may begin.
 //! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
-//! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
+//! - `flown`, `sized`: the flight of one pass, and the heat shields that it requires.
 //! - `given`: findings on results that the user gives.
 //! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
@@ -102,7 +102,7 @@ pub struct Design {
     pub structural: Option<Structural>,
     /// Static margin and trims, computed once when the passes are done; absent where a study leaves them out.
     pub stability: Option<Stability>,
-    /// Entries from a set of attitudes and rates; absent where nobody asked for them.
+    /// Entries from a set of attitudes and rates; absent if not requested.
     pub turning: Option<Turning>,
     /// Number of passes.
     pub passes: u32,

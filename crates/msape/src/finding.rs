@@ -21,7 +21,7 @@ pub enum Severity {
 pub struct Finding {
     /// How much it matters.
     pub severity: Severity,
-    /// The model that speaks, such as `tauber-sutton` or `mer pica`.
+    /// Model that the finding is about, such as `tauber-sutton` or `mer pica`.
     pub model: String,
     /// Key of the quantity spoken of, as in [`crate::quantity`]; empty when there is none.
     pub key: String,
@@ -33,16 +33,16 @@ pub struct Finding {
     pub message: String,
     /// Where the limit comes from, such as `NASA/TM-2014-218507, Table 7`.
     pub source: String,
-    /// Key of the input that mends it, such as `design.forebody_tps`, when there is one.
+    /// Key of the input that removes the cause, such as `design.forebody_tps`, if there is one.
     pub field: Option<String>,
 }
 
-/// A change that the closing rules made to what the user asked for.
+/// Change that the closing rules made to an input.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Adjustment {
     /// Key of the input changed, such as `design.diameter_m`.
     pub key: String,
-    /// Value asked for, in the unit of the key.
+    /// Requested value, in the unit of the key.
     pub from: f64,
     /// Value used.
     pub to: f64,

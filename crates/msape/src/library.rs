@@ -1,4 +1,4 @@
-//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, plus files of one's own.
+//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, and files of the user.
 //!
 //! A library is always passed, never global.
 
@@ -45,7 +45,7 @@ pub struct DataError {
     pub message: String,
 }
 
-/// A thing of the library and the name by which a case calls it.
+/// Items of the library, with the names by which a case refers to them.
 pub type Named<T> = Vec<(String, T)>;
 
 /// A planet with its air and its heating relations.
@@ -59,9 +59,9 @@ pub struct World {
     pub atmosphere: Atmosphere,
     /// Sutton-Graves constant.
     pub sutton_graves: SuttonGraves,
-    /// Tauber-Sutton relation, where there is one for its gas.
+    /// Tauber-Sutton relation, if there is one for the gas.
     pub tauber_sutton: Option<TauberSutton>,
-    /// Brandis-Johnston relations, where they are for its gas.
+    /// Brandis-Johnston relations, if they apply to the gas.
     pub brandis_johnston: Option<BrandisJohnston>,
     /// Gas at a hot wall.
     pub wall_gas: WallGas,
@@ -142,7 +142,7 @@ impl Library {
         })
     }
 
-    /// The library that ships with the program and files of one's own: path below a folder laid out as `data`, and text. Their
+    /// The library of the program with files of the user: path below a folder laid out as `data`, and text. Their
     /// names must be new ones; what they name may be shipped or their own.
     ///
     /// ```
@@ -160,7 +160,7 @@ impl Library {
     /// ```
     ///
     /// # Errors
-    /// Every file that cannot be used, and every name in one that nothing has.
+    /// Every file that cannot be used, and every unknown name in a file.
     #[cfg(feature = "own-data")]
     pub fn with_files(own: &[(String, String)]) -> Result<Library, Vec<DataError>> {
         build::library(Files::shipped().with(own))

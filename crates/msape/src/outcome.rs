@@ -14,7 +14,7 @@ pub enum Outcome {
     Converged,
     /// The flight reached the ground.
     Landed,
-    /// The flight was ended at a time or height that the case asks for.
+    /// The flight ended at a time or altitude given in the case.
     Stopped,
     /// The vehicle left the atmosphere faster than escape speed.
     SkippedOut,

@@ -149,7 +149,7 @@ impl DesignProblem {
         self.solve_watched(name, request, &mut Unwatched)
     }
 
-    /// Solves it; who watches may end it after a pass, and has the vehicle of that pass.
+    /// Solves the design; the observer may stop it after a pass, and the vehicle of that pass is the answer.
     pub fn solve_watched(
         &self,
         name: &str,

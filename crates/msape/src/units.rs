@@ -1,7 +1,7 @@
 //! Units of measurement: conversions happen here and nowhere else.
 //!
 //! Memory holds SI; cases and results hold SI with angles in degrees ("canonical"). A unit is known by its symbol,
-//! which is ASCII and is what stands in CSV headers, axes and what people type.
+//! which is ASCII and is used in CSV headers, axes and typed input.
 
 pub mod number;
 mod text;

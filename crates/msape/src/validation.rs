@@ -2,7 +2,7 @@
 //!
 //! Expectations are data: `data/validation/<name>.toml` names a case of the folder `cases` and lists quantities with
 //! their reference values, tolerances and the reasons of these. Whoever shows the comparison, the command or the page,
-//! computes it anew. Beside the comparisons stand predictions of flown capsules, [`prediction`], which are no gate.
+//! computes it anew. Predictions of flown capsules, [`prediction`], are listed with the comparisons but are not a test.
 
 mod file;
 mod points;
@@ -128,7 +128,7 @@ pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, D
     Ok(rows)
 }
 
-/// The rows of one file, and whether who watches wants no more; he may end it after a row.
+/// The rows of one file, and whether the observer has stopped the computation after one of them.
 ///
 /// # Errors
 /// A case file of the program that cannot be read, which a test excludes.

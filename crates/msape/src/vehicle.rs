@@ -1,7 +1,7 @@
 //! The parametric vehicle: geometry, mass, impact and structure of an entry vehicle, closed by the rules of section 3.1 of the report.
 //!
 //! ```text
-//! build: foam from stroke → close at the diameter asked for → else the smallest diameter that closes → dimensions, findings
+//! build: foam from stroke → close at the requested diameter → else the smallest diameter that closes → dimensions, findings
 //! ```
 //!
 //! Lengths in m, masses in kg, x along the axis from the virtual apex, aft positive; every change of an input is an
@@ -72,7 +72,7 @@ pub struct Vehicle {
     pub concept: Concept,
     /// Outer mold line, closed.
     pub outline: Profile,
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout,
     /// Components with profiles and masses.
     pub components: Vec<Component>,

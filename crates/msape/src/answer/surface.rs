@@ -56,7 +56,7 @@ pub enum Region {
 }
 
 impl SurfaceHeating {
-    /// The heating of a design; `None` where nothing was flown or nothing closed.
+    /// Heating of a design; `None` without a flight or a closed vehicle.
     pub fn of(answer: &Answer) -> Option<Self> {
         let (design, flight) = (answer.design.as_ref()?, answer.flight.as_ref()?);
         let forebody = design.vehicle.layout.outline.forebody;

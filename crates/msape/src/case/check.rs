@@ -14,7 +14,7 @@ const UNKNOWN_MAX: usize = 50;
 /// Largest number of reported faults of one table.
 const ROW_FAULTS_MAX: usize = 100;
 
-/// Files whose rows have to stand in the case; who reads files puts them in their place.
+/// Inputs that name files; a caller that reads the files replaces the names by the rows.
 const FILES: [&Input; 6] = [
     &input::wind::FILE,
     &input::heating::FILE,
@@ -379,7 +379,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Leaves away what stands in a list before.
+/// Removes repeated items from a list.
 fn once<T: PartialEq>(list: &mut Vec<T>) {
     let mut kept: Vec<T> = Vec::with_capacity(list.len());
     for item in list.drain(..) {

@@ -40,7 +40,7 @@ impl From<toml::Value> for Node {
     }
 }
 
-/// JSON, every key of it: one that stands twice stands twice here.
+/// JSON with every key, repeated keys included.
 impl<'de> Deserialize<'de> for Node {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
         deserializer.deserialize_any(NodeVisitor)
@@ -101,7 +101,7 @@ impl<'de> Visitor<'de> for NodeVisitor {
     }
 }
 
-/// Rows of numbers typed as text in brackets; `None` where the text is nothing of the kind.
+/// Rows of numbers typed as text in brackets; `None` for any other text.
 pub(super) fn rows_of_text(text: &str) -> Option<Value> {
     match node_of(text)? {
         list @ Node::List(_) => {

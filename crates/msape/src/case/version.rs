@@ -1,10 +1,10 @@
 //! The version of the program that a case was written for, and what later versions changed.
 //!
-//! A case leaves inputs open, and a link says only how a case differs from a shipped one: both rest on defaults and
-//! presets of the program that wrote them. `data/versions` lists what a version did otherwise, `cases/0.1` holds the
+//! A case leaves inputs open, and a link contains only the differences from a shipped case: both depend on defaults and
+//! presets of the program that wrote them. `data/versions` lists the differences of each version, `cases/0.1` contains the
 //! shipped cases as they were. A record of the program itself is [brought up](Case::brought_up_from): it keeps the old
-//! defaults as choices of its own. A file is read as it stands, with a [note](Case::version_note) on each default that
-//! changed under it.
+//! defaults as explicit values. A file is read unchanged, with a [note](Case::version_note) on each default that
+//! has changed since.
 
 use super::Case;
 use crate::finding::{Finding, Severity};

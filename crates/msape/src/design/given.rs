@@ -148,7 +148,7 @@ mod tests {
         let design = answer.design.as_ref().unwrap();
         let depths = design.vehicle.layout.depths;
         assert_eq!((depths.forebody_tps_m, depths.aftbody_tps_m), (0.03, 0.03));
-        // Table 7 asks for about 4.5 cm of PICA here: both numbers are reported
+        // Table 7 requires about 4.5 cm of PICA here: both numbers are reported
         let asked_m = design.forebody_tps.asked_m;
         assert!(asked_m > 0.04 && asked_m < 0.05, "{asked_m}");
         let thin = said(&answer, "forebody_tps_thickness_m");

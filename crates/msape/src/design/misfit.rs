@@ -39,7 +39,7 @@ fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     }
 }
 
-/// A finding for each input between which the misfit at the diameter asked for lies.
+/// A finding for each input between which the misfit at the requested diameter lies.
 pub fn findings(not_closed: &NotClosed, input: &VehicleInput) -> Vec<Finding> {
     let Some(misfit) = &not_closed.at_input else {
         return Vec::new();

@@ -15,7 +15,7 @@
 //! before, whose mass differs by less than the criterion: the one place where two passes meet.
 //!
 //! They begin with the guesses of the input, or with numbers that earlier ones found. What a step did is remembered apart for vehicles
-//! of the diameter asked for and for those that had to grow: where growth begins f has a kink.
+//! of the requested diameter and for those that had to grow: where growth begins f has a kink.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
@@ -44,10 +44,10 @@ const FINEST_TOLERANCE: f64 = 1e-10;
 /// Work after which a design is given up, in evaluations of the equations of motion, assumed: the default of twenty passes, each with
 /// a flight of the classical method at its own limit, is 16 million.
 pub(super) const MOST_WORK: u64 = 20_000_000;
-/// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
+/// Work of a pass in addition to its flight, in evaluations: geometry, masses and heat shields.
 pub(super) const WORK_OF_PASS: u64 = 10_000;
 
-/// Work of all passes of a design, in evaluations of the equations of motion, and who watches it.
+/// Work of all passes of a design, in evaluations of the equations of motion, with their observer.
 pub(super) struct Work<'a> {
     done: u64,
     most: u64,
@@ -89,7 +89,7 @@ impl<'a> Work<'a> {
         self.is_stopped |= told.is_break();
     }
 
-    /// Whether the limit is reached, or who watches has stopped it.
+    /// Whether the limit is reached, or the observer has stopped the passes.
     pub(super) fn is_spent(&self) -> bool {
         self.is_stopped || self.done >= self.most
     }
@@ -197,7 +197,7 @@ pub(super) struct Way<'a> {
     pub(super) from: Option<Numbers>,
     /// Memory of the acceleration from the passes of a neighbor.
     pub(super) taught: Option<&'a Memories>,
-    /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
+    /// Largest mass of an acceptable vehicle of the requested diameter, kg: passes that lead to another vehicle are cut short.
     pub(super) as_asked_below_kg: Option<f64>,
 }
 

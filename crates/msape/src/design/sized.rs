@@ -26,7 +26,7 @@ pub(super) struct Sized {
 }
 
 impl Sized {
-    /// The heat shields that a flight asks for.
+    /// The heat shields that a flight requires.
     pub(super) fn new(input: &DesignInput, vehicle: &Vehicle, flown: &Flown) -> Sized {
         let flight = &flown.flight;
         let stagnation = Environment {

@@ -58,7 +58,7 @@ impl Range {
 pub struct Check<'a> {
     /// How much it matters when the value is outside.
     pub severity: Severity,
-    /// The model that speaks.
+    /// Model that the finding is about.
     pub model: &'a str,
     /// Key of the quantity.
     pub key: &'a str,
@@ -76,7 +76,7 @@ pub struct Check<'a> {
     pub meaning: &'a str,
     /// Where the range comes from.
     pub source: &'a str,
-    /// Key of the input that mends it.
+    /// Key of the input that removes the cause.
     pub field: Option<&'a str>,
 }
 

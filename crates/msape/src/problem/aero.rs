@@ -24,7 +24,7 @@ pub struct AeroProblem {
     pub findings: Vec<Finding>,
 }
 
-/// The body whose coefficients are asked for.
+/// Body whose coefficients are requested.
 #[derive(Clone, Debug)]
 enum Body {
     /// An outline.
@@ -34,7 +34,7 @@ enum Body {
 }
 
 impl Body {
-    /// The largest diameter, m; of a design that which is asked for.
+    /// Largest diameter, m; for a design the requested one.
     fn diameter_m(&self) -> f64 {
         match self {
             Body::Known(body) => body.surface.diameter_m(),

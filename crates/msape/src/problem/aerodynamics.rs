@@ -220,7 +220,7 @@ impl Rows {
 pub(super) struct OwnTable {
     rows: Rows,
     damping: Damping,
-    /// Whether the case asks for that damping; else that of the table stands before it.
+    /// Whether the case gives this damping; otherwise that of the table takes precedence.
     damping_given: bool,
 }
 

@@ -301,7 +301,7 @@ fn given_masses(reader: &mut Reader) -> Vec<(ComponentKind, f64)> {
     masses
 }
 
-/// A wall of another density: of a laminate its own, of a sandwich that of its faces and core in proportion.
+/// A wall with another density: that of the laminate, or in a sandwich those of faces and core in proportion.
 fn with_density(mut carrier: Carrier, density: Option<f64>) -> Carrier {
     if let Some(density) = density {
         let factor = density / carrier.at_minimum_gauge().density_kg_m3;

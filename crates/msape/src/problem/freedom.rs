@@ -318,7 +318,7 @@ pub(super) fn length_m(
     diameter_m.or_else(of_area)
 }
 
-/// Drag as a point mass has it, where constants stand in its place.
+/// Drag as for a point mass, where constant coefficients replace it.
 pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
     let input = &input::vehicle::AERODYNAMICS_CA;
     let ca = reader.number(input);

@@ -2,7 +2,7 @@
 //!
 //! The module of an item is the section of its key; the name is the rest of the key, dots as underlines.
 
-/// Declares inputs, for the tasks that ask for them unless they say otherwise: the item of each, and the list of all.
+/// Declares inputs, for the default tasks unless they name others: the item of each, and the list of all.
 macro_rules! inputs {
     ($tasks:expr; $($name:ident: $key:literal = $made:expr;)+) => {
         $(
@@ -45,7 +45,7 @@ const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
 const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
 const REPORT_STATIC: &str = "NASA/TM-2014-218507, section 3.3.1";
 const REPORT_DAMPING: &str = "NASA/TM-2014-218507, section 3.3.7";
-/// Below any planet's lowest altitude, m; each has its own limit.
+/// Altitude below the lowest of every planet, m; each planet has its own limit.
 const DEEPEST_M: f64 = -1e6;
 
 /// An input of a case.

@@ -1,4 +1,4 @@
-//! The walls of a vehicle as a shell of revolution: where they stand, what lies on them, what loads them.
+//! The walls of a vehicle as a shell of revolution: position, masses on them, loads.
 //!
 //! ```text
 //! p = p₀ sin² δ (1 + k₁ d)(1 + k₂ d)        pressure of the outer surface, on the middle surface at the depth d
@@ -15,11 +15,11 @@
 //! insulation on the lid. The edge member is a second forebody wall without mass.
 //!
 //! # Valid
-//! Pressure at zero angle of attack; none on the aftbody, which stands in the shadow of the flow. Fillings are mass only:
-//! what they stiffen is left out, which is safe.
+//! Pressure at zero angle of attack; none on the aftbody, which is in the shadow of the flow. Fillings are mass only:
+//! their stiffness is left out, which is conservative.
 //!
 //! # References
-//! - \[samareh-2014\] sections 3.1.4 and 3.1.6, eq. 10. The spreading of the masses is a choice of ours.
+//! - \[samareh-2014\] sections 3.1.4 and 3.1.6, eq. 10. The distribution of the masses is a choice of this project.
 
 use super::element::{ArealMass, GAUSS_3, station};
 use super::mesh::{Meridian, Mesh, length_m};

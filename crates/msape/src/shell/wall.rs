@@ -8,7 +8,7 @@
 //! with stresses in Pa, u the displacement at entry and its parts along and away from the axis in m.
 //!
 //! # Valid
-//! As [`super::analysis`]. The edge member, a stand-in, is left out.
+//! Same as [`super::analysis`]. The edge member, a stand-in, is left out.
 //!
 //! # References
 //! - \[nasa-std-5001\] margin of safety.
@@ -74,7 +74,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// Where it stands along its wall: the distance from the axis, of the primary structure the axial position, m.
+    /// Position along the wall: the distance from the axis, or for the primary structure the axial position, m.
     pub fn along_m(&self) -> f64 {
         match self.part.wall() {
             WallPlace::Primary => self.x_m,

@@ -172,7 +172,7 @@ impl Event<'_> {
     }
 }
 
-/// The columns of a trajectory that say where it is.
+/// Columns of a trajectory that give the position.
 struct Track<'a> {
     time_s: &'a [f64],
     longitude_deg: &'a [f64],

@@ -95,7 +95,7 @@ impl RigidBody {
 
 /// Radii that points on a nose sphere give may differ by this part.
 const NOSE_TOLERANCE: f64 = 1e-3;
-/// Points, beside the tip, that make a nose sphere.
+/// Number of points, in addition to the tip, that define a nose sphere.
 const NOSE_POINTS: usize = 3;
 /// A nose sphere cut by this or less by the axis is centered on it.
 const CENTER_TOLERANCE: f64 = 1e-6;

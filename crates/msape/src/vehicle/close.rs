@@ -1,4 +1,4 @@
-//! Closing at one diameter: the center of gravity that the vehicle about it has, its walls settled.
+//! Closing at one diameter: the center of gravity about which the vehicle is laid out, with converged walls.
 //!
 //! ```text
 //! g(x, walls) = x   bracketed among the x that leave room for a wing; the foremost root, x(walls)
@@ -6,9 +6,9 @@
 //! ```
 //!
 //! with x in m and g the center of gravity of the vehicle laid out about x with these walls. Too far forward the lid is so flat,
-//! too far aft its foot stands so high that the wing is too shallow: in between is the admissible interval; g outside it is not
-//! asked for. In the MSR concept nothing is laid out about x, and g is its center of gravity at once. There is no start:
-//! what closes at a diameter depends on the input and the diameter alone.
+//! too far aft its foot is so high that the wing is too shallow: in between is the admissible interval; g outside it is not
+//! needed. In the MSR concept nothing is laid out about x, and g is its center of gravity at once. There is no initial guess:
+//! the vehicle that closes at a diameter depends on the input and the diameter alone.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`]. Thicker walls make heavier vehicles and these thicker walls:
@@ -35,7 +35,7 @@ use numerics::scalar::Single;
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
 pub struct Closed {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout,
     /// Components.
     pub components: Vec<Component>,
@@ -51,13 +51,13 @@ const MOST_TURNS: u32 = 500;
 /// Iterations after which a vehicle that does not fit is taken as it is: thicker walls give it no room.
 const MOST_UNFIT_TURNS: u32 = 12;
 
-/// Precision of center of gravity and walls, as part of what the rules ask.
+/// Precision of center of gravity and walls, as a fraction of that of the rules.
 const PRECISION: f64 = 1e-4;
 
-/// Room that walls of the least gauge must nearly have, m: thicker ones never give as much back.
+/// Least room with walls of minimum gauge for a search to continue, m: thicker walls never gain as much.
 const HOPELESS_M: f64 = -0.02;
 
-/// Room that is missing, or center of gravity that is off, so much that the walls need not be known well, m.
+/// Lack of room, or error of the center of gravity, above which approximate walls suffice, m.
 const UNFIT_M: f64 = 1e-4;
 
 /// Step for finding the side with more room, and room that is zero within rounding, m.
@@ -67,7 +67,7 @@ const NEAR_M: f64 = 1e-9;
 /// the diameter than the annulus does.
 const CG_SHARE: f64 = 0.2;
 
-/// Neighborhood in which the center of gravity is looked for first when walls have changed, m.
+/// Interval searched first for the center of gravity when walls have changed, m.
 const NEIGHBORHOOD_M: f64 = 1e-3;
 
 /// Room that is missing at the edge of the places that leave room: the length that a wing must have, m.
@@ -79,7 +79,7 @@ const PLACES: u32 = 6;
 /// A vehicle at a diameter, whether it closes or not.
 #[derive(Clone, Debug)]
 pub struct Attempt {
-    /// Where everything stands, or would.
+    /// Layout, which may not fit.
     trial: Trial,
     structure: Structure,
     iterations: u32,
@@ -122,7 +122,7 @@ impl Attempt {
     }
 }
 
-/// Lays a vehicle out at one diameter after the other, with the impact foam that the landing asks for or more of it.
+/// Layout of a vehicle at successive diameters, with the impact foam that the landing requires or more of it.
 pub struct Search<'a> {
     input: &'a VehicleInput,
     foam: &'a FoamRule<'a>,
@@ -239,7 +239,7 @@ impl Candidate<'_> {
         masses(self.input, &trial.layout, &densities, self.memory)
     }
 
-    /// The layout with walls that carry it, and how far its center of gravity lies from the place that it is laid out about, m.
+    /// Layout with walls that carry it, and the distance of its center of gravity from the place about which it is laid out, m.
     fn settle(&mut self) -> Result<(Trial, f64), Misfit> {
         let mut x_m = None;
         let mut move_m = f64::INFINITY;
@@ -275,7 +275,7 @@ impl Candidate<'_> {
         Err(Misfit::NotConverged { move_m })
     }
 
-    /// How far the center of gravity lies behind the place about which the vehicle is laid out, m; where the wing is too
+    /// Distance of the center of gravity behind the place about which the vehicle is laid out, m; where the wing is too
     /// shallow by how much, positive when a place further aft has it less so.
     fn lead_m(&mut self, x_m: f64) -> f64 {
         self.layouts += 1;

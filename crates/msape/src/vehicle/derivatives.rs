@@ -5,8 +5,8 @@
 //! ```
 //!
 //! with u what the search finds: diameter, place about which the vehicle is laid out, thickness, faces and density of the three
-//! walls; and r what holds there: the diameter asked for or no room to spare, the center of gravity at that place, walls as the
-//! rules ask for. Roots within a layout (shoulder, foam, lid) move by their own equations.
+//! walls; and r what holds there: the requested diameter or no room to spare, the center of gravity at that place, walls as the
+//! rules require. Roots within a layout (shoulder, foam, lid) move by their own equations.
 //!
 //! # Valid
 //! Off the places where another branch takes over, which [`Branches`] names; there the derivative is that of the branch taken. A
@@ -55,9 +55,9 @@ pub enum DiameterBy {
 pub struct Branches {
     /// Condition that determines the diameter.
     pub diameter: DiameterBy,
-    /// Shoulder radius against that asked for.
+    /// Shoulder radius compared with that requested.
     pub shoulder: core::cmp::Ordering,
-    /// Whether the impact foam is thicker than the landing asks for.
+    /// Whether the impact foam is thicker than the landing requires.
     pub foam_thickened: bool,
     /// Whether the gap under the lid is that of the rules.
     pub whole_gap: bool,

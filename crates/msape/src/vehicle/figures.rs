@@ -41,7 +41,7 @@ pub struct Dimensions<S = f64> {
     pub nose_radius_m: S,
     /// Shoulder radius, m.
     pub shoulder_radius_m: S,
-    /// Shoulder radius asked for at this diameter, m.
+    /// Requested shoulder radius at this diameter, m.
     pub input_shoulder_radius_m: S,
     /// Distance of the virtual apex ahead of the nose tip, m.
     pub virtual_apex_ahead_m: S,

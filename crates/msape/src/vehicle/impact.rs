@@ -65,7 +65,7 @@ pub struct Impact<S = f64> {
     pub stroke_efficiency: S,
     /// Law that determines the strength of the foam.
     pub foam_strength_by: FoamStrength,
-    /// Compressive strength asked for, Pa.
+    /// Requested compressive strength, Pa.
     pub foam_strength_pa: S,
     /// Compressive strength by equation 6, Pa.
     pub equation_6_strength_pa: S,

@@ -22,7 +22,7 @@ pub enum PayloadSize<S = f64> {
     DensityKgM3(S),
     /// Diameter, m.
     DiameterM(S),
-    /// Diameter as a fraction of the vehicle diameter asked for.
+    /// Diameter as a fraction of the requested vehicle diameter.
     DiameterRatio(S),
 }
 
@@ -76,7 +76,7 @@ pub struct Loads<S = f64> {
 pub struct VehicleInput<S = f64> {
     /// Concept.
     pub concept: Concept,
-    /// Diameter asked for, m.
+    /// Requested diameter, m.
     pub diameter_m: S,
     /// Nose radius over vehicle radius.
     pub nose_radius_ratio: S,
@@ -112,7 +112,7 @@ pub struct VehicleInput<S = f64> {
     pub structure_loads: StructureLoads<S>,
     /// Crush load limit, stroke efficiency, ground.
     pub impact: ImpactInput<S>,
-    /// Foam grades by rising density, for judging the strength asked for.
+    /// Foam grades by rising density, for judging the requested strength.
     pub foam_grades: Vec<FoamGrade>,
     /// Constants of the geometry.
     pub rules: Rules,

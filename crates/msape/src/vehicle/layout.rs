@@ -1,12 +1,12 @@
-//! Where everything in a vehicle stands at one diameter, and why it may not fit: what both concepts share.
+//! Layout of a vehicle at one diameter, and the reasons why it may not fit: the part common to both concepts.
 //!
 //! ```text
 //! R_s ≥ (t + t_a cos δ) / (1 + cos δ), cos δ = sin (θ + φ)      the layers fit into the shoulder
 //! ```
 //!
 //! with R_s the shoulder radius, t and t_a the layers of forebody and aftbody in m, θ the cone half-angle and φ the slope of the
-//! wing in rad. Of the lids that a concept may have the lowest and widest is taken that [`Wing`] lets stand; how far
-//! it stands ahead of the shallowest wing then tells by how much a vehicle is too small, continuously in every dimension.
+//! wing in rad. Of the lids possible in a concept, the lowest and widest that [`Wing`] allows is taken; its distance
+//! ahead of the shallowest wing then measures by how much a vehicle is too small, continuously in every dimension.
 //!
 //! # Valid
 //! Same as [`crate::vehicle::outline`].
@@ -72,13 +72,13 @@ impl<S: Single> Depths<S> {
 /// Data from which a concept is laid out.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, S = f64> {
-    /// Forebody with the shoulder radius asked for.
+    /// Forebody with the requested shoulder radius.
     pub forebody: Forebody<S>,
     /// Layers.
     pub depths: Depths<S>,
     /// Radius of the payload, m.
     pub payload_radius_m: S,
-    /// Impact foam that the stroke asks for, m.
+    /// Impact foam that the stroke requires, m.
     pub foam_thickness_m: S,
     /// Center of gravity, the lid's center of curvature in the non-MSR concept, m.
     pub cg_x_m: S,
@@ -86,7 +86,7 @@ pub struct Frame<'a, S = f64> {
     pub rules: &'a Rules,
 }
 
-/// Where everything stands.
+/// Layout of all components.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layout<S = f64> {
     /// Outer mold line.
@@ -146,7 +146,7 @@ pub enum Misfit {
         /// Layers of forebody and aftbody together, m.
         layers_m: f64,
     },
-    /// Walls that carry their own weight were not found: each iteration requires thicker ones.
+    /// Walls that meet the rules were not found: each iteration requires thicker ones.
     NotConverged {
         /// Last growth of a wall, m.
         move_m: f64,
@@ -211,9 +211,9 @@ pub const LID_TOLERANCE_M: f64 = 1e-14;
 /// A layout, whether it closes or not.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<S = f64> {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout<S>,
-    /// By how much the wing keeps its least slope, measured at the edge of the annulus; negative when it does not, m.
+    /// Margin of the wing to its least slope, measured at the edge of the annulus, m; negative when it is shallower.
     pub room_m: S,
     /// Why it does not close.
     pub misfit: Option<Misfit>,
@@ -237,13 +237,13 @@ impl<S: Single> Frame<'_, S> {
         smallest_shoulder_radius_m(self.depths.fore_m(), self.depths.aft_m(), theta, slope_rad)
     }
 
-    /// The layout with the shoulder radius asked for or, when the layers have no room in it, with the smallest in which they
+    /// The layout with the requested shoulder radius or, when the layers have no room in it, with the smallest in which they
     /// have. `lay_out` is given a floor for the radius; the room needed depends on the slope of the wing, and so on the radius.
     pub fn with_room_for_layers(&self, lay_out: impl Fn(S) -> Trial<S>) -> Trial<S> {
         let (least, most) = (self.shallowest_rad(), self.steepest_rad());
         let lack_m = |trial: &Trial<S>| {
             let outline = &trial.layout.outline;
-            // shallower than allowed it asks for more than any slope that is allowed
+            // shallower than allowed it requires more than any slope that is allowed
             let slope_rad = outline
                 .wing_slope_rad
                 .max(-self.forebody.cone_half_angle_rad);
@@ -381,7 +381,7 @@ impl<S: Single> Frame<'_, S> {
 }
 
 impl<S: Single> Layout<S> {
-    /// Inner radius of the primary structure, which stands under the foot of the lid, m.
+    /// Inner radius of the primary structure, which is under the foot of the lid, m.
     pub fn primary_inner_r_m(&self) -> S {
         self.outline.lid_foot_r_m(self.depths.aft_m())
     }
@@ -391,7 +391,7 @@ impl<S: Single> Layout<S> {
         self.primary_inner_r_m() + self.depths.primary_m
     }
 
-    /// Radius of payload and impact foam, with the shell where there is one, m.
+    /// Radius of payload and impact foam, including the shell if there is one, m.
     pub fn impact_sphere_radius_m(&self) -> S {
         self.payload_radius_m + self.foam_thickness_m + self.impact_shell_thickness_m
     }

@@ -15,7 +15,7 @@
 use crate::vehicle::segment::Point;
 use numerics::scalar::Single;
 
-/// A lid: a spherical cap that stands on the plane of the annulus.
+/// A lid: a spherical cap on the plane of the annulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lid<S = f64> {
     /// Axial position of its center, m.

@@ -10,7 +10,7 @@
 //! Homogeneous components.
 //!
 //! # References
-//! - \[samareh-2014\] Table 1; the sources of the densities stand in the data files.
+//! - \[samareh-2014\] Table 1; the sources of the densities are in the data files.
 
 use crate::vehicle::kinds::ComponentKind;
 use serde::{Deserialize, Serialize};
@@ -101,7 +101,7 @@ pub struct Materials {
     pub primary_structure: Material,
     /// Filling of the wing.
     pub wing_insulation: Material,
-    /// Impact foam; without a name that of the grade which has the strength asked for.
+    /// Impact foam; without a name that of the grade which has the requested strength.
     pub impact_foam: Option<Material>,
     /// Impact shell.
     pub impact_shell: Material,

@@ -3,10 +3,10 @@
 //! ```text
 //! x_c = (R_i + T) / sin θ            center of an impact sphere R_i that rests in the cone under layers T,
 //! x_c = x_n − (Rₙ − T) + R_i         or in the nose when R_i < Rₙ − T
-//! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure stand at x_c
+//! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure are at x_c
 //! ```
 //!
-//! with lengths in m. The gap holds body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
+//! with lengths in m. The gap contains body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
 //! rules allow when the wing would be too steep or the lid would reach the shoulder, then the shoulder radius shrinks, then the
 //! impact foam is thickened: sphere, lid and attached structure being tied to each other and to the forebody, nothing else
 //! raises the lid.
@@ -40,7 +40,7 @@ impl<S: Single> Frame<'_, S> {
         }
     }
 
-    /// Impact foam to add for an edge that stands `lack_m` ahead of the steepest wing, m.
+    /// Impact foam to add for an edge that is `lack_m` ahead of the steepest wing, m.
     ///
     /// Foam that is thicker by 1 m moves the edge outwards by as much and aft by 1 m on the nose, by 1 / sin θ m in the cone.
     fn foam_to_add_m(&self, lack_m: S) -> S {

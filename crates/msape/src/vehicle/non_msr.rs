@@ -10,7 +10,7 @@
 //! with lengths in m, x_p the payload's center, x_cg the center of gravity, x_a the attached structure, t_a the layers of the
 //! aftbody, c the clearance between payload and wall. Of all x_a the least is taken at which the wing is no steeper than allowed;
 //! when the payload does not pass there the shoulder radius shrinks, then the lid is raised: R_L grows beyond the
-//! 50 mm until the foot stands where the wing asks for it. The payload stays where it is. The foam reaches up to the
+//! 50 mm until the foot is where the wing requires it. The payload stays where it is. The foam reaches up to the
 //! attached structure or the payload's center, whichever is higher, and never above the payload; lid insulation fills the
 //! rest.
 //!

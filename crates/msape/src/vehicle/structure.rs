@@ -1,4 +1,4 @@
-//! Walls of carrier and primary structure: materials, and the thickness that the rules ask for.
+//! Walls of carrier and primary structure: materials, and the thickness that the rules require.
 //!
 //! ```text
 //! t = max(gauge, strength, buckling of cone, cap or cylinder, core shear)
@@ -133,13 +133,13 @@ pub struct Wall<S = f64> {
     pub density_kg_m3: S,
     /// Criterion that determines the thickness.
     pub governs: Governs,
-    /// Thickness that strength alone asks for, m.
+    /// Thickness that strength alone requires, m.
     pub strength_thickness_m: S,
-    /// Thickness that buckling alone asks for, m.
+    /// Thickness that buckling alone requires, m.
     pub buckling_thickness_m: S,
-    /// Thickness that buckling of nose or lid alone asks for, m.
+    /// Thickness that buckling of nose or lid alone requires, m.
     pub cap_buckling_thickness_m: S,
-    /// Thickness that shear in the core alone asks for, m.
+    /// Thickness that shear in the core alone requires, m.
     pub core_shear_thickness_m: S,
 }
 
@@ -346,7 +346,7 @@ pub(crate) mod tests {
 
     #[test]
     fn faces_grow_until_they_carry_the_force() {
-        // 2e5 N/m over 1e8 Pa: two faces of 1 mm; dimpling asks for ∛(2e5 · 0.91 · 9e-6 / 2.8e11) = 0.18 mm
+        // 2e5 N/m over 1e8 Pa: two faces of 1 mm; dimpling requires ∛(2e5 · 0.91 · 9e-6 / 2.8e11) = 0.18 mm
         let t_f = sandwich().face_thickness_m(2.0e5).unwrap();
         assert!((t_f - 0.001).abs() < 1e-15);
         let wide = Carrier {

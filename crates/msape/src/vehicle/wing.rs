@@ -1,4 +1,4 @@
-//! Where the annulus around the lid may stand, so that the wing between it and the shoulder is neither too steep nor too shallow.
+//! Allowed places of the annulus around the lid, so that the wing between it and the shoulder is neither too steep nor too shallow.
 //!
 //! ```text
 //! (x_a − x_s) cos φ + (r_s − r_a) sin φ − R_s ≥ 0      no steeper than φ, where the wing touches the shoulder further aft
@@ -21,7 +21,7 @@ use numerics::scalar::Single;
 /// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
 const WING_LENGTH_M: f64 = 1e-6;
 
-/// Where the outer edge of the annulus may stand: inwards of the steepest wing and of the shoulder's circle, ahead of the
+/// Allowed region of the outer edge of the annulus: inwards of the steepest wing and of the shoulder's circle, ahead of the
 /// shallowest wing.
 #[derive(Clone, Copy, Debug)]
 pub struct Wing<S = f64> {
@@ -36,18 +36,18 @@ pub struct Wing<S = f64> {
 }
 
 impl<S: Single> Wing<S> {
-    /// How far an edge stands behind the steepest wing, m.
+    /// Distance of an edge behind the steepest wing, m.
     pub fn behind_steepest_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.steepest;
         (edge.x_m - self.center.x_m) * c + (self.center.r_m - edge.r_m) * s - self.radius_m
     }
 
-    /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
+    /// Whether an edge is aft of the point where the steepest wing touches the shoulder: the shoulder limits it there.
     pub fn is_aft_of_steepest(&self, edge: Point<S>) -> bool {
         (self.radius_m * self.steepest.1).less(edge.x_m - self.center.x_m)
     }
 
-    /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
+    /// Distance of an edge ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
     /// shoulder: the least of the three, m.
     pub fn room_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.shallowest;
@@ -79,7 +79,7 @@ impl<S: Single> Wing<S> {
         self.center.r_m - inwards
     }
 
-    /// How far inwards of the widest place an edge stands, m.
+    /// Distance of an edge inwards of the widest place, m.
     pub fn clearance_m(&self, edge: Point<S>) -> S {
         self.widest_r_m(edge.x_m) - edge.r_m
     }

@@ -30,10 +30,10 @@ use serde::{Deserialize, Serialize};
 
 /// Relative rounding.
 const ROUNDING: f64 = 1e-13;
-/// Crush over thickness beyond which nothing is looked for: far into the solid.
+/// Largest crush over thickness in searches: far into the solid.
 const MOST_CRUSH: f64 = 10.0;
 
-/// Where the foam stands.
+/// Shape of the foam.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape<S = f64> {
     /// Under the payload, over this cross-section.

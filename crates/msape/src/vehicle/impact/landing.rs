@@ -7,13 +7,13 @@
 //! ```
 //!
 //! with masses in kg, m₁ the mass that crushes the foam, m₂ the rest, M the entry mass. The plateau of the foam is what its grade
-//! offers, see [`super::supply`]. Of the MSR concept the load with the whole sphere as m₁ stands beside, whatever was asked for: on a
+//! offers, see [`super::supply`]. For the MSR concept the load with the whole sphere as m₁ is always given as well: on a
 //! rigid surface it is the force where the foam has taken its energy, see [`super::absorber`].
 //!
 //! # Valid
-//! As [`super::crush`]. With the payload alone the rest of the impact sphere is taken to carry itself: neither the mass of its foam
+//! Same as [`super::crush`]. With the payload alone the rest of the sphere is assumed to support itself: neither the mass of its foam
 //! and panels nor the strength of its panels counts. With the whole sphere its mass counts and the panels' strength does not,
-//! which is the severe side. Crush of carrier and heat shield, which would help, is left out.
+//! which is conservative. Crush of carrier and heat shield, which would help, is left out.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5.

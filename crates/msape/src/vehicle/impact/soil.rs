@@ -27,14 +27,14 @@ const DEPTH_TOLERANCE: f64 = 1e-13;
 /// Resistance of the ground to one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Soil<S = f64> {
-    /// Does not give way.
+    /// Rigid ground.
     Rigid,
     /// Force proportional to the depth.
     Linear {
         /// Force over depth, N/m.
         stiffness_n_m: S,
     },
-    /// With the cross-section at the surface to the power 0.7.
+    /// Force proportional to the cross-section at the surface to the power 0.7.
     Growing {
         /// Force over that power of the area, N/m^1.4.
         coefficient: S,

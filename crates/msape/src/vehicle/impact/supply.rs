@@ -1,4 +1,4 @@
-//! The foam that is used where a landing asks for a strength: between two grades, the weakest, beyond the strongest, or that of the case.
+//! The foam used for a required strength: between two grades, the weakest, beyond the strongest, or that of the case.
 //!
 //! ```text
 //! ρ = ρ₁ + (σ − σ₁) (ρ₂ − ρ₁) / (σ₂ − σ₁)        σ₁ ≤ σ ≤ σ₂, and on from the last two beyond the strongest
@@ -43,7 +43,7 @@ impl<S: Single> Supply<'_, S> {
             .unwrap_or_else(|| foam_density_kg_m3(self.grades, asked_pa))
     }
 
-    /// Crush law of the foam in use for a strength asked for, Pa; a density of the case has the strength of its grades.
+    /// Crush law of the foam in use for a requested strength, Pa; a density of the case has the strength of its grades.
     pub fn law(&self, asked_pa: S) -> CrushLaw<S> {
         if let Some(density) = self.given_kg_m3
             && let Some(strength_pa) = foam_strength_at_pa(self.grades, density)

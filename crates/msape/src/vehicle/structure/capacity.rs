@@ -1,4 +1,4 @@
-//! Capacities of walls, each the reverse of the thickness that it asks for.
+//! Capacities of walls, each the reverse of the thickness that it requires.
 //!
 //! ```text
 //! cone under pressure      p_cr = 0.92 γ E t^{5/2} / (L ρ^{3/2}), γ = 0.75, ρ = r̄ / cos θ
@@ -288,7 +288,7 @@ mod tests {
         half_angle_rad: PI / 3.0,
     };
 
-    /// Each rule at the thickness that it asks for carries exactly its demand.
+    /// Each rule at the thickness that it requires carries exactly its demand.
     fn reversed(
         thickness: impl Fn(&Carrier) -> f64,
         capacity: impl Fn(&Carrier, (f64, f64)) -> f64,

@@ -128,7 +128,7 @@ pub struct Check {
     pub capacity: f64,
     /// Capacity over demand less one.
     pub margin: f64,
-    /// Thickness that this rule alone asks for, m, of a rule for faces that of both together; absent where a thicker wall
+    /// Thickness that this rule alone requires, m, of a rule for faces that of both together; absent where a thicker wall
     /// does not help.
     pub required_thickness_m: Option<f64>,
     /// Source of the rule.
@@ -153,7 +153,7 @@ impl Built<'_> {
         load_case: LoadCase,
         (unit, demand, capacity, thickness): Figures,
     ) {
-        // a rule that asks for nothing is no check
+        // a rule that requires nothing is no check
         if demand > 0.0 && capacity.is_finite() {
             self.list.push(Check {
                 wall: self.place,

@@ -72,7 +72,7 @@ fn what_stands_about_the_centre_of_gravity_stands_about_it() {
         let layout = &vehicle.layout;
         let off = layout.outline.lid_center_x_m - vehicle.mass.cg_x_m;
         assert!(off.abs() < 1e-7, "{off}");
-        // the payload in its place: on the foam that its stroke asks for, on the forebody's layers
+        // the payload in its place: on the foam that its stroke requires, on the forebody's layers
         let foam = FoamRule::new(&input).least_thickness_m;
         assert_eq!(layout.foam_thickness_m, foam);
         let rest = layout
