@@ -62,7 +62,7 @@ pub struct Answer {
     pub planet: PlanetNames,
     /// Outcome: how the computation ended.
     pub outcome: Outcome,
-    /// Why, in one sentence, where the outcome needs one.
+    /// Reason for the outcome in one sentence, where it needs one.
     pub reason: Option<String>,
     /// The flight, if there was one.
     pub flight: Option<Flight>,

@@ -35,11 +35,11 @@ pub enum Value {
     Flag(bool),
     /// Rows of numbers.
     Rows(Vec<Vec<f64>>),
-    /// Something no input takes, as TOML spells it; null of JSON as `null`.
+    /// A value that no input accepts, in TOML notation; null of JSON as `null`.
     Other(String),
 }
 
-/// A case: a name and what was given for each key.
+/// A case: a name and the value given for each key.
 ///
 /// ```
 /// use msape::Case;
@@ -78,7 +78,7 @@ impl Case {
         case
     }
 
-    /// Puts an input back to its default, or takes it away where it has none.
+    /// Resets an input to its default, or removes it if it has none.
     pub fn reset(&mut self, input: &Input) {
         let value = match input.preset {
             Preset::Absent => {

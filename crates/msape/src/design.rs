@@ -1,4 +1,4 @@
-//! The coupled design: passes through the modules until the mass settles.
+//! The coupled design: passes through the modules until the mass converges.
 //!
 //! - [`inputs`]: what a design is made from, checked.
 //! - [`drag`]: drag of the vehicle, by name or from its outline.
@@ -45,7 +45,7 @@ use serde::{Deserialize, Serialize};
 pub struct Solution {
     /// Outcome: how the computation ended.
     pub outcome: Outcome,
-    /// Why, in one sentence, where the outcome needs one.
+    /// Reason for the outcome in one sentence, where it needs one.
     pub reason: Option<String>,
     /// The flight of the last pass; absent where the vehicle does not close.
     pub flight: Option<Flight>,
@@ -92,7 +92,7 @@ pub struct Design {
     pub payload_temperature_k: f64,
     /// Drag coefficient at impact.
     pub impact_drag_coefficient: f64,
-    /// Speed at which drag carries the weight where the vehicle lands, equation 2, m/s.
+    /// Speed at which drag equals the weight where the vehicle lands, equation 2, m/s.
     pub terminal_speed_m_s: f64,
     /// Half-angle of the forebody cone, rad.
     pub cone_half_angle_rad: f64,

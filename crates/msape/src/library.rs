@@ -67,7 +67,7 @@ pub struct World {
     pub wall_gas: WallGas,
 }
 
-/// A forebody concept with what it names.
+/// A forebody concept with its materials and correlations.
 #[derive(Clone, Debug)]
 pub struct Stack {
     /// The concept.
@@ -91,7 +91,7 @@ pub struct HeatingModels {
     pub pressure_fit: PressureFit,
 }
 
-/// Everything a case may name; what its data files name of each other is at hand.
+/// Everything a case may refer to; references between data files are resolved.
 #[derive(Clone, Debug)]
 pub struct Library {
     /// Planets by name; one at least.
@@ -230,7 +230,7 @@ impl Library {
     }
 }
 
-/// The thing with this name.
+/// The item with this name.
 pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
     list.iter()
         .find(|(known, _)| known == name)

@@ -1,4 +1,4 @@
-//! A checked case: the same as the case, impossible to misuse.
+//! A checked case, with types that exclude invalid values.
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
@@ -101,7 +101,7 @@ impl FlightProblem {
         }
     }
 
-    /// Flies it.
+    /// Computes the flight.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
         let FlightProblem {
             mission,
@@ -144,7 +144,7 @@ impl DesignProblem {
         }
     }
 
-    /// Solves it.
+    /// Solves the design.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
         self.solve_watched(name, request, &mut Unwatched)
     }

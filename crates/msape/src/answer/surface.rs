@@ -8,11 +8,11 @@
 //! ```
 //!
 //! with the heat flux of the stagnation point q̇₀, of the shoulder q̇ₛ and of the aftbody q̇ₐ with their margins in W/m², r the
-//! distance from the axis in m. The three models meet in steps, which are theirs and not the flow's.
+//! distance from the axis in m. The heat flux jumps where two models meet; these steps are not in the flow.
 //!
 //! # Valid
-//! Zero angle of attack. As [`crate::heating::distribution`]: on cones steeper than about 55 degrees a lower bound. Radiative
-//! heating is spread as convective heating is.
+//! Zero angle of attack. Same as [`crate::heating::distribution`]: on cones steeper than about 55 degrees a lower bound. Radiative
+//! heating is distributed like convective heating.
 //!
 //! # References
 //! - \[lees-1956\]; \[samareh-2014\] sections 3.4.3 and 3.5.2.
@@ -25,13 +25,13 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::hypot;
 
-/// How far off the shoulder's circle a point of it may lie, as a fraction of its radius.
+/// Largest distance of a point of the shoulder from its circle, as a fraction of the radius.
 const ON_SHOULDER: f64 = 1e-6;
 
 /// Heat flux along the outer surface of a design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceHeating {
-    /// The forebody that is heated.
+    /// Heated forebody.
     pub forebody: Forebody,
     /// Largest heat flux at the stagnation point, W/m².
     pub stagnation_w_m2: f64,
@@ -76,7 +76,7 @@ impl SurfaceHeating {
         })
     }
 
-    /// The largest of all, W/m².
+    /// Largest heat flux of all parts, W/m².
     pub fn largest_w_m2(&self) -> f64 {
         self.stagnation_w_m2
             .max(self.shoulder_w_m2)

@@ -107,7 +107,7 @@ pub static COLUMNS: [Column; 10] = [
     },
 ];
 
-/// The share that is nose first at peak heating, and the entries, one object each.
+/// JSON object with the share of entries that are nose first at peak heating, and the entries, one object each.
 pub fn json(turning: &Turning) -> Value {
     let entry = |turn: &Turn| {
         let cells = COLUMNS.iter().map(|column| {

@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         self.case.gives_any(inputs)
     }
 
-    /// The ways to give one thing that the case takes, each by the first of its inputs that is given.
+    /// Alternatives that the case uses, each by the first of its inputs that is given.
     pub fn ways(&self, alternatives: &Alternatives) -> Vec<&'static Input> {
         let first = |way: &&[&'static Input]| way.iter().find(|input| self.given(**input)).copied();
         alternatives.ways.iter().filter_map(first).collect()
@@ -217,7 +217,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// Notes that an input is missing, with what it must be.
+    /// Records that an input is missing, with the values allowed.
     pub fn missing(&mut self, input: &'static Input) {
         let message = match input.kind {
             Kind::Number {

@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Severity};
 use std::fmt;
 
-/// A fault of the input: which key, what was given, what is allowed.
+/// A fault of the input: key, value given, values allowed.
 ///
 /// ```
 /// use msape::{Case, Library, Request, fly};

@@ -1,4 +1,4 @@
-//! A value of TOML or JSON: one model, two spellings.
+//! A value of TOML or JSON: one data model, two notations.
 
 use super::Value;
 use super::write::quoted_key;
@@ -128,7 +128,7 @@ fn node_of(spelling: &str) -> Option<Node> {
     table.is_empty().then_some(node)
 }
 
-/// The numbers of rows, or which row is none.
+/// Numbers of the rows, or a description of the row at fault.
 pub(super) fn rows(node: &Node) -> Result<Vec<Vec<f64>>, String> {
     let Node::List(list) = node else {
         return Err(describe(node));

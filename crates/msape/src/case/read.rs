@@ -1,4 +1,4 @@
-//! Reads a case from TOML or JSON: one model, two spellings.
+//! Reads a case from TOML or JSON: one data model, two notations.
 
 use super::node::{Node, describe, rows, spelled};
 use super::{Case, InputError, SCHEMA, Value, Version};
@@ -8,7 +8,7 @@ use crate::units::cut;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Longest piece of a foreign message that is passed on.
+/// Largest length of a parser message in a fault.
 const MESSAGE_MAX: usize = 300;
 
 /// Keys of a file, at most: ten times as many as a case with the largest number of phases has.

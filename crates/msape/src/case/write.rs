@@ -169,7 +169,7 @@ fn is_odd_phase(section: &str) -> bool {
     first == Some(SECTION) && phase_number(section).is_none()
 }
 
-/// The number of the phase that a section is of.
+/// Number of the phase to which a section belongs.
 fn phase_number(section: &str) -> Option<usize> {
     let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
     let index: usize = number.parse().ok()?;

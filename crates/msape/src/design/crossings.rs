@@ -9,7 +9,7 @@ use crate::quantity::Module;
 use crate::units::Dimension;
 use crate::vehicle::Vehicle;
 
-/// A pass, as far as its modules give values to others.
+/// Data of a pass from which the modules give values to others.
 pub(super) struct Crossed<'a> {
     pub(super) vehicle: &'a Vehicle,
     pub(super) flown: &'a Flown,
@@ -23,7 +23,7 @@ impl Crossed<'_> {
     }
 }
 
-/// A value that one module gives to others.
+/// Value that one module gives to others.
 #[derive(Clone, Copy)]
 pub struct Crossing {
     /// Key with its SI unit.

@@ -4,7 +4,7 @@ use crate::aero::DragTable;
 use crate::aero::standard::{AeroBody, AxialForces};
 use crate::vehicle::Vehicle;
 
-/// Where the drag of a design comes from; below Mach 0.5 it is a number of the case either way.
+/// Source of the drag of a design; below Mach 0.5 it is always a number of the case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DesignDrag {
     /// A table, whatever the outline.

@@ -59,7 +59,7 @@ impl Flown {
         }
     }
 
-    /// Gives up the flight for a number, by its name, that is not finite.
+    /// Gives up the flight because the named number is not finite.
     pub(super) fn give_up(&mut self, name: &str) {
         // a flight that was given up has the first of the reasons
         if self.outcome != Outcome::GaveUp {

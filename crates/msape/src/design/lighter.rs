@@ -21,7 +21,7 @@ use crate::finding::{Adjustment, Finding, Severity};
 use crate::quantity::input;
 use crate::vehicle::{PayloadSize, Vehicle};
 
-/// Relative difference below which two masses are of one vehicle: assumed, between one vehicle found twice, which differs by the mass
+/// Relative difference below which two masses are of one vehicle: assumed, between a vehicle found twice, which differs by its mass
 /// criterion, and two, of which one was found to have 450 kg and the other 957 kg.
 const SAME: f64 = 0.01;
 
@@ -38,7 +38,7 @@ pub(super) struct Searched<'a> {
     pub(super) run: Run<'a>,
     /// The heavier vehicle, if the answer is a lighter one.
     pub(super) heavier: Option<Heavier>,
-    /// Why the search was cut short, where it was.
+    /// Reason why the search was cut short, if it was.
     pub(super) cut: Option<Cut>,
 }
 
@@ -47,11 +47,12 @@ pub(super) struct Searched<'a> {
 pub(super) struct Heavier {
     /// Diameter from which it was grown, m.
     asked_m: f64,
-    /// Diameter, m, and mass, kg, on which it settles; absent where it outgrows every diameter allowed.
+    /// Diameter, m, and mass, kg, to which it converges; absent where it outgrows every diameter allowed.
     settled: Option<[f64; 2]>,
 }
 
-/// The lighter vehicle than the one that the passes found, where it had to grow or closes at no diameter, else what they found.
+/// A lighter vehicle than that found by the passes, if that had to grow or closes at no diameter; otherwise the result of the
+/// passes.
 /// `work` as in [`run`].
 pub(super) fn than<'a>(input: &DesignInput, found: Run<'a>, work: &mut Work) -> Searched<'a> {
     let settled = found.converged().map(|made| {

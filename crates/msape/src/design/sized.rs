@@ -14,7 +14,7 @@ use crate::vehicle::Vehicle;
 pub(super) struct Sized {
     /// The stagnation point, from which the other points follow.
     pub(super) stagnation: Environment,
-    /// The point of the forebody at which its heat shield is judged.
+    /// Point of the forebody at which its heat shield is sized.
     pub(super) environment: Environment,
     /// The hottest point off the stagnation point.
     pub(super) off: OffStagnation,
@@ -73,7 +73,7 @@ impl Sized {
         }
     }
 
-    /// A result that is not a finite number, by its name.
+    /// Name of a result that is not a finite number.
     pub(super) fn not_finite(&self) -> Option<&'static str> {
         let named = [
             ("peak heat flux", self.stagnation.peak_heat_flux_w_m2),

@@ -25,7 +25,7 @@ pub fn of_vehicle(vehicle: &Vehicle, heat_capacity_ratio: f64) -> Option<Stabili
     Stability::new(&AeroBody::of_vehicle("", vehicle), heat_capacity_ratio)
 }
 
-/// Margins and trims, a vehicle that turns away from nose first, and one that has another way to fly.
+/// Findings on margins and trims, on a vehicle that is unstable nose first, and on one with another stable trim.
 pub fn findings(stability: &Stability) -> Vec<Finding> {
     let regimes = [
         (

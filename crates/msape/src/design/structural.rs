@@ -54,7 +54,7 @@ impl Structural {
         }
     }
 
-    /// The check of a wall with the least margin, gauge left out.
+    /// Check of a wall with the least margin, minimum gauge left out.
     pub fn critical(&self, wall: WallPlace) -> Option<&Check> {
         let of_wall = |check: &&Check| check.wall == wall && check.rule != Rule::MinimumGauge;
         let checks = self.checks.iter().filter(of_wall);
@@ -118,7 +118,7 @@ impl Structural {
         }
     }
 
-    /// The part that the shell model finds too weak, with what the conceptual level says of its wall.
+    /// Finding on a part that the shell model finds too weak, with the result of the conceptual level for its wall.
     fn overstressed(&self, case: &CaseStress, name: &str) -> Option<Finding> {
         let worst = worst(case).filter(|part| part.least_margin() < 0.0)?;
         let wall = worst.part.wall();

@@ -3,7 +3,7 @@
 use super::{DataError, Named, files};
 use crate::data::Data;
 
-/// Folders to which a user may add, and what the names of their files end in.
+/// Folders to which a user may add files, and the endings of the file names.
 #[cfg(feature = "own-data")]
 const FOLDERS: [(&str, &str); 8] = [
     ("planets", ".toml"),
@@ -22,7 +22,7 @@ pub(super) const RELATIONS: [&str; 3] = [
     "heating/tauber-sutton",
 ];
 
-/// The files of a library, and what is wrong with them.
+/// The files of a library, and their faults.
 pub(super) struct Files<'f> {
     files: Vec<(&'f str, Data<'f>)>,
     pub faults: Vec<DataError>,

@@ -1,4 +1,4 @@
-//! Checks the question for the coefficients of a body: a case with an outline, or a design.
+//! Checks a request for the coefficients of a body: a case with an outline, or a design.
 
 use super::DesignProblem;
 use super::aerodynamics::{Coefficients, Medium, named_drag};
@@ -15,7 +15,7 @@ use crate::quantity::input;
 /// A body and the database of its coefficients.
 pub type BodyCoefficients = (AeroBody, Database);
 
-/// A question for coefficients that was checked.
+/// A checked request for coefficients.
 #[derive(Clone, Debug)]
 pub struct AeroProblem {
     body: Body,
@@ -89,7 +89,7 @@ impl AeroProblem {
     /// Designs the vehicle where there is one to design, and makes its database.
     ///
     /// # Errors
-    /// Why there is no vehicle, or no table at its diameter.
+    /// Reason why there is no vehicle, or no table at its diameter.
     pub fn solve(&self) -> Result<BodyCoefficients, Vec<InputError>> {
         let body = match &self.body {
             Body::Known(body) => body.as_ref().clone(),

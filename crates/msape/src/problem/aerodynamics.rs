@@ -22,7 +22,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 const TABLE: &Input = &input::vehicle::AERODYNAMICS_TABLE;
 const DAMPING_TABLE: &Input = &input::vehicle::AERODYNAMICS_DAMPING_TABLE;
 
-/// The air for which coefficients are.
+/// Air to which coefficients apply.
 #[derive(Clone, Debug)]
 pub(super) struct Medium {
     atmosphere: Atmosphere,
@@ -83,7 +83,7 @@ pub(super) fn named_drag(
         .map(Drag::Constant)
 }
 
-/// Coefficients that a case gives to a body, which may not be known yet.
+/// Coefficients that a case gives for a body, which may not be known yet.
 #[derive(Clone, Debug)]
 pub(super) enum Coefficients {
     /// A table of the case.

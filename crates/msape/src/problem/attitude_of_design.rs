@@ -171,7 +171,7 @@ pub fn add_turning(
     Ok(())
 }
 
-/// The vehicle that was flown, and whether its design had settled.
+/// Finding on the vehicle that was flown, and on whether its design converged.
 fn flown(outcome: Outcome, design: &Design) -> Finding {
     let vehicle = &design.vehicle;
     let mass = &vehicle.mass;
@@ -201,7 +201,7 @@ fn flown(outcome: Outcome, design: &Design) -> Finding {
     }
 }
 
-/// Inputs of another vehicle that are given and play no part are remarked.
+/// Adds remarks on inputs of another vehicle that are given but not used.
 fn remark_unused(reader: &mut Reader) {
     let unused = |input: &Input| !input.is_of(Task::DesignedBody);
     freedom::unused(reader, "the attitude of a design", unused);

@@ -46,7 +46,7 @@ const CROSSINGS: [(&Input, &str); 4] = [
     ),
 ];
 
-/// Adds to faults of the geometry what would cross what.
+/// Adds to faults of the geometry the surfaces that would intersect.
 fn explain_crossings(reader: &mut Reader) {
     for fault in &mut reader.faults {
         if let Some((_, why)) = CROSSINGS.iter().find(|(input, _)| input.key == fault.key)

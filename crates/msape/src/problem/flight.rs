@@ -31,7 +31,7 @@ pub(super) enum Angle {
     Descending,
 }
 
-/// Everything about a flight but the vehicle.
+/// Checks all of a flight but the vehicle.
 pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> Option<Mission> {
     let planet = planet(reader, library);
     let atmosphere = atmosphere(reader, library, &planet);
@@ -350,7 +350,7 @@ fn drag(
     }
 }
 
-/// The drag of the one way in which a case gives it.
+/// Drag in the way in which the case gives it.
 fn drag_of(
     reader: &mut Reader,
     library: &Library,

@@ -9,7 +9,7 @@ use crate::vehicle::body::shape::Aft;
 use crate::vehicle::body::{RigidBody, Shape, from_rows};
 use numerics::math::RADIANS_PER_DEGREE;
 
-/// The outline of a case that has a section `[outline]`; `None` where it has none.
+/// Outline of a case with a section `[outline]`; `None` without one.
 ///
 /// # Errors
 /// Every fault of the section at once.

@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 
 /// A choice of a fixed list.
 pub trait Choice: Copy + 'static {
-    /// All, each with its name in a case and its label.
+    /// All choices, each with its name in a case and its label.
     const ALL: &'static [(Self, &'static str, &'static str)];
     /// Names and labels of all, for an input that takes each of them.
     const CHOICES: Choices;
 
-    /// The choice of a name.
+    /// The choice with this name; `None` if there is none.
     fn named(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();
         all.find_map(|(choice, known, _)| (*known == name).then_some(*choice))

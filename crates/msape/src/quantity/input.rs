@@ -97,7 +97,7 @@ impl fmt::Debug for Input {
     }
 }
 
-/// The key, as messages name an input.
+/// Key of the input, by which messages name it.
 impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.key)
@@ -186,7 +186,7 @@ impl Input {
         self
     }
 
-    /// Asked for by these tasks instead of those of its file.
+    /// The input for these tasks instead of those of its file.
     const fn tasks(mut self, tasks: &'static [Task]) -> Input {
         self.tasks = tasks;
         self
@@ -225,7 +225,7 @@ impl Input {
         self.tasks.contains(&task)
     }
 
-    /// The other inputs in the place of which it may be given.
+    /// Other inputs that it may replace.
     pub fn rivals(&self) -> impl Iterator<Item = &'static Input> {
         let key = self.key;
         let ways = self.alternatives.map_or(&[][..], |all| all.ways);

@@ -1,7 +1,7 @@
 //! A trajectory as KML 2.2: a track with times and a placemark for each event.
 //!
 //! Altitudes are geodetic; a viewer takes `absolute` for heights above mean sea level, which on Earth differ by at most
-//! about 110 m (the undulation of the geoid). Another body than the Earth is said, with the hint \[kml-reference\] where viewers know it.
+//! about 110 m (the undulation of the geoid). A body other than the Earth is named, with the hint \[kml-reference\] if one exists.
 
 mod instant;
 

@@ -9,7 +9,7 @@
 //! rules require. Roots within a layout (shoulder, foam, lid) move by their own equations.
 //!
 //! # Valid
-//! Off the places where another branch takes over, which [`Branches`] names; there the derivative is that of the branch taken. A
+//! Away from changes of branch, which [`Branches`] names; there the derivative is that of the branch taken. A
 //! diameter at which room jumps has no derivative: not a number.
 //!
 //! # References
@@ -42,11 +42,11 @@ const ROUNDING_M: f64 = 1e-9;
 /// Condition that determines the diameter of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DiameterBy {
-    /// The case.
+    /// The requested diameter.
     Asked,
-    /// The room for its wing.
+    /// The room for the wing.
     Room,
-    /// Something that fits from one diameter on and not before: no derivative.
+    /// A part that fits from one diameter on and not below: no derivative.
     Jump,
 }
 
@@ -61,7 +61,7 @@ pub struct Branches {
     pub foam_thickened: bool,
     /// Whether the gap under the lid is that of the rules.
     pub whole_gap: bool,
-    /// Whether the wing is at most as steep as the rules have it, and not as the forebody.
+    /// Whether the steepest wing is limited by the rules, and not by the forebody.
     pub steepest_by_rule: bool,
     /// Whether payload and foam rest in the nose and not in the cone.
     pub in_nose: bool,

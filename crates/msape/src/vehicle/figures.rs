@@ -84,7 +84,7 @@ pub struct Dimensions<S = f64> {
 }
 
 impl<S: Single> Figures<S> {
-    /// Those of a vehicle whose diameter, layout, walls and parts are found.
+    /// Numbers of a vehicle whose diameter, layout, walls and parts are found.
     pub fn new(
         input: &VehicleInput<S>,
         rule: &FoamRule<S>,

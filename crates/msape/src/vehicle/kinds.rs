@@ -58,7 +58,7 @@ pub enum ComponentKind {
 }
 
 impl ComponentKind {
-    /// How many.
+    /// Number of kinds.
     pub const COUNT: usize = 12;
 
     /// All, in the order in which they are summed.
@@ -198,7 +198,7 @@ pub struct FoamGrade {
     pub source: String,
 }
 
-/// Densities of what fills the vehicle.
+/// Densities of the fillings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComponentDensities<S = f64> {
     /// Impact foam with its panels, kg/m³; `None` takes the grade that has the requested strength, and adds the panels.

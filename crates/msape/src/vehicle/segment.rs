@@ -50,7 +50,7 @@ pub enum Segment<S = f64> {
         radius_m: S,
         /// Direction from the center to the start, from the x axis towards the r axis, rad.
         start_angle_rad: S,
-        /// Angle run through, positive from the x axis towards the r axis, rad.
+        /// Swept angle, positive from the x axis towards the r axis, rad.
         sweep_rad: S,
     },
 }
@@ -170,7 +170,7 @@ impl<S: Single> Segment<S> {
         }
     }
 
-    /// Area swept when turned about the axis, m².
+    /// Area swept by revolution about the axis, m².
     pub fn swept_area_m2(&self) -> S {
         match *self {
             Self::Line { start, end } => {
@@ -215,7 +215,7 @@ impl<S: Single> Segment<S> {
 }
 
 impl Segment {
-    /// The point at a part of its length, 0 at the start.
+    /// Point at a fraction of the length, 0 at the start.
     pub fn at(&self, part: f64) -> Point {
         match *self {
             Self::Line { start, end } => Point {

@@ -155,7 +155,7 @@ pub struct Structure<S = f64> {
 }
 
 impl<S: Copy> Structure<S> {
-    /// These walls with the reasons of others, which differ by less than the convergence.
+    /// These walls with the governing criteria of others, which differ by less than the convergence.
     pub fn with_reasons(self, sized: Self) -> Self {
         let wall = |used: Wall<S>, sized: Wall<S>| Wall {
             thickness_m: used.thickness_m,
@@ -196,7 +196,7 @@ pub struct Needs<S = f64> {
 }
 
 impl<S: Single> Needs<S> {
-    /// Those of a force in the wall alone, N/m, with faces of a sandwich that carry it.
+    /// Requirements of a force in the wall alone, N/m, with faces of a sandwich that carry it.
     pub fn of_force(carrier: &Carrier<S>, membrane_n_m: S) -> Self {
         let none = S::constant(0.0);
         Self {

@@ -107,10 +107,10 @@ pub const OWN_OUTLINE: &str = "outline";
 /// Name, in a case, of the planet's own atmosphere.
 pub const OWN_ATMOSPHERE: &str = "planet";
 
-/// Where the choices of a nominal input come from.
+/// Source of the choices of a nominal input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choices {
-    /// Always the same: value and label.
+    /// Fixed choices: value and label.
     Fixed(&'static [(&'static str, &'static str)]),
     /// Planets of the library.
     Planets,

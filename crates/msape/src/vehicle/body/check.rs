@@ -119,7 +119,7 @@ pub enum OutlineFault {
         /// Place.
         at: At,
     },
-    /// More pairs of segments that come near each other than are looked at.
+    /// More pairs of segments near each other than are examined.
     #[error("more than {MOST_PAIRS} pairs of segments come near each other; give fewer points")]
     Tangled,
     /// The outline encloses nothing.
@@ -127,7 +127,7 @@ pub enum OutlineFault {
     NoVolume,
 }
 
-/// Everything wrong with an open outline, up to [`MOST_FAULTS`].
+/// All faults of an open outline, up to [`MOST_FAULTS`].
 pub fn faults(open: &Profile) -> Vec<OutlineFault> {
     let segments = &open.segments;
     let (Some(start), Some(end)) = (open.start(), open.end()) else {

@@ -12,7 +12,7 @@
 //! # References
 //! - Own arrangement of bounding boxes.
 
-/// Pairs that are looked at.
+/// Largest number of pairs examined.
 pub const MOST_PAIRS: usize = 5_000_000;
 
 /// Least and largest x, least and largest r, m.
@@ -56,7 +56,7 @@ impl Run {
 }
 
 /// Calls `visit` with each pair of boxes that are no more than `near_m` apart, the first before the second, until it says stop;
-/// false where there are more pairs than are looked at.
+/// false where there are more pairs than are examined.
 pub fn near_pairs(boxes: &[Box], near_m: f64, visit: impl FnMut(usize, usize) -> bool) -> bool {
     let mut tree = Tree {
         nodes: vec![[0.0; 4]; 4 * boxes.len().max(1)],

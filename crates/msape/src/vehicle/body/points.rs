@@ -76,7 +76,7 @@ pub fn rows(open: &Profile) -> Vec<Vec<f64>> {
     rows
 }
 
-/// A body from rows of points, or everything that is wrong with them.
+/// A body from rows of points, or all faults of these.
 pub fn from_rows(name: &str, rows: &[Vec<f64>]) -> Result<RigidBody, Vec<OutlineFault>> {
     let mut list: Vec<OutlineFault> = Vec::new();
     let curved = rows.iter().any(|row| row.get(2).is_some_and(|b| *b != 0.0));

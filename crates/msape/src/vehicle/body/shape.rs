@@ -88,7 +88,7 @@ fn add(segments: &mut Vec<Segment>, segment: Segment) {
 }
 
 impl Shape {
-    /// Everything that keeps these dimensions from making an outline.
+    /// All faults that keep these dimensions from defining an outline.
     pub fn faults(&self) -> Vec<ShapeFault> {
         let radius = self.diameter_m / 2.0;
         let (nose, shoulder) = (self.nose_radius_m, self.shoulder_radius_m);
@@ -157,7 +157,7 @@ impl Shape {
         faults
     }
 
-    /// The body, or everything that keeps it from being one.
+    /// The body, or all faults of its dimensions.
     pub fn body(&self, name: &str) -> Result<RigidBody, Vec<ShapeFault>> {
         let faults = self.faults();
         if !faults.is_empty() {

@@ -1,4 +1,4 @@
-//! Force of the impact foam against its crush, the energy that it takes, and the way back.
+//! Force of the impact foam against its crush, the energy that it absorbs, and its unloading.
 //!
 //! ```text
 //! F = A(s) σ(s/t)        A = A_p                    column under the payload (non-MSR)
@@ -36,12 +36,12 @@ const MOST_CRUSH: f64 = 10.0;
 /// Shape of the foam.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape<S = f64> {
-    /// Under the payload, over this cross-section.
+    /// Column under the payload, with this cross-section.
     Column {
         /// Cross-section, m².
         area_m2: S,
     },
-    /// Around the payload.
+    /// Sphere around the payload.
     Sphere {
         /// Radius of the payload, m.
         payload_radius_m: S,
@@ -90,7 +90,7 @@ impl<S: Single> Absorber<S> {
         self.area_m2(crush_m) * self.law.stress_pa(crush_m / self.thickness_m)
     }
 
-    /// Crushes at which the law bends: start and end of the plateau, closed cells, m; rising.
+    /// Crushes at which the law has a kink: start and end of the plateau, closed cells, m; rising.
     pub fn bends_m(&self) -> [S; 3] {
         let law = &self.law;
         [law.yield_strain(), law.plateau_strain(), law.last_strain()]

@@ -12,7 +12,7 @@
 //! # Valid
 //! Vertical fall. Equation 1 was measured with spherical penetrometers: a vehicle that goes deeper than its spherical nose
 //! shows the ground more than its nose diameter. Young's equation is for slender bodies; that the resistance at a depth is
-//! the mean of a body with the cross-section at that depth is an assumption of ours, which keeps his depth for a cylinder.
+//! the mean of a body with the cross-section at that depth is an assumption of this project, which keeps his depth for a cylinder.
 //!
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
@@ -24,7 +24,7 @@ use crate::vehicle::impact::young::{self, Penetrator};
 use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
-/// A ground and what resists in it; with neither of the two it is rigid.
+/// A ground and the law of its resistance; with neither of the two laws it is rigid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {
@@ -60,9 +60,9 @@ pub struct Penetration {
 pub struct Penetrability {
     /// Value used.
     pub s_number: f64,
-    /// Least value, of the hardest.
+    /// Least value, of the hardest soil.
     pub s_number_min: f64,
-    /// Largest value, of the softest.
+    /// Largest value, of the softest soil.
     pub s_number_max: f64,
 }
 

@@ -11,7 +11,7 @@
 //! rigid surface it is the force where the foam has taken its energy, see [`super::absorber`].
 //!
 //! # Valid
-//! Same as [`super::crush`]. With the payload alone the rest of the sphere is assumed to support itself: neither the mass of its foam
+//! As [`super::crush`]. With the payload alone the rest of the sphere is assumed to support itself: neither the mass of its foam
 //! and panels nor the strength of its panels counts. With the whole sphere its mass counts and the panels' strength does not,
 //! which is conservative. Crush of carrier and heat shield, which would help, is left out.
 //!
@@ -67,7 +67,7 @@ pub struct Landing {
 }
 
 impl TouchdownVelocity {
-    /// Of a flight that ends with a speed, m/s, at an angle against the horizon, rad.
+    /// Velocity at the end of a flight with a speed, m/s, at an angle against the horizon, rad.
     pub fn new(speed_m_s: f64, flight_path_angle_rad: f64) -> TouchdownVelocity {
         TouchdownVelocity {
             speed_m_s,
@@ -137,7 +137,7 @@ impl Landing {
     }
 }
 
-/// Payload and what moves with it in the MSR concept, kg; the payload alone in the other.
+/// Mass of the payload and of the parts that move with it in the MSR concept, kg; of the payload alone in the other.
 fn sphere_kg(vehicle: &Vehicle) -> f64 {
     let sphere: &[ComponentKind] = match vehicle.concept {
         Concept::Msr => &[

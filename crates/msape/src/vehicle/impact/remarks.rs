@@ -27,15 +27,15 @@ use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::FoamStrength;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 
-/// Loads up to this part over the limit are rounding and elastic ringing.
+/// Relative excess over the load limit that is attributed to rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
 /// Crush beyond the plateau up to this part is that of a landing a little faster than the pass before had it.
 const PLATEAU_TOLERANCE: f64 = 1e-3;
-/// Share of the kinetic energy that may be sideways.
+/// Largest share of the kinetic energy in horizontal motion.
 const SIDEWAYS_SHARE: f64 = 0.01;
 /// Depth in diameters from which Young's equation holds.
 const YOUNG_DIAMETERS: f64 = 3.0;
-/// The input that sets the limit.
+/// Input that sets the load limit.
 const LIMIT: &str = input::design::CRUSH_LOAD_LIMIT_EARTH_G.key;
 const REPORT: &str = "NASA/TM-2014-218507, section 3.1.5";
 

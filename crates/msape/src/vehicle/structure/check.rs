@@ -82,11 +82,11 @@ impl Rule {
     }
 }
 
-/// When a load acts.
+/// Load case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LoadCase {
-    /// While the wall is made.
+    /// Making of the wall.
     Making,
     /// Stagnation pressure at entry.
     EntryPressure,
@@ -169,7 +169,7 @@ impl Built<'_> {
         }
     }
 
-    /// Of the force N in the wall: strength, and the faces of a sandwich.
+    /// Checks of the force N in the wall: strength, and the faces of a sandwich.
     fn membrane(&mut self, load_case: LoadCase, n_m: f64) {
         let (carrier, h, t_f) = (
             self.carrier,
