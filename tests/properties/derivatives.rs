@@ -13,7 +13,7 @@ fn flown<S: Single>(problem: &FlightProblem, parameters: [S; PARAMETERS]) -> Fli
     fly_with(&problem.mission, &problem.body, numbers, Request::Nothing).0
 }
 
-/// Every number of a flight.
+/// All numbers of a flight.
 fn outputs<S: Single>(flight: &Flight<S>) -> Vec<(&'static str, S)> {
     let mut all = vec![
         ("convective load", flight.convective_heat_load_j_m2),
@@ -80,12 +80,12 @@ fn outputs<S: Single>(flight: &Flight<S>) -> Vec<(&'static str, S)> {
 const WIND: &str = "table = [[0.0, 5.0, 1.0], [12000.0, 40.0, -3.0], [30000.0, 0.0, 0.0]]";
 const STANDARD: &str = "atmosphere = \"us-1976\"\n";
 
-/// Air in which a flight is compared.
+/// Atmosphere in which a flight is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Air {
-    /// Cells of cubics, whose curvature jumps by 2e-5 from one to the next.
+    /// Cells of cubic polynomials, whose curvature jumps by 2e-5 from one to the next.
     Standard,
-    /// With derivatives of all orders.
+    /// An atmosphere with continuous derivatives of all orders.
     Exponential,
 }
 
@@ -117,14 +117,14 @@ fn exact(kind: usize) -> (Air, FlightProblem) {
     (air, problem)
 }
 
-/// Of the integration, for differences.
+/// Tolerance of the integration for differences.
 const TOLERANCE: f64 = 1e-13;
-/// Steps of differences as a part of the parameter.
+/// Steps of differences as fractions of the parameter.
 const STEPS: [f64; 3] = [2e-3, 5e-4, 1.2e-4];
-/// Two steps must tell a difference to this part.
+/// Largest relative disagreement between the differences of two steps.
 const SETTLED: f64 = 2e-5;
 
-/// Error allowed to the derivative of an output, as a part of it.
+/// Allowed relative error of the derivative of an output.
 fn allowed(name: &str, air: Air) -> f64 {
     let of_place = [
         "time of d",
@@ -140,13 +140,13 @@ fn allowed(name: &str, air: Air) -> f64 {
             .any(|start| name.starts_with(start));
     match air {
         Air::Standard if is_place => 1e-4,
-        // By the slope of the interpolation within a step.
+        // by the slope of the interpolation within a step
         Air::Exponential if is_place => 1e-5,
         _ => 1e-6,
     }
 }
 
-/// Size below which an output counts as zero.
+/// Magnitude below which an output counts as zero.
 fn least(name: &str) -> f64 {
     match name {
         "final altitude" => 1e3,
@@ -168,7 +168,7 @@ fn derivatives_of_all_outputs_are_those_of_differences() {
         for ((name, value), (_, dual)) in plain.iter().zip(&derivatives) {
             assert_eq!(*value, dual.value, "{name}");
         }
-        // Two of the parameters by turns: all are met over the flights.
+        // two of the parameters in turn: all are used over the flights
         for i in (case % 7..PARAMETERS).step_by(7) {
             let scale = parameters[i].abs().max(0.1);
             let moved = |part: f64| {
@@ -186,7 +186,7 @@ fn derivatives_of_all_outputs_are_those_of_differences() {
                 (0..derivatives.len()).map(of).collect::<Vec<f64>>()
             });
             for (k, (name, dual)) in derivatives.iter().enumerate() {
-                // Of two steps that agree best, which shows how well the difference is known.
+                // of the two steps that agree best, which shows how accurately the difference is known
                 let pairs = by_step.windows(2).map(|pair| [pair[0][k], pair[1][k]]);
                 let gap = |pair: &[f64; 2]| (pair[0] - pair[1]).abs();
                 let best = pairs.min_by(|a, b| gap(a).total_cmp(&gap(b)));

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
-/// Drag by Mach number, radiation, wind: everything that a lane may run into by itself.
+/// Drag by Mach number, radiation, wind: everything that may affect lanes individually.
 pub const EVERYTHING: &str = r#"
 schema = "msape/1"
 name = "everything"

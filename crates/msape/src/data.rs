@@ -35,7 +35,7 @@ impl Data<'_> {
     /// The file as a type that names its keys.
     ///
     /// # Errors
-    /// Place, key and what it must be.
+    /// A message with place, key and the values allowed.
     pub fn read<T: DeserializeOwned>(self) -> Result<T, String> {
         match self {
             #[cfg(feature = "own-data")]

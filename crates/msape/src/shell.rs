@@ -1,6 +1,6 @@
 //! The carrier structure as a shell of revolution: stress, displacement and first frequencies by finite elements.
 //!
-//! The high-fidelity twin of [`crate::vehicle::structure`], computed once for a converged design:
+//! The high-fidelity counterpart of [`crate::vehicle::structure`], computed once for a converged design:
 //!
 //! 1. [`mesh`]: meridians of lines and arcs become elements of three nodes.
 //! 2. [`section`]: stiffness and faces of a solid wall or a sandwich.

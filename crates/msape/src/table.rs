@@ -60,9 +60,9 @@ enum Column {
     Output(&'static Output),
 }
 
-/// One row for each answer: name, inputs that are given or have a default, outcome, outputs.
+/// Table with one row for each answer: name, inputs that are given or have a default, outcome, outputs.
 ///
-/// Where an input and an output have one name in the report, there is one column: the value used.
+/// An input and an output with the same name in the report share one column: the value used.
 pub fn results(solved: &[Solved], job: Job, manner: Manner) -> Table {
     let columns = result_columns(solved, job, manner);
     Table {

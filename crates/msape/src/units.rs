@@ -1,6 +1,6 @@
 //! Units of measurement: conversions happen here and nowhere else.
 //!
-//! Memory holds SI; cases and results hold SI with angles in degrees ("canonical"). A unit is known by its symbol,
+//! Values in memory are in SI; cases and results are in SI with angles in degrees ("canonical"). A unit is known by its symbol,
 //! which is ASCII and is used in CSV headers, axes and typed input.
 
 pub mod number;
@@ -66,7 +66,7 @@ pub struct Unit {
     pub symbol: &'static str,
     /// Physical dimension.
     pub dimension: Dimension,
-    /// Canonical units in one of this unit.
+    /// Factor from this unit to the canonical unit.
     pub factor: f64,
     /// Canonical value of zero in this unit.
     pub offset: f64,

@@ -1,8 +1,8 @@
 //! The documented cases that ship with the program, solved and compared with their published or computed figures.
 //!
 //! Expectations are data: `data/validation/<name>.toml` names a case of the folder `cases` and lists quantities with
-//! their reference values, tolerances and the reasons of these. Whoever shows the comparison, the command or the page,
-//! computes it anew. Predictions of flown capsules, [`prediction`], are listed with the comparisons but are not a test.
+//! their reference values, tolerances and the reasons of these. Command and page
+//! compute the comparison anew. Predictions of flown capsules, [`prediction`], are listed with the comparisons but are not a test.
 
 mod file;
 mod points;

@@ -90,7 +90,7 @@ pub struct Vehicle {
     pub adjustments: Vec<Adjustment>,
     /// Remarks.
     pub findings: Vec<Finding>,
-    /// Turns of the closing loop at the final diameter.
+    /// Iterations of the closing loop at the final diameter.
     pub iterations: u32,
 }
 

@@ -76,7 +76,7 @@ impl SurfaceHeating {
         })
     }
 
-    /// Largest heat flux of all parts, W/m².
+    /// Largest heat flux on the surface, W/m².
     pub fn largest_w_m2(&self) -> f64 {
         self.stagnation_w_m2
             .max(self.shoulder_w_m2)

@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         self.case.gives_any(inputs)
     }
 
-    /// Alternatives that the case uses, each by the first of its inputs that is given.
+    /// Ways that the case uses to give a quantity, each by the first of its inputs that is given.
     pub fn ways(&self, alternatives: &Alternatives) -> Vec<&'static Input> {
         let first = |way: &&[&'static Input]| way.iter().find(|input| self.given(**input)).copied();
         alternatives.ways.iter().filter_map(first).collect()

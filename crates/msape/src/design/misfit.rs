@@ -15,7 +15,7 @@ fn payload_key(size: PayloadSize) -> &'static str {
     }
 }
 
-/// Keys of the inputs that take part in a misfit.
+/// Keys of the inputs that cause a misfit.
 fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     let payload = payload_key(input.payload_size);
     match misfit {
@@ -39,7 +39,7 @@ fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     }
 }
 
-/// Findings on the misfit at the requested diameter, one for each input that takes part in it.
+/// Findings on the misfit at the requested diameter, one for each input that causes it.
 pub fn findings(not_closed: &NotClosed, input: &VehicleInput) -> Vec<Finding> {
     let Some(misfit) = &not_closed.at_input else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Ranges in data files, and the finding that is due where a value lies outside.
+//! Ranges in data files, and the findings on values outside them.
 
 use super::{Finding, Severity};
 use serde::{Deserialize, Serialize};
@@ -53,10 +53,10 @@ impl Range {
     }
 }
 
-/// One comparison of a value with a range, all in the unit of the source.
+/// A comparison of a value with a range, all in the unit of the source.
 #[derive(Clone, Copy, Debug)]
 pub struct Check<'a> {
-    /// How much it matters when the value is outside.
+    /// Severity of a value outside the range.
     pub severity: Severity,
     /// Model that the finding is about.
     pub model: &'a str,
@@ -74,7 +74,7 @@ pub struct Check<'a> {
     pub si_per_unit: f64,
     /// Consequence of a value outside the range, as the end of the sentence.
     pub meaning: &'a str,
-    /// Where the range comes from.
+    /// Source of the range.
     pub source: &'a str,
     /// Key of the input that removes the cause.
     pub field: Option<&'a str>,

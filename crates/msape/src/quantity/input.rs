@@ -186,7 +186,7 @@ impl Input {
         self
     }
 
-    /// The input for these tasks instead of those of its file.
+    /// This input for the given tasks instead of those of its file.
     const fn tasks(mut self, tasks: &'static [Task]) -> Input {
         self.tasks = tasks;
         self
@@ -225,7 +225,7 @@ impl Input {
         self.tasks.contains(&task)
     }
 
-    /// Other inputs that it may replace.
+    /// Inputs of the other ways to give the same quantity.
     pub fn rivals(&self) -> impl Iterator<Item = &'static Input> {
         let key = self.key;
         let ways = self.alternatives.map_or(&[][..], |all| all.ways);

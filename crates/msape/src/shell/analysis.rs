@@ -8,8 +8,8 @@
 //!
 //! with stress after von Mises in Pa, at the limit load; in the core of a sandwich the transverse shear stress. Where the
 //! flight decelerates the mass M more than Newtonian pressure does, the pressure is raised to it. The foot of
-//! the lid is where the attached structure holds the vehicle on its way up; the frequencies are those of the vehicle
-//! held there, as a launcher asks for them.
+//! the lid is where the attached structure holds the vehicle during launch; the frequencies are those of the vehicle
+//! held there, as a launcher specifies them.
 //!
 //! # Valid
 //! Same as [`super::carrier`].
@@ -37,13 +37,13 @@ pub struct PartStress {
     pub part: Part,
     /// Largest equivalent stress in laminate or faces, Pa.
     pub stress_pa: f64,
-    /// Where.
+    /// Place of this stress.
     pub at: Point,
     /// Margin of safety against the strength of laminate or faces.
     pub margin: f64,
     /// Largest transverse shear stress, Pa.
     pub shear_pa: f64,
-    /// Where.
+    /// Place of this stress.
     pub shear_at: Point,
     /// Margin of safety of the core of a sandwich.
     pub core_margin: Option<f64>,
@@ -171,7 +171,7 @@ fn distributions(entry: &[Sample], stress: &[Stressed], launch: &[Stressed]) -> 
 /// Largest number of waves round the axis.
 const MOST_WAVES: u32 = 4;
 
-/// Where round the circle launch loads are looked at, as (cos θ, sin θ): both ends of the lateral load, and across.
+/// Places round the circle at which launch loads are evaluated, as (cos θ, sin θ): both ends of the lateral load, and across.
 const AROUND: [[f64; 2]; 3] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 
 impl CarrierModel {

@@ -157,7 +157,7 @@ impl Freedoms {
         self.slots.get(number).unwrap_or(NONE)
     }
 
-    /// Freedoms of an element taken out of the unknowns.
+    /// Degrees of freedom of an element from the unknowns.
     pub fn gather(&self, number: usize, unknowns: &[f64]) -> [f64; FREEDOMS] {
         self.of_element(number).map(|slot| {
             slot.and_then(|(unknown, sign)| unknowns.get(unknown).map(|value| sign * value))
@@ -233,12 +233,12 @@ impl Model {
 /// Stiffness of a model in every harmonic, by element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stiffness {
-    /// That of the harmonic 0, and what the harmonic 1 has more; absent where an element has no wall.
+    /// Stiffness of the harmonic 0, and the difference of that of the harmonic 1; absent where an element has no wall.
     elements: Vec<Option<[Matrix; 2]>>,
 }
 
 impl Stiffness {
-    /// Over the unknowns of a harmonic.
+    /// Stiffness over the unknowns of a harmonic.
     pub fn over(&self, freedoms: &Freedoms) -> Skyline {
         let mut matrix = freedoms.matrix();
         let n = f64::from(freedoms.harmonic);

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with a in m and rad, p in Pa (amplitudes: p_x and p_r with cos nθ, p_v with sin nθ), f in N per radian; A and D as in
-//! [`super::section`]. Within an element forces are taken at the two Gauss points, where they are best; at its ends from
-//! the balance of the element, which is as exact as the displacements; on the axis carried on from the Gauss points.
+//! [`super::section`]. Within an element forces are taken at the two Gauss points, where they are most accurate; at its ends from
+//! the balance of the element, which is as accurate as the displacements; on the axis extrapolated from the Gauss points.
 //!
 //! # Valid
 //! Linear elasticity; supports that leave no rigid motion.
@@ -58,7 +58,7 @@ pub struct Sample {
     pub displacement_m: [f64; 3],
 }
 
-/// Where an element is sampled: its ends and its two Gauss points.
+/// Places at which an element is sampled: its ends and its two Gauss points.
 pub const SAMPLES: [f64; 4] = [-1.0, -GAUSS_2, GAUSS_2, 1.0];
 
 /// Nodal forces of a load per area: p_x, p_r, p_v, Pa, by element and place on it.

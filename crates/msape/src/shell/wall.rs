@@ -18,7 +18,7 @@ use super::carrier::Part;
 use crate::vehicle::WallPlace;
 
 impl Part {
-    /// The wall that it is a part of.
+    /// Wall to which the part belongs.
     pub fn wall(self) -> WallPlace {
         match self {
             Self::Nose | Self::Cone | Self::Edge => WallPlace::Forebody,

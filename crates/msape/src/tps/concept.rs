@@ -24,7 +24,7 @@ pub struct Concept {
     pub name: String,
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
     /// Assumptions.
     pub note: String,
@@ -48,7 +48,7 @@ pub struct Bond {
     pub thickness_cm: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub provenance: String,
 }
 

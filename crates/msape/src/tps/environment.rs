@@ -10,11 +10,11 @@
 //!
 //! The forebody's heat shield runs round the shoulder, so its hottest point is the stagnation point or the shoulder. The
 //! heat load there is taken with the factor of the flux, as if the ratio held along the whole entry, and the factor is on
-//! radiation too, for whose share at the shoulder no source was found: both are on the safe side. The pressure is that of
+//! radiation too, for whose share at the shoulder no source was found: both are conservative. The pressure is that of
 //! the stagnation point, the largest of the part. The aftbody's fractions hold for the whole of it.
 //!
 //! # Valid
-//! As the shoulder factor. The relations of Table 7 were fitted with the environments of the stagnation point.
+//! Same as for the shoulder factor. The relations of Table 7 were fitted with the environments of the stagnation point.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.4.3 and 3.5.2, Table 6.
@@ -57,7 +57,7 @@ impl JudgedAt {
 /// The hottest point off the stagnation point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OffStagnation<S = f64> {
-    /// Which.
+    /// Point with this heat flux.
     pub point: Point,
     /// Peak heat flux over that of the stagnation point.
     pub heat_flux_ratio: S,
@@ -127,7 +127,7 @@ impl Point {
         }
     }
 
-    /// Key of the pressure that is held against the limits.
+    /// Key of the pressure that is compared with the limits.
     pub fn pressure_key(self) -> &'static str {
         match self.side() {
             Side::Forebody => "peak_stagnation_pressure_pa",

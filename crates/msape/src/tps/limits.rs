@@ -7,7 +7,7 @@
 //! with cold-wall heat flux q̇ in W/cm², pressure p in atm, thickness t in cm.
 //!
 //! # Valid
-//! The limits are those of tests and flights: a material may bear more.
+//! The limits are those of tests and flights: a material may withstand more.
 //!
 //! # References
 //! - \[samareh-2014\] Tables 7 and 8.

@@ -14,7 +14,7 @@ pub struct TpsMaterial {
     pub name: String,
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
     /// Doubts about the numbers.
     pub note: String,
@@ -79,7 +79,7 @@ pub struct InDepth {
     pub provenance: String,
 }
 
-/// A density and where it comes from.
+/// A density and its source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Density {
@@ -88,19 +88,19 @@ pub struct Density {
     /// Densities of other lots and sources, kg/m³; open where none was found.
     #[serde(default)]
     pub range_kg_m3: Range,
-    /// Key of the reference; `assumed` for a choice of ours.
+    /// Key of the reference; `assumed` for a choice of this project.
     pub source: String,
     /// Place, spread, doubt.
     pub provenance: String,
 }
 
-/// An emissivity and where it comes from.
+/// An emissivity and its source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Emissivity {
     /// Emissivity.
     pub emissivity: f64,
-    /// Key of the reference; `assumed` for a choice of ours.
+    /// Key of the reference; `assumed` for a choice of this project.
     pub source: String,
     /// Place, spread, doubt.
     pub provenance: String,

@@ -1,4 +1,4 @@
-//! Measured points: the mean ratio of ours to the measured value at the start of a flight set up for each point.
+//! Measured points: the mean ratio of the computed to the measured value at the start of a flight set up for each point.
 //!
 //! ```text
 //! ratio = (1/n) Σ ours_i / measured_i

@@ -1,4 +1,4 @@
-//! Heat shield and entry mass of flown capsules, predicted from what they carried and how they entered.
+//! Heat shield and entry mass of flown capsules, predicted from their equipment and entry state.
 //!
 //! ```text
 //! M = M_e + ρ V(t),   t = t(Q(M))            closed on the mass
@@ -12,13 +12,13 @@
 //! The band is that of the relation's standard deviation on the thickness, and on the masses of this and of the densities
 //! found for the material: the least is closed with both at their least, the greatest with both at their greatest.
 //!
-//! Nothing is fitted: the case is flown with the margins of the report's run page, and the heat shield is judged at its
+//! Nothing is fitted: the case is flown with the margins of the report's run page, and the heat shield is sized at its
 //! hottest point where a shoulder radius is known. A prediction is a hit when its band meets the flown value or its range. A
 //! miss is no fault of the program and does not end `validate` with one.
 //!
 //! # Valid
 //! A heat shield of one thickness on a sphere-cone, without bond and carrier, which count as given. A sharp shoulder has no
-//! factor: the stagnation point is judged.
+//! factor: the heat shield is sized at the stagnation point.
 //!
 //! # References
 //! - \[samareh-2014\] Table 7; those of each file of `data/predictions`.
@@ -153,7 +153,7 @@ pub struct Capsule {
 /// Every capsule of the folder `predictions`.
 ///
 /// # Errors
-/// A file that cannot be read or names what is not there, which a test excludes.
+/// A file that cannot be read or contains an unknown name, which a test excludes.
 pub fn capsules(library: &Library) -> Result<Vec<Capsule>, DataError> {
     data_folder("predictions")
         .map(|(path, text)| {
@@ -223,7 +223,7 @@ impl<'a> Closing<'a> {
         })
     }
 
-    /// The heat shield that a capsule of a mass, kg, needs.
+    /// Heat shield that a capsule of a mass, kg, requires.
     fn sizing(&self, mass_kg: f64) -> Sizing {
         let FlightProblem { mission, body, .. } = &self.problem;
         let mut body = body.clone();
@@ -243,7 +243,7 @@ impl<'a> Closing<'a> {
         mer::size(self.material, &judged)
     }
 
-    /// Closes the mass with the relation's thickness moved by a number of its standard deviations.
+    /// Closes the mass with the thickness of the relation changed by a number of its standard deviations.
     fn close(&self, deviations: f64, density_kg_m3: f64) -> Closed {
         let mut entry_kg = self.problem.body.mass_kg;
         let mut turn = 0;

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the density ρ in kg/m³, lengths in m, Rₚ the payload's radius and s the stroke. Behind the payload a void of π Rₚ² s is left;
-//! the foam beside stays as it is. All is exact but the last integral, by quadrature to nine digits.
+//! the foam around it does not change. All terms are exact but the last integral, by quadrature to nine digits.
 //!
 //! # Valid
 //! Landing on the nose, one-dimensional crush: the payload a homogeneous ball, each column of uniform density. The stroke is cut at
@@ -94,7 +94,7 @@ fn columns<S: Single>(concept: Concept, layout: &Layout<S>) -> Profile<S> {
         .closed()
 }
 
-/// Change of ∫ x² dV, each volume weighed by what it was before, m⁵.
+/// Change of ∫ x² dV, each volume weighted by its value before the crush, m⁵.
 fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stroke_m: S) -> S {
     let radius = layout.payload_radius_m;
     let forebody = &layout.outline.forebody;

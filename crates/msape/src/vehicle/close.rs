@@ -73,7 +73,7 @@ const NEIGHBORHOOD_M: f64 = 1e-3;
 /// Room that is missing at the edge of the places that leave room: the length that a wing must have, m.
 const EDGE_M: f64 = 1e-6;
 
-/// Places between nose and aft end at which the foremost root is looked for.
+/// Number of places between nose and aft end at which the foremost root is searched for.
 const PLACES: u32 = 6;
 
 /// A vehicle at a diameter, whether it closes or not.
@@ -91,7 +91,7 @@ impl Attempt {
         self.trial.misfit
     }
 
-    /// How much room there is, continuous in the diameter: negative where the vehicle is too small, m.
+    /// Room, continuous in the diameter, m: negative where the vehicle is too small.
     pub fn room_m(&self) -> f64 {
         self.trial.room_m
     }
@@ -325,7 +325,7 @@ impl Candidate<'_> {
         root::brent(|x_m| self.lead_m(x_m), one, other, tolerance).ok_or_else(none)
     }
 
-    /// The settled layout, with the room that its center of gravity leaves.
+    /// Converged layout, with the room that its center of gravity leaves.
     fn trial(&mut self) -> Result<Trial, Misfit> {
         let (trial, off_m) = self.settle()?;
         if trial.room_m < -EDGE_M || off_m.abs() < self.input.rules.convergence_m {

@@ -107,7 +107,7 @@ pub struct Layout<S = f64> {
     pub lid_insulation_thickness_m: S,
 }
 
-/// Why a vehicle does not fit at a diameter.
+/// Reason why a vehicle does not fit at a diameter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Misfit {
@@ -193,7 +193,7 @@ impl Misfit {
     }
 }
 
-/// Room below which no shoulder between the smallest and the largest floor is looked for, m.
+/// Room below which no shoulder between the smallest and the largest floor is searched for, m.
 const NEARLY_M: f64 = -0.01;
 
 /// Precision of the shoulder that leaves the most to spare, m.

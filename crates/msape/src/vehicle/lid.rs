@@ -27,7 +27,7 @@ pub struct Lid<S = f64> {
 }
 
 impl<S: Single> Lid<S> {
-    /// Outer edge of the annulus around it.
+    /// Outer edge of the annulus around the lid.
     pub fn edge(&self, annulus_width_m: f64) -> Point<S> {
         let height = self.foot_x_m - self.center_x_m;
         let square = self.radius_m * self.radius_m - height * height;

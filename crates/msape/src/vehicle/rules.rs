@@ -19,7 +19,7 @@ pub struct Rules {
     pub wing_slope_min_rad: f64,
     /// Largest slope of the wing's aft side, rad.
     pub wing_slope_max_rad: f64,
-    /// Diameter to which a vehicle is grown at most, m.
+    /// Largest diameter to which a vehicle is grown, m.
     pub diameter_max_m: f64,
     /// Width of the last interval in the search for the smallest diameter, m.
     pub diameter_resolution_m: f64,
@@ -39,7 +39,7 @@ pub struct Rules {
     pub foam_thickness_min_m: f64,
 }
 
-/// A number and where it comes from; the source `assumed` is a choice of this product.
+/// A number and its source; the source `assumed` is a choice of this project.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Datum {

@@ -29,7 +29,7 @@ use numerics::math::{PI, RADIANS_PER_DEGREE};
 
 /// Relative excess over the load limit that is attributed to rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
-/// Crush beyond the plateau up to this part is that of a landing a little faster than the pass before had it.
+/// Relative crush beyond the plateau that is attributed to a landing slightly faster than in the pass before.
 const PLATEAU_TOLERANCE: f64 = 1e-3;
 /// Largest share of the kinetic energy in horizontal motion.
 const SIDEWAYS_SHARE: f64 = 0.01;
