@@ -24,7 +24,7 @@
 //! 4. [`answer`]: outcome, numbers, adjustments, findings, the record of the passes.
 //! 5. [`table`]: the answer as CSV and KML; [`answer::json`] as JSON.
 //!
-//! One pass of a design, in the order of section 2.2 of the report:
+//! A pass of a design, in the order of section 2.2 of the report:
 //!
 //! 1. [`vehicle`]: outline, component profiles, masses, impact, structure, until the vehicle closes.
 //! 2. [`flight`] with the drag of [`aero`] over [`planet`]: the closed form of Allen and Eggers in the first passes, three

@@ -10,7 +10,7 @@
 //!
 //! The form is **deduced**: the equation is missing from the available copy of the report, its coefficients are there
 //! (Tables 12 and 13). Of 60 candidates it is the only one that reproduces every temperature stated in the text.
-//! Below its vertex the parabola would turn up: X is held there.
+//! Below its vertex the parabola would rise again: X is held there.
 //!
 //! # Valid
 //! 100 to 1500 W/cm², 3000 to 38000 J/cm², 0.8 to 1.4 m; start at 17 °C; no ablation, no crushed foam. One vehicle of the
@@ -115,7 +115,7 @@ impl SoakCorrelation {
     /// Peak temperature of the payload container, K.
     pub fn peak_temperature_k<S: Single>(&self, input: &SoakInput<S>) -> S {
         let Self { a, b, c, .. } = *self;
-        // below the vertex the parabola would turn up
+        // below the vertex the parabola would rise again
         let x = self.x(input).max(S::constant(self.vertex()));
         // T = a X² + b X + c
         (x * a + b) * x + c + ZERO_CELSIUS_K

@@ -142,7 +142,7 @@ pub fn run_file(
     let count = file.rows.len() + file.points.len();
     let mut rows = Vec::with_capacity(count);
     let mut told = |done: usize| progress.advance(done as f64 / count.max(1) as f64);
-    // Rows with the same changes stand together and share one solution.
+    // Rows with the same changes are adjacent and share one solution.
     let mut solved: Option<(&Settings, Result<Answer, String>)> = None;
     for expected in &file.rows {
         let answer = match solved.take() {

@@ -60,7 +60,7 @@ pub enum Why {
     Early,
     /// The page was closed before it was written.
     Closed,
-    /// It could not be read earlier.
+    /// The document could not be read earlier.
     Unread,
 }
 

@@ -210,7 +210,7 @@ mod tests {
                 assert!((flux / tip - of_tip).abs() < 1e-9, "{key} {r_m}: {flux}");
             }
             assert!((heating.largest_w_m2() / tip - 2.0).abs() < 1e-9);
-            // the last point judges the heat shield, and all stand in the JSON
+            // the heat shield is sized at the last point, and all points are in the JSON
             let made = answer.design.as_ref().unwrap();
             assert!((made.shoulder_heat_flux_ratio - 2.0).abs() < 1e-9);
             let load = made.shoulder_heat_load_j_m2 / made.forebody_judged.heat_load_j_m2;

@@ -40,7 +40,7 @@ fn number(x: f64) -> Cell {
 }
 
 fn degrees(rad: f64) -> Cell {
-    // Angles of the set are whole degrees but for the way to radians and back.
+    // The angles of the set are whole degrees up to rounding in the conversion to radians and back.
     let deg = rad / RADIANS_PER_DEGREE;
     let whole = deg.round();
     number(if (deg - whole).abs() < 1e-9 {

@@ -185,7 +185,7 @@ impl Case {
                 taken.take(&place, &key);
                 self.values.insert(place, value);
             }
-            // what is not known has one spelling
+            // an unknown key has one spelling
             None => match self.values.entry(key) {
                 Entry::Vacant(place) => {
                     place.insert(value);

@@ -57,7 +57,7 @@ mod tests {
                 / vehicle.mass.mass_kg
                 / flight.peak_deceleration_earth_g.value
         };
-        // dynamic pressure that a load takes goes with 1 / C_A
+        // the dynamic pressure at a given load is proportional to 1 / C_A
         let own = entry_load("45", "outline") / entry_load("60", "outline");
         let table = entry_load("45", "mmeev-60") / entry_load("60", "mmeev-60");
         assert!(own > 1.25 && own < 1.5, "{own}");

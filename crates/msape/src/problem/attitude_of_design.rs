@@ -226,7 +226,7 @@ mod tests {
         let designed = answer.design.as_ref().unwrap();
         let problem = attitude_of_design(&case, &library, designed).unwrap();
         let rigid = problem.solve("", Request::Nothing).flight.unwrap();
-        // Along the velocity at the start: gravity turns the path slowly, so that drag is that of zero angle but for cos α.
+        // Along the velocity at the start: gravity bends the path slowly, so that drag is that of zero angle but for cos α.
         let (a, b) = (
             rigid.peak_deceleration_earth_g.value,
             point.peak_deceleration_earth_g.value,

@@ -419,7 +419,7 @@ mod tests {
         for (a, b) in cases(&usual).iter().zip(&cases(&fine)) {
             for (a, b) in a.parts.iter().zip(&b.parts) {
                 let off = a.stress_pa / b.stress_pa - 1.0;
-                // peaks stand where walls meet, at the ends of elements
+                // peaks are where walls meet, at the ends of elements
                 assert!(off.abs() < 0.03, "{:?}: {off:+.1e}", b.part);
             }
             let off = a.largest_displacement_m / b.largest_displacement_m - 1.0;

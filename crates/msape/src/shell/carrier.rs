@@ -351,7 +351,7 @@ mod tests {
         let cone = PI * (cone_r * cone_r - nose_r * nose_r) * sin * sin;
         let rim = PI * (forebody.diameter_m * forebody.diameter_m / 4.0 - cone_r * cone_r);
         let force = found.unwrap().pressure_force_n / 1e5;
-        // the shoulder adds less than its area times sin² θ, and loses what the carrier does not reach under it
+        // the shoulder adds less than its area times sin² θ; the part of it that the carrier does not reach is missing
         assert!(
             force > (nose + cone) * 0.93 && force < nose + cone + rim,
             "{force} {nose} {cone} {rim}"

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 /// Build of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Build {
-    /// One laminate.
+    /// A laminate.
     Solid {
         /// Thickness, m.
         thickness_m: f64,

@@ -211,7 +211,7 @@ impl<'a> Track<'a> {
             }
         };
         let (east_a, mut east_b) = (value(self.longitude_deg, a), value(self.longitude_deg, b));
-        // The short way round, across the date line.
+        // the shorter way, across the date line
         if (east_b - east_a).abs() > 180.0 {
             east_b += if east_b < east_a { 360.0 } else { -360.0 };
         }

@@ -221,7 +221,7 @@ fn in_depth(material: &TpsMaterial, environment: &Environment, template: &Check)
             model: template.model.into(),
             key: "entry_relative_flight_path_angle_deg".into(),
             value: Some(-depth),
-            // the difference holds inside the row's angles; what is good lies outside them
+            // the difference applies inside the row's angles; the relation is good outside them
             valid: if low < 0.0 {
                 (None, upper.map(|deg| -deg))
             } else {

@@ -112,7 +112,7 @@ fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stro
         let change = a * (b_new - b) + b_new * b_new - b * b;
         radius * (2.0 * PI) * s * radius * c * (b - a) * change / 3.0
     };
-    // the nose goes over into the cone with a kink in the curvature
+    // the curvature jumps where the nose joins the cone
     let [axis, equator] = [0.0, FRAC_PI_2].map(S::constant);
     let kink = match concept {
         Concept::Msr => equator,
@@ -174,7 +174,7 @@ mod tests {
                 forward > least && forward < most,
                 "{least} {forward} {most}"
             );
-            // nothing goes sideways
+            // no sideways motion
             assert_eq!(after.ixx_kg_m2, mass.ixx_kg_m2);
         }
     }

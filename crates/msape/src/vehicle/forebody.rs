@@ -76,7 +76,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Point at depth `depth_m` where the nose sphere goes over into the cone; on the axis when the sphere is used up.
+    /// Point at depth `depth_m` where the nose sphere joins the cone; on the axis if no sphere is left at this depth.
     pub fn nose_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let radius = self.nose_radius_m - depth_m;
@@ -90,7 +90,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Point at depth `depth_m`, less than the shoulder radius, where the cone goes over into the shoulder arc.
+    /// Point at depth `depth_m`, less than the shoulder radius, where the cone joins the shoulder arc.
     pub fn shoulder_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let (center, radius) = (self.shoulder_center(), self.shoulder_radius_m - depth_m);
@@ -100,7 +100,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Distance from the axis, m, at a part of the length along the surface from the nose tip to the largest diameter.
+    /// Distance from the axis, m, at a fraction of the length along the surface from the nose tip to the largest diameter.
     pub fn radius_along_m(&self, part: S) -> S {
         let zero = S::constant(0.0);
         let (nose, tangent) = (self.nose_tangent(zero), self.shoulder_tangent(zero));

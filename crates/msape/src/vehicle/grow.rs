@@ -146,7 +146,7 @@ fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
             high = middle
         }
     }
-    // rounded down to the millimeter, so that what is said does fit
+    // rounded down to the millimeter, so that a payload of the printed size fits
     let said = (low * 1000.0).floor() / 1000.0;
     (said > 0.0 && closes(said)).then_some(said)
 }

@@ -131,7 +131,7 @@ fn margin_factor<S: Single>(kind: ComponentKind, input: &VehicleInput<S>) -> S {
     }
 }
 
-/// Those results of [`parts`] and [`total`] that the closing loop needs, with the same bits.
+/// Results of [`parts`] and [`total`] that the closing loop needs, with the same bits.
 pub fn masses<S: Single>(
     input: &VehicleInput<S>,
     layout: &Layout<S>,

@@ -80,7 +80,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     let wing = frame.wing_for(narrowest(foam), floor_m);
     let clearance = |foam_m: S| wing.clearance_m(narrowest(foam_m));
     if clearance(foam).value() < -LID_TOLERANCE_M {
-        // on the steepest wing, unless the shoulder lets a wider edge stand further forward
+        // on the steepest wing, unless the shoulder allows a wider edge further forward
         let lack_m = -wing.behind_steepest_m(narrowest(foam));
         let most = foam + frame.foam_to_add_m(lack_m.max(S::constant(0.0)));
         foam = if wing.is_aft_of_steepest(narrowest(most)) {

@@ -107,7 +107,7 @@ impl<S: Single> Outline<S> {
         }
     }
 
-    /// Where the cone at depth `depth_m` ends: at the shoulder arc, or on the tip line where the arc is used up.
+    /// End of the cone at depth `depth_m`: at the shoulder arc, or on the tip line if no arc is left at this depth.
     fn cone_end(&self, depth_m: S) -> Point<S> {
         let below = depth_m - self.forebody.shoulder_radius_m;
         if below.value() < 0.0 {

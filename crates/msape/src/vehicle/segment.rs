@@ -1,4 +1,4 @@
-//! One straight line or circular arc in the half-plane (x, r), with its exact line integrals.
+//! A straight line or circular arc in the half-plane (x, r), with its exact line integrals.
 //!
 //! ```text
 //! arc: x = x_c + R cos u, r = r_c + R sin u, dx = −R sin u du

@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Construction<S = f64> {
-    /// One laminate.
+    /// A laminate.
     Solid {
         /// Density, kg/m³.
         density_kg_m3: S,

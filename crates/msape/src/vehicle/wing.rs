@@ -105,7 +105,7 @@ mod tests {
         // 0.48 m aft of it the circle is √(0.5² − 0.48²) = 0.14 m inwards
         assert!((wing.widest_r_m(1.48) - 1.86).abs() < 2e-6);
         assert!(wing.room_m(edge(1.48, 1.87)) < 0.0 && wing.room_m(edge(1.48, 1.85)) > 0.0);
-        // 1 m inwards the shallowest wing stands at (0.5 − sin 5°) / cos 5° = 0.41442 m
+        // 1 m inwards the shallowest wing is at (0.5 − sin 5°) / cos 5° = 0.41442 m
         assert!(wing.room_m(edge(1.4145, 1.0)) < 0.0 && wing.room_m(edge(1.4143, 1.0)) > 0.0);
     }
 }

@@ -144,7 +144,7 @@ pub enum Kind {
         /// Whether the number must be an integer.
         whole: bool,
     },
-    /// One of several names.
+    /// A choice among names.
     Choice(Choices),
     /// Yes or no.
     Flag,

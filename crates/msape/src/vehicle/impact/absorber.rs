@@ -122,7 +122,7 @@ impl<S: Single> Absorber<S> {
         let denser = (stress_pa / law.plateau_pa).max(S::constant(1.0));
         let stiffest_pa = law.modulus_pa.max(S::constant(law.solid_modulus_pa));
         let modulus_pa = (law.modulus_pa * denser).min(stiffest_pa);
-        // with k = E A / t the way is that of the stress alone
+        // with k = E A / t the elastic recovery depends on the stress alone
         let soft_m = stress_pa * self.thickness_m / modulus_pa;
         let steepest_m = self.force_n(crush_m) / self.slope_n_m(crush_m);
         soft_m.min(steepest_m)
@@ -275,7 +275,7 @@ mod tests {
         // π 0.02 (0.4 − 0.02) = 0.0238761 m²
         assert!((sphere().force_n(0.02) - 47_752.2).abs() < 0.1);
         assert_eq!(sphere().force_n(0.0), 0.0);
-        // 2e6 / 1e9 · 0.1 m of elastic way on the plateau
+        // 2e6 / 1e9 · 0.1 m of elastic recovery on the plateau
         assert!((sphere().elastic_way_m(0.02) - 2e-4).abs() < 1e-15);
     }
 
@@ -324,7 +324,7 @@ mod tests {
     fn the_way_back_begins_as_the_elastic_branch_and_ends_at_the_law() {
         for foam in shapes() {
             let yield_m = foam.law.yield_strain() * foam.thickness_m;
-            // a little beyond the yield the way back is the law itself, a little later
+            // just beyond the yield, unloading still follows the law itself
             let beyond_m = yield_m * (1.0 + 1e-9);
             for share in [0.1, 0.5, 0.9] {
                 let crush_m = share * yield_m;

@@ -176,7 +176,7 @@ impl Motion {
         match self.foam {
             Foam::Crushing => {
                 if self.bends == 0 {
-                    // still elastic: the law itself is the way back
+                    // still elastic: unloading follows the law itself
                     let touches = |y: &[f64; STATES]| y[0] - y[2];
                     look(Event::FoamTouches, crosses(&touches, Direction::Either));
                 } else {
@@ -199,7 +199,7 @@ impl Motion {
     /// Equations of motion after an event; the remainder of a speed that has reached zero is removed from the state.
     fn after(mut self, event: Event, y: &mut [f64; STATES]) -> Motion {
         match event {
-            // ends of a step where the force bends, nothing else
+            // only the end of a step, at a kink of the force
             Event::PayloadStops | Event::FoamTouches => {}
             Event::VehicleStops => {
                 y[3] = 0.0;

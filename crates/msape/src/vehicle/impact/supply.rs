@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! ρ = ρ₁ + (σ − σ₁) (ρ₂ − ρ₁) / (σ₂ − σ₁)        σ₁ ≤ σ ≤ σ₂, and on from the last two beyond the strongest
-//! ρ = ρ₀, σ = σ₀                                 weakest grade, where less is asked for
+//! ρ = ρ₀, σ = σ₀                                 weakest grade, where less is requested
 //! ```
 //!
 //! with densities ρ in kg/m³ and compressive strengths σ in Pa, which are the plateaus of the crush law.
@@ -132,7 +132,7 @@ mod tests {
         };
         assert_eq!(supply(None), kind.law(50.0, 1.0e6));
         assert_eq!(supply(Some(75.0)), kind.law(75.0, 1.5e6));
-        // denser than any grade: what is asked for
+        // denser than any grade: the requested strength
         assert_eq!(supply(Some(500.0)), kind.law(50.0, 1.0e6));
     }
 }

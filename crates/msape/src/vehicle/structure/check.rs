@@ -153,7 +153,7 @@ impl Built<'_> {
         load_case: LoadCase,
         (unit, demand, capacity, thickness): Figures,
     ) {
-        // a rule that requires nothing is no check
+        // a rule without a requirement gives no check
         if demand > 0.0 && capacity.is_finite() {
             self.list.push(Check {
                 wall: self.place,

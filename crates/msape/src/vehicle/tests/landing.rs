@@ -231,7 +231,7 @@ fn the_whole_impact_sphere_crushes_further_than_the_payload() {
     let mass_kg = 12.5 + foam.mass_with_margin_kg + shell.mass_with_margin_kg;
     assert!((sphere.payload_side_kg - mass_kg).abs() < 1e-12);
     assert!(sphere.rigid_surface.stroke_m > payload.rigid_surface.stroke_m);
-    // which stands beside the load of the payload alone, whatever was asked for
+    // which is given with the load of the payload alone in every case
     let load = sphere.rigid_surface.peak_load_earth_g;
     assert!(load > payload.rigid_surface.peak_load_earth_g);
     for landing in [payload, sphere] {
