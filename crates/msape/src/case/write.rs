@@ -140,7 +140,7 @@ impl Case {
     }
 }
 
-/// Where a key is written: its section, empty for none, and its name there.
+/// Place at which a key is written: its section, empty for none, and its name there.
 struct Place {
     section: String,
     name: String,

@@ -211,7 +211,7 @@ pub(super) fn run<'a>(input: &'a DesignInput, way: Way, work: &mut Work) -> Run<
     if let Some(numbers) = way.from {
         take(&mut vehicle_input, numbers);
     }
-    // a step beyond the result of a pass may lead to where no vehicle closes: only the acceleration goes further, as the passes indicate
+    // a step beyond the result of a pass may lead to where no vehicle closes: only the acceleration goes further
     let mut memories = way.taught.cloned().unwrap_or_else(|| {
         let memory = Anderson::new(input.relaxation.min(1.0));
         [memory.clone(), memory]

@@ -1,4 +1,4 @@
-//! Where the passes of a design may begin: the end of those of a neighbor.
+//! Start for the passes of a design: the end of those of a neighbor.
 
 use numerics::fixed_point::Anderson;
 

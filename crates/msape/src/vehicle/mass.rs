@@ -39,7 +39,7 @@ pub struct Component {
     pub density_kg_m3: f64,
     /// Name of its material.
     pub material: String,
-    /// Source of the density.
+    /// Basis of the density.
     pub density_basis: DensityBasis,
     /// Area of its closed surface, m².
     pub surface_area_m2: f64,

@@ -25,7 +25,7 @@ pub struct Line {
     pub material: Option<String>,
     /// Density, kg/m³.
     pub density_kg_m3: Option<f64>,
-    /// Where the density comes from.
+    /// Basis of the density.
     pub density_basis: Option<DensityBasis>,
     /// Volume, m³.
     pub volume_m3: Option<f64>,

@@ -47,7 +47,7 @@ pub struct Datum {
     pub value: f64,
     /// Key in the list of references, or `assumed`.
     pub source: String,
-    /// Where in the source, or the reason of the choice.
+    /// Place in the source, or the reason for the choice.
     pub place: String,
     /// Name of the material with this density, if it is a single one.
     pub material: Option<String>,
@@ -76,7 +76,7 @@ pub struct CarrierMaterial {
     pub name: String,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
     /// Assumptions.
     pub note: String,
@@ -128,7 +128,7 @@ pub struct LaunchCorner {
     pub axial_earth_g: f64,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
 }
 
@@ -138,7 +138,7 @@ pub struct LaunchCorner {
 pub struct VehicleData {
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
     /// Note for the reader.
     pub note: String,

@@ -40,7 +40,7 @@ pub struct OutlineData {
     pub title: String,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
     /// Note for the reader.
     pub note: String,

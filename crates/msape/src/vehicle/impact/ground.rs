@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 pub struct Ground {
     /// Key of the source in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
     /// Note for the reader.
     pub note: String,
@@ -105,7 +105,7 @@ impl Ground {
         }
     }
 
-    /// Where the law comes from, for a reader.
+    /// Source of the law, for a reader.
     pub fn law_source(&self) -> &'static str {
         match self.law() {
             Law::Rigid => "NASA/TM-2014-218507, section 3.1.5",

@@ -64,7 +64,7 @@ pub fn findings(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Vec<Fi
     list
 }
 
-/// Where the strength of the foam comes from, and a strength that no grade has.
+/// Findings on the law that gives the strength of the foam, and on a strength that no grade has.
 pub fn strength(input: &VehicleInput, impact: &Impact) -> Vec<Finding> {
     let asked_pa = impact.foam_strength_pa;
     let note = |severity, valid, message, field: &str| Finding {
