@@ -19,9 +19,9 @@ use us1976::temperature::Upper;
 /// A path below `data`, and the file.
 type Listed = (String, String);
 
-/// The cases, and what versions of them did otherwise.
+/// Folders of the shipped cases, and of the defaults of earlier versions.
 const CASES: [&str; 2] = ["cases/", "versions/"];
-/// What only validation reads.
+/// Files and folders that only validation reads.
 const VALIDATION: [&str; 4] = [
     "aero-models/mmeev-60-database.csv",
     "predictions/",
@@ -55,8 +55,8 @@ fn main() -> io::Result<()> {
     write("validation_files.rs", &validation, included)
 }
 
-/// What the program reads of a shipped data file: its keys and values; of a CSV file its headings, `# key: value`, and as `rows` its
-/// lines by the names of their columns.
+/// Content of a shipped data file as the program reads it: keys and values; of a CSV file headings, `# key: value`, and, as
+/// `rows`, its lines by the names of their columns.
 fn shipped(file: &str) -> io::Result<Value> {
     let text = fs::read_to_string(file)?;
     let fault = |message: String| io::Error::other(format!("{file}: {message}"));

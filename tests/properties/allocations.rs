@@ -1,4 +1,4 @@
-//! How often a vehicle asks for memory: the search for its diameter draws in the memory that it has.
+//! Number of allocations of a vehicle: the search for its diameter reuses its memory.
 
 use allocation_counter::measure;
 use msape::library::data_file;

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 static LIBRARY: LazyLock<Library> = LazyLock::new(|| Library::builtin().unwrap());
 
-/// Drag by Mach number, radiation, wind: everything that a lane may run into by itself.
+/// Drag by Mach number, radiation, wind: everything that may affect lanes individually.
 pub const EVERYTHING: &str = r#"
 schema = "msape/1"
 name = "everything"
@@ -56,7 +56,7 @@ impl Random {
     }
 }
 
-/// What a flight is drawn by: entry state in words, and the vehicle.
+/// Number of parameters from which a random flight is drawn: entry state and vehicle.
 pub const PARAMETERS: usize = 14;
 
 pub fn drawn(random: &mut Random) -> [f64; PARAMETERS] {

@@ -9,7 +9,7 @@ use msape::flight::three_dof::fly_with;
 use msape::problem::FlightProblem;
 use std::ops::ControlFlow;
 
-/// The same case with phases, which each lane reaches at its own time.
+/// Phases added to the case, which each lane reaches at its own time.
 const PHASES: &str = r#"
 [[phase]]
 name = "drogue"

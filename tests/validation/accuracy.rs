@@ -140,7 +140,7 @@ fn default_accuracy_is_1e_5_with_the_radiation_of_brandis_and_johnston() {
     default_accuracy(60, Drag::Constant, Radiation::BrandisJohnston);
 }
 
-/// The same with drag that is linear between rows: kinks within steps.
+/// Default accuracy with drag that is linear between rows, which has kinks within steps.
 #[test]
 fn default_accuracy_is_1e_5_with_a_table_of_drag() {
     default_accuracy(60, Drag::Table, Radiation::None);

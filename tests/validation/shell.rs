@@ -137,7 +137,7 @@ fn cap(half_angle: f64, thickness: f64, elements: u32) -> Shell {
     Shell::new(segment, thickness, elements)
 }
 
-/// One line of the table.
+/// A line of the table.
 fn row(name: &str, meshes: [u32; 4], exact: f64, computed: impl Fn(u32) -> f64) -> (f64, f64) {
     let errors = meshes.map(|elements| (computed(elements) / exact - 1.0).abs());
     let orders = [0, 1, 2].map(|i| (errors[i] / errors[i + 1]).log2());

@@ -74,7 +74,7 @@ pub enum FileKind {
     Table {
         /// Key of the table.
         table: String,
-        /// The case that it is for.
+        /// The case to which it belongs.
         case: Box<Case>,
     },
     /// Coefficients with angles of attack.

@@ -148,7 +148,7 @@ pub fn files() -> impl Iterator<Item = &'static Input> {
     READERS.iter().map(|(file, _)| *file)
 }
 
-/// The rows of a file that a case names by the input `file`, or everything that is wrong with it.
+/// The rows of a file that a case names by the input `file`, or all faults of the file.
 ///
 /// ```
 /// use cad::table::{Ground, read};

@@ -163,7 +163,7 @@ impl Unfinished {
     }
 }
 
-/// Takes away the file that is being written.
+/// Removes the file that is being written.
 pub fn leave_nothing_unfinished() {
     let path = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(path) = path.as_deref() {

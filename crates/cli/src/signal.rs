@@ -7,14 +7,14 @@ use std::process::ExitCode;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Code after a signal, as shells have it for Ctrl-C.
+/// Exit code after a signal, that of shells for Ctrl-C.
 const INTERRUPTED: u8 = 130;
 
 static LISTENS: OnceLock<bool> = OnceLock::new();
 static AT_WORK: AtomicBool = AtomicBool::new(false);
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
-/// Begins to listen. Where signals cannot be heard, a file may stay unfinished, which is no reason to do nothing.
+/// Installs the signal handler. Without one an interrupted command may leave a file unfinished, which is no reason to refuse work.
 pub fn listen() {
     LISTENS.get_or_init(|| ctrlc::set_handler(heard).is_ok());
 }
@@ -27,7 +27,7 @@ fn heard() {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// Does long work, which asks whether it is stopped.
+/// Runs a long computation that can be stopped.
 pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
     AT_WORK.store(true, Ordering::SeqCst);
     listen();
@@ -39,7 +39,7 @@ pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
     done
 }
 
-/// The code of a command that has written what was done: another one after it was stopped.
+/// Exit code of a command that has written its results; another one if it was stopped.
 pub fn code(done: ExitCode) -> ExitCode {
     match STOPPED.load(Ordering::SeqCst) {
         true => ExitCode::from(INTERRUPTED),

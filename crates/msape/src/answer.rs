@@ -1,4 +1,4 @@
-//! What the program answers: outcome, numbers, adjustments, findings, the record of the passes.
+//! The answer of the program: outcome, numbers, adjustments, findings, the record of the passes.
 
 mod json;
 pub mod landing;
@@ -60,9 +60,9 @@ pub struct Answer {
     pub name: String,
     /// The planet.
     pub planet: PlanetNames,
-    /// How it ended.
+    /// Outcome: how the computation ended.
     pub outcome: Outcome,
-    /// Why, in one sentence, where the outcome needs one.
+    /// Reason for the outcome in one sentence, where it needs one.
     pub reason: Option<String>,
     /// The flight, if there was one.
     pub flight: Option<Flight>,
@@ -77,7 +77,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The same answer, given up where one of its results is no finite number, as no outcome stands on it.
+    /// This answer, with the outcome [`Outcome::GaveUp`] if one of its results is not a finite number.
     pub(crate) fn of_finite_results(mut self, job: Job) -> Self {
         let wild = outputs(job)
             .find(|output| (output.get)(&self).is_some_and(|number| !number.is_finite()));

@@ -1,4 +1,4 @@
-//! What a person asks for: keys and values, as typed, not yet checked.
+//! A case: keys and values as the user typed them, not yet checked.
 //!
 //! A [`Case`] keeps everything it was given, faults included, so that nothing is lost; [`crate::problem`] checks it and
 //! reports all faults at once.
@@ -35,11 +35,11 @@ pub enum Value {
     Flag(bool),
     /// Rows of numbers.
     Rows(Vec<Vec<f64>>),
-    /// Something no input takes, as TOML spells it; null of JSON as `null`.
+    /// A value that no input accepts, in TOML notation; null of JSON as `null`.
     Other(String),
 }
 
-/// A case: a name and what was given for each key.
+/// A case: a name and the value given for each key.
 ///
 /// ```
 /// use msape::Case;
@@ -54,7 +54,7 @@ pub struct Case {
     /// Version of the program whose defaults it was written for.
     #[serde(default)]
     pub version: Version,
-    /// What was given, by dotted key.
+    /// Values given, by dotted key.
     pub values: BTreeMap<String, Value>,
 }
 
@@ -78,7 +78,7 @@ impl Case {
         case
     }
 
-    /// Puts an input back to its default, or takes it away where it has none.
+    /// Resets an input to its default, or removes it if it has none.
     pub fn reset(&mut self, input: &Input) {
         let value = match input.preset {
             Preset::Absent => {
@@ -122,7 +122,7 @@ impl Case {
         self.values.insert(key, value);
     }
 
-    /// What was given for a key, as text; rows have none.
+    /// Value given for a key, as text; `None` for rows.
     pub fn text(&self, key: &str) -> Option<String> {
         match self.values.get(key)? {
             Value::Number(number) => Some(number.to_string()),

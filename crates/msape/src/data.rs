@@ -1,7 +1,7 @@
-//! Data files: text of one's own, or what the build made of the text of a shipped one.
+//! Data files: text of the user, or a shipped file as converted by the build script.
 //!
 //! The build reads the TOML and CSV of the folder `data` once and embeds the same keys and values in the form that the
-//! program reads fastest. TOML and CSV of one's own are read with the feature `own-data` only, which the page, where nobody can
+//! program reads fastest. TOML and CSV of the user are read with the feature `own-data` only, which the page, where nobody can
 //! add such a file, is built without.
 
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 /// A data file.
 #[derive(Clone, Copy, Debug)]
 pub enum Data<'d> {
-    /// Text of a file of one's own.
+    /// Text of a file of the user.
     #[cfg(feature = "own-data")]
     Own(&'d str),
-    /// What the build made of a shipped file.
+    /// A shipped file as converted by the build script.
     Shipped(&'d str),
 }
 
@@ -32,10 +32,10 @@ impl<'d> From<&'d String> for Data<'d> {
 }
 
 impl Data<'_> {
-    /// The file as a type that says its keys.
+    /// The file as a type that names its keys.
     ///
     /// # Errors
-    /// Place, key and what it must be.
+    /// A message with place, key and the values allowed.
     pub fn read<T: DeserializeOwned>(self) -> Result<T, String> {
         match self {
             #[cfg(feature = "own-data")]

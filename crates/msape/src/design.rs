@@ -1,11 +1,11 @@
-//! The coupled design: passes through the modules until the mass settles.
+//! The coupled design: passes through the modules until the mass converges.
 //!
 //! - [`inputs`]: what a design is made from, checked.
-//! - [`drag`]: its drag, by name or of its own outline.
+//! - [`drag`]: drag of the vehicle, by name or from its outline.
 //! - [`coupling`]: the passes, steps 4 to 12 of section 2.2 of the report, made into an answer. [`start`]: where they may begin.
 //! - `passes`, `lighter`: the passes themselves, and the lighter of two vehicles that both carry themselves.
-//! - `flown`, `sized`: the flight of one pass, and the heat shields that it asks for.
-//! - `given`: what is said of results that the user gives.
+//! - `flown`, `sized`: the flight of one pass, and the heat shields that it requires.
+//! - `given`: findings on results that the user gives.
 //! - [`stability`]: static margin and trims of the converged design.
 //! - [`structural`]: structural rules and shell model of the converged design.
 //! - [`crossings`]: what crosses between the modules, for the N-squared view.
@@ -43,9 +43,9 @@ use serde::{Deserialize, Serialize};
 /// The end of the coupling: the last pass, how it ended, and the record of all passes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// How it ended.
+    /// Outcome: how the computation ended.
     pub outcome: Outcome,
-    /// Why, in one sentence, where the outcome needs one.
+    /// Reason for the outcome in one sentence, where it needs one.
     pub reason: Option<String>,
     /// The flight of the last pass; absent where the vehicle does not close.
     pub flight: Option<Flight>,
@@ -80,11 +80,11 @@ pub struct Design {
     pub aftbody_heat_load_j_m2: f64,
     /// Largest heat flux on the shoulder with margins, W/m².
     pub shoulder_heat_flux_w_m2: f64,
-    /// The same over that of the stagnation point.
+    /// Largest heat flux on the shoulder over that of the stagnation point.
     pub shoulder_heat_flux_ratio: f64,
     /// Heat load on the shoulder with margins, with the factor of the flux, J/m².
     pub shoulder_heat_load_j_m2: f64,
-    /// The point of the forebody at which its heat shield is judged, and what it goes through.
+    /// Point of the forebody at which its heat shield is sized, and the environment there.
     pub forebody_judged: Environment,
     /// Largest pressure on the aftbody, Pa.
     pub aftbody_pressure_pa: f64,
@@ -92,7 +92,7 @@ pub struct Design {
     pub payload_temperature_k: f64,
     /// Drag coefficient at impact.
     pub impact_drag_coefficient: f64,
-    /// Speed at which drag carries the weight where the vehicle lands, equation 2, m/s.
+    /// Speed at which drag equals the weight where the vehicle lands, equation 2, m/s.
     pub terminal_speed_m_s: f64,
     /// Half-angle of the forebody cone, rad.
     pub cone_half_angle_rad: f64,
@@ -102,7 +102,7 @@ pub struct Design {
     pub structural: Option<Structural>,
     /// Static margin and trims, computed once when the passes are done; absent where a study leaves them out.
     pub stability: Option<Stability>,
-    /// Entries from a set of attitudes and rates; absent where nobody asked for them.
+    /// Entries from a set of attitudes and rates; absent if not requested.
     pub turning: Option<Turning>,
     /// Number of passes.
     pub passes: u32,

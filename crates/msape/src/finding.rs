@@ -1,53 +1,53 @@
-//! Warnings as values: what a result's reader must know, beside the result and never instead of it.
+//! Warnings as values: remarks on a result, returned with it and never instead of it.
 
 use serde::{Deserialize, Serialize};
 
 pub mod range;
 
-/// How much a finding matters.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
-    /// Worth knowing: an assumption, a choice made where data are missing.
+    /// An assumption, or a choice made where data are missing.
     Note,
-    /// The model answers outside the range in which it was checked.
+    /// The model is used outside the range in which it was checked.
     Extrapolated,
     /// A limit of a material or of the design is exceeded: the design should not be used as it is.
     Exceeded,
 }
 
-/// One remark beside a result: which model, which quantity, its value, the range in which it is good.
+/// A remark on a result: model, quantity, value, and the range in which the model is valid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// How much it matters.
+    /// Severity.
     pub severity: Severity,
-    /// The model that speaks, such as `tauber-sutton` or `mer pica`.
+    /// Model that the finding is about, such as `tauber-sutton` or `mer pica`.
     pub model: String,
-    /// Key of the quantity spoken of, as in [`crate::quantity`]; empty when there is none.
+    /// Key of the quantity, as in [`crate::quantity`]; empty if there is none.
     pub key: String,
     /// Value of that quantity in its SI unit (angles in degrees).
     pub value: Option<f64>,
-    /// Range in which the model is good, in the same unit; an open end is `None`.
+    /// Range in which the model is valid, in the same unit; an open end is `None`.
     pub valid: (Option<f64>, Option<f64>),
-    /// One sentence, with the numbers in the units of the source.
+    /// Message in one sentence, with the numbers in the units of the source.
     pub message: String,
-    /// Where the limit comes from, such as `NASA/TM-2014-218507, Table 7`.
+    /// Source of the limit, such as `NASA/TM-2014-218507, Table 7`.
     pub source: String,
-    /// Key of the input that mends it, such as `design.forebody_tps`, when there is one.
+    /// Key of the input that removes the cause, such as `design.forebody_tps`, if there is one.
     pub field: Option<String>,
 }
 
-/// A change that the closing rules made to what the user asked for.
+/// Change that the closing rules made to an input.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Adjustment {
     /// Key of the input changed, such as `design.diameter_m`.
     pub key: String,
-    /// Value asked for, in the unit of the key.
+    /// Requested value, in the unit of the key.
     pub from: f64,
     /// Value used.
     pub to: f64,
     /// The rule and its reason, one sentence.
     pub reason: String,
-    /// Where the rule comes from, such as `NASA/TM-2014-218507, section 3.1.2`.
+    /// Source of the rule, such as `NASA/TM-2014-218507, section 3.1.2`.
     pub source: String,
 }

@@ -1,6 +1,6 @@
 //! Systems analysis of planetary entry vehicles, after NASA/TM-2014-218507 ("the report").
 //!
-//! A case goes in, an answer comes out; nothing else is read or kept.
+//! A case goes in, an answer comes out; nothing else is read or stored.
 //!
 //! ```
 //! use msape::{Case, Library, Outcome, Request, design};
@@ -21,10 +21,10 @@
 //! 2. [`problem`]: the same, checked against [`quantity::input`] and [`library`]; every fault at once, or none. After it
 //!    physics cannot fail.
 //! 3. [`flight`] for [`fly`], with three or [six](flight::six_dof) degrees of freedom; the passes of [`design`](mod@design) for [`design`](fn@design).
-//! 4. [`answer`]: how it ended, numbers, adjustments, findings, the record of the passes.
+//! 4. [`answer`]: outcome, numbers, adjustments, findings, the record of the passes.
 //! 5. [`table`]: the answer as CSV and KML; [`answer::json`] as JSON.
 //!
-//! One pass of a design, in the order of section 2.2 of the report:
+//! A pass of a design, in the order of section 2.2 of the report:
 //!
 //! 1. [`vehicle`]: outline, component profiles, masses, impact, structure, until the vehicle closes.
 //! 2. [`flight`] with the drag of [`aero`] over [`planet`]: the closed form of Allen and Eggers in the first passes, three
@@ -33,16 +33,16 @@
 //! 4. [`soak`]: temperature of the payload.
 //! 5. [`tps`]: thickness of both heat shields, from which the next pass starts.
 //!
-//! When the passes are done, [`shell`]: the carrier structure as a shell, beside the rules of [`vehicle::structure`].
+//! After the passes, [`shell`]: the carrier structure as a shell, in addition to the rules of [`vehicle::structure`].
 //!
-//! Beside them:
+//! In addition:
 //!
 //! - [`quantity`]: every input, output and trajectory column, declared once. Forms, tables, help, CSV and schema come
 //!   from it.
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
-//! - [`finding`]: use outside a model's range, as a value beside the result.
+//! - [`finding`]: use outside a model's range, as a value returned with the result.
 //! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
-//! - `validation`: the shipped cases beside their references; a feature of that name, on by default.
+//! - `validation`: the shipped cases compared with their references; a feature of that name, on by default.
 //!
 //! # What is deliberately absent
 //!

@@ -1,4 +1,4 @@
-//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, plus files of one's own.
+//! Planets, atmospheres, materials, vehicles, grounds and aerodynamic databases: built-in, and files of the user.
 //!
 //! A library is always passed, never global.
 
@@ -41,11 +41,11 @@ pub use files::{case_file, cases, data_file, data_folder};
 pub struct DataError {
     /// Path of the file below `data`.
     pub file: String,
-    /// What is wrong with it: key, value, and what it must be.
+    /// Fault of the file: key, value, and the values allowed.
     pub message: String,
 }
 
-/// A thing of the library and the name by which a case calls it.
+/// Items of the library, with the names by which a case refers to them.
 pub type Named<T> = Vec<(String, T)>;
 
 /// A planet with its air and its heating relations.
@@ -53,21 +53,21 @@ pub type Named<T> = Vec<(String, T)>;
 pub struct World {
     /// The planet.
     pub planet: Planet,
-    /// Title of its own atmosphere.
+    /// Title of the planet's own atmosphere.
     pub atmosphere_title: String,
-    /// Its own atmosphere.
+    /// The planet's own atmosphere.
     pub atmosphere: Atmosphere,
     /// Sutton-Graves constant.
     pub sutton_graves: SuttonGraves,
-    /// Tauber-Sutton relation, where there is one for its gas.
+    /// Tauber-Sutton relation, if there is one for the gas.
     pub tauber_sutton: Option<TauberSutton>,
-    /// Brandis-Johnston relations, where they are for its gas.
+    /// Brandis-Johnston relations, if they apply to the gas.
     pub brandis_johnston: Option<BrandisJohnston>,
     /// Gas at a hot wall.
     pub wall_gas: WallGas,
 }
 
-/// A forebody concept with what it names.
+/// A forebody concept with its materials and correlations.
 #[derive(Clone, Debug)]
 pub struct Stack {
     /// The concept.
@@ -91,7 +91,7 @@ pub struct HeatingModels {
     pub pressure_fit: PressureFit,
 }
 
-/// Everything a case may name; what its data files name of each other is at hand.
+/// Everything a case may refer to; references between data files are resolved.
 #[derive(Clone, Debug)]
 pub struct Library {
     /// Planets by name; one at least.
@@ -142,7 +142,7 @@ impl Library {
         })
     }
 
-    /// The library that ships with the program and files of one's own: path below a folder laid out as `data`, and text. Their
+    /// The library of the program with files of the user: path below a folder laid out as `data`, and text. Their
     /// names must be new ones; what they name may be shipped or their own.
     ///
     /// ```
@@ -160,7 +160,7 @@ impl Library {
     /// ```
     ///
     /// # Errors
-    /// Every file that cannot be used, and every name in one that nothing has.
+    /// Every file that cannot be used, and every unknown name in a file.
     #[cfg(feature = "own-data")]
     pub fn with_files(own: &[(String, String)]) -> Result<Library, Vec<DataError>> {
         build::library(Files::shipped().with(own))
@@ -230,7 +230,7 @@ impl Library {
     }
 }
 
-/// The thing with this name.
+/// The item with this name.
 pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
     list.iter()
         .find(|(known, _)| known == name)

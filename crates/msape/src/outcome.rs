@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How a flight or a design ended. None of them is an error.
+/// Outcome of a flight or a design. None of them is an error.
 ///
 /// ```
 /// assert_eq!(msape::Outcome::NotClosed.name(), "not-closed");
@@ -10,11 +10,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// The design closed and its mass settled.
+    /// The design closed and its mass converged.
     Converged,
     /// The flight reached the ground.
     Landed,
-    /// The flight was ended at a time or height that the case asks for.
+    /// The flight ended at a time or altitude given in the case.
     Stopped,
     /// The vehicle left the atmosphere faster than escape speed.
     SkippedOut,
@@ -22,9 +22,9 @@ pub enum Outcome {
     Captured,
     /// The payload fits into no vehicle that the rules allow.
     NotClosed,
-    /// The mass had not settled after the last pass.
+    /// The mass had not converged after the last pass.
     NotConverged,
-    /// The flight was given up at a limit of work, or where its numbers can be trusted no longer.
+    /// The flight was given up at a limit of work, or where its numbers are no longer reliable.
     GaveUp,
 }
 

@@ -1,4 +1,4 @@
-//! A checked case: the same as the case, impossible to misuse.
+//! A checked case, with types that exclude invalid values.
 //!
 //! Checking reports every fault at once; after it, physics cannot fail.
 
@@ -48,9 +48,9 @@ pub struct FlightProblem {
     pub mission: Mission,
     /// The vehicle.
     pub body: Body,
-    /// Its outline, where the case has one.
+    /// Outline of the vehicle, if the case has one.
     pub outline: Option<RigidBody>,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
@@ -59,7 +59,7 @@ pub struct FlightProblem {
 pub struct DesignProblem {
     /// Everything that determines the design.
     pub input: DesignInput,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
@@ -101,7 +101,7 @@ impl FlightProblem {
         }
     }
 
-    /// Flies it.
+    /// Computes the flight.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
         let FlightProblem {
             mission,
@@ -144,12 +144,12 @@ impl DesignProblem {
         }
     }
 
-    /// Solves it.
+    /// Solves the design.
     pub fn solve(&self, name: &str, request: Request) -> Answer {
         self.solve_watched(name, request, &mut Unwatched)
     }
 
-    /// Solves it; who watches may end it after a pass, and has the vehicle of that pass.
+    /// Solves the design; the observer may stop it after a pass, and the vehicle of that pass is the answer.
     pub fn solve_watched(
         &self,
         name: &str,
@@ -247,7 +247,7 @@ pub fn design(case: &Case, library: &Library, request: Request) -> Result<Answer
     design_watched(case, library, request, &mut Unwatched)
 }
 
-/// The same as [`design`]; who watches may end it after a pass, and has the vehicle of that pass.
+/// Checks and solves a design like [`design`]; the observer may stop it after a pass, and the vehicle of that pass is the answer.
 ///
 /// # Errors
 /// Every fault of the case at once.

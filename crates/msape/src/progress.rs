@@ -1,8 +1,8 @@
-//! How far, and shall I stop? Long work asks its caller.
+//! Progress of long computations, reported to a caller who can stop them.
 
 use std::ops::ControlFlow;
 
-/// Who watches long work.
+/// Observer of a long computation.
 ///
 /// ```
 /// use msape::progress::Progress;
@@ -16,7 +16,7 @@ use std::ops::ControlFlow;
 /// assert!(watcher.advance(0.4).is_continue() && watcher.advance(0.6).is_break());
 /// ```
 pub trait Progress {
-    /// Hears the part that is done, 0 to 1; at `Break` the work ends and keeps what it has.
+    /// Receives the fraction done, 0 to 1; on `Break` the computation ends and keeps its results.
     fn advance(&mut self, done: f64) -> ControlFlow<()>;
 }
 
@@ -26,7 +26,7 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Progress for F {
     }
 }
 
-/// Nobody: the work runs to its end.
+/// Observer that never stops the computation.
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
@@ -36,13 +36,13 @@ impl Progress for Unwatched {
     }
 }
 
-/// A part of a work of several: its own 0 to 1 is `from` to `to` of the whole.
+/// Observer of a part of a computation: its 0 to 1 is `from` to `to` of the whole.
 pub struct Part<'a> {
-    /// Who watches the whole.
+    /// Observer of the whole.
     pub whole: &'a mut dyn Progress,
-    /// Part of the whole that is done before it.
+    /// Fraction of the whole that is done before the part.
     pub from: f64,
-    /// Part of the whole that is done after it.
+    /// Fraction of the whole that is done after the part.
     pub to: f64,
 }
 

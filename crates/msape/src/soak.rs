@@ -9,14 +9,14 @@
 //! (arguments and result converted).
 //!
 //! The form is **deduced**: the equation is missing from the available copy of the report, its coefficients are there
-//! (Tables 12 and 13). Of 60 candidates it alone meets every temperature that the text states.
-//! Below its vertex the parabola would turn up: X is held there.
+//! (Tables 12 and 13). Of 60 candidates it is the only one that reproduces every temperature stated in the text.
+//! Below its vertex the parabola would rise again: X is held there.
 //!
 //! # Valid
 //! 100 to 1500 W/cm², 3000 to 38000 J/cm², 0.8 to 1.4 m; start at 17 °C; no ablation, no crushed foam. One vehicle of the
-//! MSR concept, 1.05 m across with 4.02 cm of forebody heat shield (Table 9), scaled as a whole: the correlation stands
+//! MSR concept, 1.05 m across with 4.02 cm of forebody heat shield (Table 9), scaled as a whole: the correlation is
 //! for a thickness of 3.83 % of the diameter. The report does not say whether its fluxes carry margins: with margins the result is
-//! conservative, and the callers pass margined cold-wall values.
+//! conservative, and the callers pass cold-wall values with margins.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.6.4, Tables 9, 12 and 13; limitation 1 of section 3.6.5.
@@ -36,17 +36,17 @@ const KEY: &str = "max_payload_temperature_k";
 /// Kelvin at 0 °C.
 const ZERO_CELSIUS_K: f64 = 273.15;
 
-/// The correlation of one heat-shield material, as its file has it.
+/// The correlation of a heat-shield material, as in its file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SoakCorrelation {
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// How the form was found.
+    /// Method by which the form was found.
     pub note: String,
-    /// What is seen and what deduced.
+    /// Facts that were read from the source, and those deduced.
     pub provenance: String,
     a: f64,
     b: f64,
@@ -86,7 +86,7 @@ struct Valid {
     diameter_m: Range,
 }
 
-/// What the correlation asks for.
+/// Inputs of the correlation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SoakInput<S = f64> {
     /// Peak stagnation heat flux, cold wall, with margins, W/m².
@@ -115,7 +115,7 @@ impl SoakCorrelation {
     /// Peak temperature of the payload container, K.
     pub fn peak_temperature_k<S: Single>(&self, input: &SoakInput<S>) -> S {
         let Self { a, b, c, .. } = *self;
-        // below the vertex the parabola would turn up
+        // below the vertex the parabola would rise again
         let x = self.x(input).max(S::constant(self.vertex()));
         // T = a X² + b X + c
         (x * a + b) * x + c + ZERO_CELSIUS_K
@@ -136,7 +136,7 @@ impl SoakCorrelation {
         -self.b / (2.0 * self.a)
     }
 
-    /// What a reader must know: that the form is deduced, and where the correlation is used beyond its data.
+    /// Findings: that the form is deduced, and where the correlation is used beyond its data.
     pub fn findings(&self, input: &SoakInput) -> Vec<Finding> {
         const SOURCE: &str = "NASA/TM-2014-218507, section 3.6";
         let temperature = Some(self.peak_temperature_k(input));

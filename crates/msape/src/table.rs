@@ -36,9 +36,9 @@ pub enum Manner {
 /// A case and its answer.
 #[derive(Clone, Copy, Debug)]
 pub struct Solved<'a> {
-    /// What was asked.
+    /// Case.
     pub case: &'a Case,
-    /// What came of it.
+    /// Answer to the case.
     pub answer: &'a Answer,
 }
 
@@ -60,9 +60,9 @@ enum Column {
     Output(&'static Output),
 }
 
-/// One row for each answer: name, inputs that are given or have a default, outcome, outputs.
+/// Table with one row for each answer: name, inputs that are given or have a default, outcome, outputs.
 ///
-/// Where an input and an output have one name in the report, there is one column: the value used.
+/// An input and an output with the same name in the report share one column: the value used.
 pub fn results(solved: &[Solved], job: Job, manner: Manner) -> Table {
     let columns = result_columns(solved, job, manner);
     Table {
@@ -83,7 +83,7 @@ pub fn pairs(solved: Solved, job: Job, manner: Manner) -> Vec<(String, String)> 
         .collect()
 }
 
-/// One row for each time of a trajectory.
+/// Rows of a trajectory, one for each time.
 pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
     Table {
         headers: history_headers(trajectory, manner),
@@ -96,7 +96,7 @@ pub fn history(trajectory: &Trajectory, manner: Manner) -> Table {
 /// Writes the rows of [`history`] as CSV, one by one.
 ///
 /// # Errors
-/// What the writer refuses.
+/// The error of the writer.
 pub fn write_history(
     trajectory: &Trajectory,
     manner: Manner,

@@ -7,9 +7,9 @@
 //! - [`fit_space`]: the trajectories behind the relations.
 //! - [`concept`]: a forebody's heat shield, bond and carrier together, one file each in `data/concepts`.
 //!
-//! Loads come in cold-wall and with the user's margins; the relations themselves carry no margin (section 3.5.1).
+//! Loads are for a cold wall and include the user's margins; the relations themselves contain no margin (section 3.5.1).
 //!
-//! Deliberately absent: in-depth conduction and ablation, which a later model adds beside the relations.
+//! Deliberately absent: in-depth conduction and ablation, which a later model adds to the relations.
 
 pub mod concept;
 pub mod environment;
@@ -29,14 +29,14 @@ pub const PA_PER_ATM: f64 = 101_325.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
-    /// Before the shoulder.
+    /// Forebody: ahead of the shoulder.
     Forebody,
-    /// Behind it.
+    /// Aftbody: behind the shoulder.
     Aftbody,
 }
 
 impl Side {
-    /// The word for it, as in keys.
+    /// Name as in keys.
     pub fn name(self) -> &'static str {
         match self {
             Self::Forebody => "forebody",

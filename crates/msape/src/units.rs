@@ -1,7 +1,7 @@
 //! Units of measurement: conversions happen here and nowhere else.
 //!
-//! Memory holds SI; cases and results hold SI with angles in degrees ("canonical"). A unit is known by its symbol,
-//! which is ASCII and is what stands in CSV headers, axes and what people type.
+//! Values in memory are in SI; cases and results are in SI with angles in degrees ("canonical"). A unit is known by its symbol,
+//! which is ASCII and is used in CSV headers, axes and typed input.
 
 pub mod number;
 mod text;
@@ -10,7 +10,7 @@ pub use number::told;
 pub(crate) use text::{SHOWN_MAX, cut};
 pub use text::{TextError, parse_number};
 
-/// What a number measures; units of one dimension convert into each other.
+/// Physical dimension of a number; units of one dimension convert into each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Dimension {
     /// A ratio or count, without unit.
@@ -35,7 +35,7 @@ pub enum Dimension {
     Angle,
     /// Rate of rotation of a planet, rad/s.
     AngularRate,
-    /// Rate of turn of a vehicle, deg/s.
+    /// Angular rate of a vehicle, deg/s.
     BodyRate,
     /// Density, kg/m³.
     Density,
@@ -64,9 +64,9 @@ pub enum Dimension {
 pub struct Unit {
     /// Symbol in ASCII, such as `W/cm^2`; empty for pure numbers.
     pub symbol: &'static str,
-    /// What it measures.
+    /// Physical dimension.
     pub dimension: Dimension,
-    /// Canonical units in one of this unit.
+    /// Factor from this unit to the canonical unit.
     pub factor: f64,
     /// Canonical value of zero in this unit.
     pub offset: f64,

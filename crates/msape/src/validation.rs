@@ -1,8 +1,8 @@
 //! The documented cases that ship with the program, solved and compared with their published or computed figures.
 //!
 //! Expectations are data: `data/validation/<name>.toml` names a case of the folder `cases` and lists quantities with
-//! their reference values, tolerances and the reasons of these. Whoever shows the comparison, the command or the page,
-//! computes it anew. Beside the comparisons stand predictions of flown capsules, [`prediction`], which are no gate.
+//! their reference values, tolerances and the reasons of these. Command and page
+//! compute the comparison anew. Predictions of flown capsules, [`prediction`], are listed with the comparisons but are not a test.
 
 mod file;
 mod points;
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-/// What came of a comparison.
+/// Verdict on a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
@@ -48,20 +48,20 @@ impl Verdict {
         }
     }
 
-    /// Whether it speaks against the program.
+    /// Whether the verdict counts against the program.
     pub fn is_miss(self) -> bool {
         matches!(self, Verdict::Beyond | Verdict::Absent)
     }
 }
 
-/// One compared quantity.
+/// A compared quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Name of the validation file, such as `msape-ref-m1`.
     pub case: String,
     /// Key of the quantity, as in answer or trajectory.
     pub quantity: String,
-    /// Its label, with what was changed in the case for this row.
+    /// Label of the quantity, with the inputs that this row changes in the case.
     pub label: String,
     /// Symbol of the unit of the numbers below.
     pub unit: String,
@@ -69,21 +69,21 @@ pub struct Row {
     pub reference: f64,
     /// Value computed now.
     pub ours: Option<f64>,
-    /// Ours less the reference.
+    /// Computed value minus the reference.
     pub difference: Option<f64>,
     /// Largest difference allowed, in the same unit.
     pub tolerance: Option<f64>,
-    /// The tolerance as it is written, such as `0.1 %`.
+    /// Tolerance as text, such as `0.1 %`.
     pub tolerance_text: String,
-    /// Why the tolerance is what it is; for a row that is only shown, why it is not judged.
+    /// Reason for the tolerance; for a row without a verdict, the reason for that.
     pub reason: String,
-    /// Where the reference value comes from: key of the bibliography and place.
+    /// Source of the reference value: key of the bibliography and place.
     pub source: String,
     /// Whether an assumption of the program was fitted to this value.
     pub calibrated: bool,
-    /// What came of it.
+    /// Verdict.
     pub verdict: Verdict,
-    /// Why the case was refused, where it was.
+    /// Faults for which the case was refused, if it was.
     pub fault: Option<String>,
 }
 
@@ -105,10 +105,10 @@ pub fn files() -> Result<Vec<(String, File)>, DataError> {
         .collect()
 }
 
-/// Every row of every file; who watches may end it after a row, and has the rows till there.
+/// Computes every row of every file; the observer may stop it after a row, and the rows up to there are returned.
 ///
 /// # Errors
-/// As [`files`].
+/// The errors of [`files`].
 pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, DataError> {
     let files = files()?;
     let mut rows = Vec::new();
@@ -128,7 +128,7 @@ pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, D
     Ok(rows)
 }
 
-/// The rows of one file, and whether who watches wants no more; he may end it after a row.
+/// The rows of one file, and whether the observer has stopped the computation after one of them.
 ///
 /// # Errors
 /// A case file of the program that cannot be read, which a test excludes.
@@ -142,7 +142,7 @@ pub fn run_file(
     let count = file.rows.len() + file.points.len();
     let mut rows = Vec::with_capacity(count);
     let mut told = |done: usize| progress.advance(done as f64 / count.max(1) as f64);
-    // Rows with the same changes stand together and share one solution.
+    // Rows with the same changes are adjacent and share one solution.
     let mut solved: Option<(&Settings, Result<Answer, String>)> = None;
     for expected in &file.rows {
         let answer = match solved.take() {
@@ -167,7 +167,7 @@ pub fn run_file(
 /// Keys of the case that a row sets, as text.
 type Settings = BTreeMap<String, String>;
 
-/// What it takes to solve the case of a file in its variants.
+/// Data for solving the case of a file in its variants.
 struct Runner<'a> {
     library: &'a Library,
     name: &'a str,
@@ -192,7 +192,7 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Solves the case with some keys set; a refused case says why.
+    /// Solves the case with some keys set; an error states why the case was refused.
     fn solve(&self, set: &Settings) -> Result<Answer, String> {
         let mut case = self.case.clone();
         for (key, text) in set {
@@ -230,7 +230,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// A computed value beside its expectation.
+/// A computed value and its reference.
 struct Comparison<'a> {
     expected: &'a Expectation,
     label: String,

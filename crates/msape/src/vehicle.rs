@@ -1,7 +1,7 @@
 //! The parametric vehicle: geometry, mass, impact and structure of an entry vehicle, closed by the rules of section 3.1 of the report.
 //!
 //! ```text
-//! build: foam from stroke → close at the diameter asked for → else the smallest diameter that closes → dimensions, findings
+//! build: foam from stroke → close at the requested diameter → else the smallest diameter that closes → dimensions, findings
 //! ```
 //!
 //! Lengths in m, masses in kg, x along the axis from the virtual apex, aft positive; every change of an input is an
@@ -70,15 +70,15 @@ use serde::{Deserialize, Serialize};
 pub struct Vehicle {
     /// Concept.
     pub concept: Concept,
-    /// Outer mould line, closed.
+    /// Outer mold line, closed.
     pub outline: Profile,
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout,
     /// Components with profiles and masses.
     pub components: Vec<Component>,
-    /// Mass, centre of gravity, inertia.
+    /// Mass, center of gravity, inertia.
     pub mass: MassProperties,
-    /// The same after landing, the payload moved forward by the required stroke.
+    /// Mass, center of gravity and inertia after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties,
     /// Key dimensions.
     pub dimensions: Dimensions,
@@ -90,7 +90,7 @@ pub struct Vehicle {
     pub adjustments: Vec<Adjustment>,
     /// Remarks.
     pub findings: Vec<Finding>,
-    /// Turns of the closing loop at the final diameter.
+    /// Iterations of the closing loop at the final diameter.
     pub iterations: u32,
 }
 

@@ -12,7 +12,7 @@ use msape::case::Value;
 use msape::quantity::input::{Column, Input};
 use wasm_bindgen_futures::spawn_local;
 
-/// Faults of a file that are shown.
+/// Largest number of faults of a file that are shown.
 const MOST_FAULTS: usize = 10;
 
 /// Field for rows of numbers.

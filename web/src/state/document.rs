@@ -60,7 +60,7 @@ pub enum Why {
     Early,
     /// The page was closed before it was written.
     Closed,
-    /// It could not be read earlier.
+    /// The document could not be read earlier.
     Unread,
 }
 
@@ -104,7 +104,7 @@ pub struct Run {
 /// Case of a record, from TOML, with the defaults of the version that wrote it.
 ///
 /// # Errors
-/// As [`Case::from_text`].
+/// The errors of [`Case::from_text`].
 pub fn recorded(text: &str, version: Option<Version>) -> Result<BroughtUp, Vec<InputError>> {
     let case = Case::from_text(text)?;
     let version = version.unwrap_or(Version::FIRST);

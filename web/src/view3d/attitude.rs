@@ -21,7 +21,7 @@ impl Attitude {
         Attitude(UnitQuaternion::identity())
     }
 
-    /// A view of the model that is turned about the centre of its ball.
+    /// A view of the model that is turned about the center of its ball.
     pub fn seen(&self, view: Matrix4<f32>, ball: Ball) -> Matrix4<f32> {
         let center_m = Vector3::y() * ball.center_m;
         let turn: Matrix4<f32> = self.0.to_homogeneous().map(|part| part as f32);
@@ -243,7 +243,7 @@ mod tests {
         ));
         let seen = over.seen(still, ball);
         let y = |m: &Matrix4<f32>, y: f32| m.m22 * y + m.m24;
-        // The centre stays, the end half a metre behind it comes to half a metre below.
+        // The center stays, the end half a meter behind it comes to half a meter below.
         assert!((y(&seen, 0.2) - y(&still, 0.2)).abs() < 1e-6);
         assert!((y(&seen, 0.7) - y(&still, -0.3)).abs() < 1e-6);
         near(on_screen(&Camera::SIDE, [1.0, 0.0, 0.0]), [1.0, 0.0, 0.0]);

@@ -100,7 +100,7 @@ impl Camera {
             * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.azimuth_rad)
     }
 
-    /// From before the eye to the screen; everything within `reach_m` of the centre has a depth.
+    /// From before the eye to the screen; everything within `reach_m` of the center has a depth.
     pub fn projection(&self, ball: Ball, aspect: f32, reach_m: f32) -> Matrix4<f32> {
         let distance = self.distance_m(ball, aspect);
         let near = (distance - 1.1 * reach_m).max(0.02 * distance);

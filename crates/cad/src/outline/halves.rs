@@ -8,7 +8,7 @@
 //! Pieces on the axis are left out. A drawing about another line is a fault that names the line.
 //!
 //! # Valid
-//! As [`super::chain`].
+//! Same as [`super::chain`].
 //!
 //! # References
 //! - Own convention.

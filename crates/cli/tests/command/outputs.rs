@@ -146,7 +146,7 @@ fn a_signal_leaves_no_unfinished_file() {
     }
 }
 
-/// Whether a process hears Ctrl-C.
+/// Whether a process handles Ctrl-C.
 #[cfg(target_os = "linux")]
 fn hears_ctrl_c(process: u32) -> bool {
     let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();

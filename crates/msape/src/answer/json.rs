@@ -1,6 +1,6 @@
 //! An answer as JSON: one object, keys in the order of the lists of quantities.
 //!
-//! What did not occur, and what is not a finite number, is `null`.
+//! Values that did not occur, and numbers that are not finite, are `null`.
 
 use super::Answer;
 use crate::answer::{landing, outputs, turning};
@@ -94,7 +94,7 @@ fn point(point: &PointHeat) -> Value {
     })
 }
 
-/// The same object as text, a line for each number and for each column of the time history.
+/// The JSON object of an answer as text: one line for each number and for each column of the time history.
 pub fn text(answer: &Answer, job: Job) -> String {
     let mut text = String::new();
     // Writing into a String cannot fail.
@@ -102,10 +102,10 @@ pub fn text(answer: &Answer, job: Job) -> String {
     text
 }
 
-/// Writes that text piece by piece: a time history is never a whole in memory but as numbers.
+/// Writes the text of [`text`] piece by piece, so that the text of a time history is never in memory as a whole.
 ///
 /// # Errors
-/// What the writer refuses.
+/// The error of the writer.
 pub fn write(answer: &Answer, job: Job, out: &mut dyn fmt::Write) -> fmt::Result {
     let trajectory = answer.flight.as_ref().and_then(|f| f.trajectory.as_ref());
     let mut first = true;

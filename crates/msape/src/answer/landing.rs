@@ -5,29 +5,29 @@ use crate::units::Dimension;
 use crate::vehicle::impact::history::History;
 use crate::vehicle::impact::landing::Landing;
 
-/// One column of a landing.
+/// A column of the time history of a landing.
 #[derive(Clone, Copy)]
 pub struct LandingColumn {
     /// Key, unit and meaning.
     pub column: Column,
-    /// Takes it out of a history.
+    /// Function that returns the values in a history.
     pub values: fn(&History) -> &[f64],
 }
 
-/// Where the vehicle lands.
+/// Surface on which the vehicle lands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
-    /// On a rigid surface.
+    /// A rigid surface.
     Rigid,
-    /// On the chosen ground.
+    /// The ground chosen in the case.
     Ground,
 }
 
 impl Surface {
-    /// Both, in the order of files.
+    /// Both surfaces, in the order of the columns in files.
     pub const ALL: [Surface; 2] = [Surface::Rigid, Surface::Ground];
 
-    /// Start of the keys of its columns.
+    /// Prefix of the keys of the columns for this surface.
     pub fn prefix(self) -> &'static str {
         match self {
             Surface::Rigid => "rigid_surface",
@@ -35,7 +35,7 @@ impl Surface {
         }
     }
 
-    /// Its history in a landing.
+    /// Time history of the landing on this surface.
     pub fn history(self, landing: &Landing) -> &History {
         match self {
             Surface::Rigid => &landing.rigid_surface.history,

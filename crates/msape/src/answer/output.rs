@@ -13,14 +13,14 @@ use crate::answer::Answer;
 use crate::quantity::{Job, Module};
 use crate::units::{Dimension, Unit, canonical};
 
-/// One output.
+/// An output of an answer.
 #[derive(Clone, Copy)]
 pub struct Output {
     /// Key with its SI unit, such as `total_entry_mass_kg`.
     pub key: &'static str,
     /// The report's own label where it has one, without the unit.
     pub label: &'static str,
-    /// What it measures.
+    /// Physical dimension of the output.
     pub dimension: Dimension,
     /// Symbol of the unit shown by default and used in the report's own CSV.
     pub unit: &'static str,
@@ -28,11 +28,11 @@ pub struct Output {
     pub in_report: bool,
     /// Module of the report.
     pub module: Module,
-    /// One sentence: what it is.
+    /// Explanation of the output in one sentence.
     pub help: &'static str,
-    /// Where its definition comes from: equation, table, section.
+    /// Source of the definition: equation, table, section.
     pub source: &'static str,
-    /// Takes it out of an answer, in the canonical unit; `None` when it did not occur.
+    /// Function that returns the value in an answer, in the canonical unit; `None` when it did not occur.
     pub get: fn(&Answer) -> Option<f64>,
 }
 

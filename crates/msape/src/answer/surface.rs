@@ -8,11 +8,11 @@
 //! ```
 //!
 //! with the heat flux of the stagnation point q̇₀, of the shoulder q̇ₛ and of the aftbody q̇ₐ with their margins in W/m², r the
-//! distance from the axis in m. The three models meet in steps, which are theirs and not the flow's.
+//! distance from the axis in m. The heat flux jumps where two models meet; these steps are not in the flow.
 //!
 //! # Valid
-//! Zero angle of attack. As [`crate::heating::distribution`]: on cones steeper than about 55 degrees a lower bound. Radiative
-//! heating is spread as convective heating is.
+//! Zero angle of attack. Same as [`crate::heating::distribution`]: on cones steeper than about 55 degrees a lower bound. Radiative
+//! heating is distributed like convective heating.
 //!
 //! # References
 //! - \[lees-1956\]; \[samareh-2014\] sections 3.4.3 and 3.5.2.
@@ -25,13 +25,13 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::hypot;
 
-/// How far off the shoulder's circle a point of it may lie, as a fraction of its radius.
+/// Largest distance of a point of the shoulder from its circle, as a fraction of the radius.
 const ON_SHOULDER: f64 = 1e-6;
 
 /// Heat flux along the outer surface of a design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceHeating {
-    /// The forebody that is heated.
+    /// Heated forebody.
     pub forebody: Forebody,
     /// Largest heat flux at the stagnation point, W/m².
     pub stagnation_w_m2: f64,
@@ -56,7 +56,7 @@ pub enum Region {
 }
 
 impl SurfaceHeating {
-    /// The heating of a design; `None` where nothing was flown or nothing closed.
+    /// Heating of a design; `None` without a flight or a closed vehicle.
     pub fn of(answer: &Answer) -> Option<Self> {
         let (design, flight) = (answer.design.as_ref()?, answer.flight.as_ref()?);
         let forebody = design.vehicle.layout.outline.forebody;
@@ -76,14 +76,14 @@ impl SurfaceHeating {
         })
     }
 
-    /// The largest of all, W/m².
+    /// Largest heat flux on the surface, W/m².
     pub fn largest_w_m2(&self) -> f64 {
         self.stagnation_w_m2
             .max(self.shoulder_w_m2)
             .max(self.aftbody_w_m2)
     }
 
-    /// The part of the surface on which a segment of the outer mould line lies.
+    /// The part of the surface on which a segment of the outer mold line lies.
     pub fn region(&self, segment: &Segment) -> Region {
         let center = self.forebody.shoulder_center();
         let radius = self.forebody.shoulder_radius_m;
@@ -210,7 +210,7 @@ mod tests {
                 assert!((flux / tip - of_tip).abs() < 1e-9, "{key} {r_m}: {flux}");
             }
             assert!((heating.largest_w_m2() / tip - 2.0).abs() < 1e-9);
-            // the last point judges the heat shield, and all stand in the JSON
+            // the heat shield is sized at the last point, and all points are in the JSON
             let made = answer.design.as_ref().unwrap();
             assert!((made.shoulder_heat_flux_ratio - 2.0).abs() < 1e-9);
             let load = made.shoulder_heat_load_j_m2 / made.forebody_judged.heat_load_j_m2;

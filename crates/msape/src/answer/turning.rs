@@ -15,7 +15,7 @@ pub enum Cell {
     Word(&'static str),
 }
 
-/// One column of the table of entries.
+/// A column of the table of entries.
 #[derive(Clone, Copy)]
 pub struct Column {
     /// Key with its unit.
@@ -40,7 +40,7 @@ fn number(x: f64) -> Cell {
 }
 
 fn degrees(rad: f64) -> Cell {
-    // Angles of the set are whole degrees but for the way to radians and back.
+    // The angles of the set are whole degrees up to rounding in the conversion to radians and back.
     let deg = rad / RADIANS_PER_DEGREE;
     let whole = deg.round();
     number(if (deg - whole).abs() < 1e-9 {
@@ -107,7 +107,7 @@ pub static COLUMNS: [Column; 10] = [
     },
 ];
 
-/// The share that is nose first at peak heating, and the entries, one object each.
+/// JSON object with the share of entries that are nose first at peak heating, and the entries, one object each.
 pub fn json(turning: &Turning) -> Value {
     let entry = |turn: &Turn| {
         let cells = COLUMNS.iter().map(|column| {
@@ -123,7 +123,7 @@ pub fn json(turning: &Turning) -> Value {
     value!({ "nose_first_share": turning.nose_first_share(), "entries": entries })
 }
 
-/// One sentence: how many entries met the heat nose first.
+/// Sentence that states how many entries are nose first at the largest heat rate.
 pub fn sentence(turning: &Turning) -> String {
     format!(
         "{} of {} entries are nose first at the largest heat rate.",

@@ -9,12 +9,12 @@ use crate::quantity::input::{self, Alternatives, Choices, Input, Key, Kind, Pres
 use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
 
-/// Unknown keys that are told; a file with more of them is no case.
+/// Largest number of reported unknown keys; a file with more of them is not a case.
 const UNKNOWN_MAX: usize = 50;
-/// Faults of one table that are told.
+/// Largest number of reported faults of one table.
 const ROW_FAULTS_MAX: usize = 100;
 
-/// Files whose rows have to stand in the case; who reads files puts them in their place.
+/// Inputs that name files; a caller that reads the files replaces the names by the rows.
 const FILES: [&Input; 6] = [
     &input::wind::FILE,
     &input::heating::FILE,
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         self.case.gives_any(inputs)
     }
 
-    /// The ways to give one thing that the case takes, each by the first of its inputs that is given.
+    /// Ways that the case uses to give a quantity, each by the first of its inputs that is given.
     pub fn ways(&self, alternatives: &Alternatives) -> Vec<&'static Input> {
         let first = |way: &&[&'static Input]| way.iter().find(|input| self.given(**input)).copied();
         alternatives.ways.iter().filter_map(first).collect()
@@ -217,7 +217,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// Notes that an input is missing, with what it must be.
+    /// Records that an input is missing, with the values allowed.
     pub fn missing(&mut self, input: &'static Input) {
         let message = match input.kind {
             Kind::Number {
@@ -262,7 +262,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// One of the fixed choices of an input, or its default.
+    /// Value of an input with fixed choices, or its default.
     pub fn choice<C: Choice>(&mut self, key: impl Into<Key>) -> Option<C> {
         let key = key.into();
         let fixed = match key.input.kind {
@@ -379,7 +379,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Leaves away what stands in a list before.
+/// Removes repeated items from a list.
 fn once<T: PartialEq>(list: &mut Vec<T>) {
     let mut kept: Vec<T> = Vec::with_capacity(list.len());
     for item in list.drain(..) {

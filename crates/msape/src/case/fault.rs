@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Severity};
 use std::fmt;
 
-/// A fault of the input: which key, what was given, what is allowed.
+/// A fault of the input: key, value given, values allowed.
 ///
 /// ```
 /// use msape::{Case, Library, Request, fly};
@@ -19,7 +19,7 @@ use std::fmt;
 pub struct InputError {
     /// Dotted key; empty when the whole file is at fault.
     pub key: String,
-    /// What was got and what must be, with range and unit.
+    /// Message: the value given and the values allowed, with range and unit.
     pub message: String,
 }
 

@@ -1,4 +1,4 @@
-//! A value of TOML or JSON: one model, two spellings.
+//! A value of TOML or JSON: one data model, two notations.
 
 use super::Value;
 use super::write::quoted_key;
@@ -18,7 +18,7 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// Whether it has keys of its own.
+    /// Whether the node is a table, with keys of its own.
     pub(super) fn is_map(&self) -> bool {
         matches!(self, Node::Map(_))
     }
@@ -40,7 +40,7 @@ impl From<toml::Value> for Node {
     }
 }
 
-/// JSON, every key of it: one that stands twice stands twice here.
+/// JSON with every key, repeated keys included.
 impl<'de> Deserialize<'de> for Node {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
         deserializer.deserialize_any(NodeVisitor)
@@ -101,7 +101,7 @@ impl<'de> Visitor<'de> for NodeVisitor {
     }
 }
 
-/// Rows of numbers typed as text in brackets; `None` where the text is nothing of the kind.
+/// Rows of numbers typed as text in brackets; `None` for any other text.
 pub(super) fn rows_of_text(text: &str) -> Option<Value> {
     match node_of(text)? {
         list @ Node::List(_) => {
@@ -111,7 +111,7 @@ pub(super) fn rows_of_text(text: &str) -> Option<Value> {
     }
 }
 
-/// What a value is that no input takes, of its spelling in TOML; of rows, which of them is at fault.
+/// Description, for a message, of a value that no input takes, from its spelling in TOML; of rows, the row at fault.
 pub(super) fn described(spelling: &str, rows_expected: bool) -> String {
     match node_of(spelling) {
         Some(list @ Node::List(_)) if rows_expected => {
@@ -128,7 +128,7 @@ fn node_of(spelling: &str) -> Option<Node> {
     table.is_empty().then_some(node)
 }
 
-/// The numbers of rows, or which row is none.
+/// Numbers of the rows, or a description of the row at fault.
 pub(super) fn rows(node: &Node) -> Result<Vec<Vec<f64>>, String> {
     let Node::List(list) = node else {
         return Err(describe(node));

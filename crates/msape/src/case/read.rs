@@ -1,4 +1,4 @@
-//! Reads a case from TOML or JSON: one model, two spellings.
+//! Reads a case from TOML or JSON: one data model, two notations.
 
 use super::node::{Node, describe, rows, spelled};
 use super::{Case, InputError, SCHEMA, Value, Version};
@@ -8,7 +8,7 @@ use crate::units::cut;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Longest piece of a foreign message that is passed on.
+/// Largest length of a parser message in a fault.
 const MESSAGE_MAX: usize = 300;
 
 /// Keys of a file, at most: ten times as many as a case with the largest number of phases has.
@@ -61,7 +61,7 @@ impl Case {
     /// Reads a case file, TOML or (when it opens with a brace) JSON.
     ///
     /// # Errors
-    /// What makes the file unreadable: syntax, a missing or newer schema. Faults of single keys are found by checking.
+    /// Faults that make the file unreadable: syntax, a missing or newer schema. Faults of single keys are found by the check.
     pub fn from_text(text: &str) -> Result<Case, Vec<InputError>> {
         short_enough(text)?;
         if is_json(text) {
@@ -74,7 +74,7 @@ impl Case {
     /// Reads a case from TOML.
     ///
     /// # Errors
-    /// As [`Case::from_text`].
+    /// The errors of [`Case::from_text`].
     pub fn from_toml(text: &str) -> Result<Case, Vec<InputError>> {
         let text = text.trim_start_matches('\u{feff}');
         let value: toml::Table = toml::from_str(text).map_err(|e| {
@@ -90,7 +90,7 @@ impl Case {
     /// Reads a case from JSON.
     ///
     /// # Errors
-    /// As [`Case::from_text`].
+    /// The errors of [`Case::from_text`].
     pub fn from_json(text: &str) -> Result<Case, Vec<InputError>> {
         let text = text.trim_start_matches('\u{feff}');
         let node: Node =
@@ -185,7 +185,7 @@ impl Case {
                 taken.take(&place, &key);
                 self.values.insert(place, value);
             }
-            // what is not known has one spelling
+            // an unknown key has one spelling
             None => match self.values.entry(key) {
                 Entry::Vacant(place) => {
                     place.insert(value);
@@ -197,7 +197,7 @@ impl Case {
 }
 
 const STANDS_TWICE: &str = "stands twice; give it once";
-/// Most keys that stand twice and are told.
+/// Largest number of reported keys that are given twice.
 const TWICE_MAX: usize = 100;
 
 /// Known keys that have been given, each with its spelling, and faults of keys given twice.

@@ -1,10 +1,10 @@
 //! The version of the program that a case was written for, and what later versions changed.
 //!
-//! A case leaves inputs open, and a link says only how a case differs from a shipped one: both rest on defaults and
-//! presets of the program that wrote them. `data/versions` lists what a version did otherwise, `cases/0.1` holds the
+//! A case leaves inputs open, and a link contains only the differences from a shipped case: both depend on defaults and
+//! presets of the program that wrote them. `data/versions` lists the differences of each version, `cases/0.1` contains the
 //! shipped cases as they were. A record of the program itself is [brought up](Case::brought_up_from): it keeps the old
-//! defaults as choices of its own. A file is read as it stands, with a [note](Case::version_note) on each default that
-//! changed under it.
+//! defaults as explicit values. A file is read unchanged, with a [note](Case::version_note) on each default that
+//! has changed since.
 
 use super::Case;
 use crate::finding::{Finding, Severity};
@@ -14,12 +14,12 @@ use crate::units::canonical;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// A version of the program, as far as its defaults go.
+/// A version of the program, as far as it determines the defaults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Version {
     /// Number before the first point.
     pub major: u32,
-    /// Number after it.
+    /// Number after the first point.
     pub minor: u32,
 }
 
@@ -29,7 +29,7 @@ impl Version {
     /// This version.
     pub const CURRENT: Version = Version { major: 0, minor: 2 };
 
-    /// A version as written, such as `0.2`; a third number is of no concern.
+    /// Reads a version such as `0.2`; a third number is ignored.
     pub fn parse(text: &str) -> Option<Version> {
         let mut parts = text.split('.').map(|part| part.parse::<u32>().ok());
         Some(Version {
@@ -51,10 +51,10 @@ impl fmt::Display for Version {
     }
 }
 
-/// Versions that have a list of what they did otherwise, each with its file and the folder of its shipped cases.
+/// Earlier versions with a list of differences, each with its file and the folder of its shipped cases.
 const EARLIER: [(Version, &str, &str); 1] = [(Version::FIRST, "versions/0.1.toml", "cases/0.1")];
 
-/// What a version did otherwise.
+/// Differences of an earlier version from this one.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Changes {
@@ -75,7 +75,7 @@ struct OldDefault {
     key: String,
     was: String,
     now: Option<String>,
-    /// Where the old default is still good; everywhere when absent.
+    /// Cases in which the old default is still valid; all cases if absent.
     #[serde(rename = "where")]
     only: Option<Place>,
 }
@@ -94,13 +94,13 @@ struct Place {
 struct Mended {
     section: String,
     what: String,
-    /// Where it shows; everywhere when absent.
+    /// Cases that it affects; all cases if absent.
     #[serde(rename = "where")]
     only: Option<Place>,
 }
 
 impl Mended {
-    /// Whether a fault that was mended shows in a case.
+    /// Whether a corrected fault affects a case.
     fn concerns(&self, case: &Case) -> bool {
         let there = |Place { key, values }: &Place| {
             let text = case.text(key);
@@ -110,16 +110,16 @@ impl Mended {
     }
 }
 
-/// A case that keeps what its version gave, and remarks on that.
+/// A case that keeps the defaults of its version, with remarks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BroughtUp {
     /// The case, of this version.
     pub case: Case,
-    /// Old defaults that were written into it, and faults that were mended since.
+    /// Findings on old defaults written into the case, and on faults corrected since.
     pub remarks: Vec<String>,
 }
 
-/// A shipped case as a version had it, such as `galahad`.
+/// A shipped case, such as `galahad`, as it was in a version.
 pub fn shipped(version: Version, id: &str) -> Option<Case> {
     let now = format!("cases/{id}.toml");
     let text = EARLIER
@@ -130,7 +130,7 @@ pub fn shipped(version: Version, id: &str) -> Option<Case> {
     Case::from_toml(text).ok()
 }
 
-/// What all versions from this one on did otherwise, the oldest first: a default that changed twice is taken from it.
+/// Differences of all versions from `version` on, the oldest first: a default that changed twice is taken from the oldest.
 fn since(version: Version) -> Vec<(Version, Changes)> {
     EARLIER
         .iter()
@@ -170,7 +170,7 @@ fn preset(key: &str) -> String {
     }
 }
 
-/// Sections that concern a case only when it has them.
+/// Sections that affect a case only if it contains them.
 const OPTIONAL_SECTIONS: [&str; 3] = ["design", "vehicle", "outline"];
 
 impl Case {
@@ -197,13 +197,13 @@ impl Case {
         })
     }
 
-    /// The case as its program meant it: what it leaves open keeps the defaults of `version`.
+    /// The case with the defaults of `version` for the inputs that it leaves open.
     #[must_use]
     pub fn brought_up_from(self, version: Version) -> BroughtUp {
         brought_up(self, &since(version))
     }
 
-    /// A note on each default that changed since the case was written and that it leaves open.
+    /// Findings on each default that changed since the case was written and that it leaves open.
     pub fn version_note(&self) -> Option<Finding> {
         note(self, &since(self.version))
     }

@@ -83,7 +83,7 @@ pub(super) fn unknown_key(key: &str) -> String {
     }
 }
 
-/// The name with the smallest edit distance, if that is below half of its length; a text that is too long is no misspelling.
+/// Name with the smallest edit distance, if that is below half of its length; none for a text that is too long.
 pub(super) fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     if wanted.len() > SHOWN_MAX {
         return None;

@@ -8,7 +8,7 @@ use std::fmt::Write;
 impl Case {
     /// Keys that are given with the place where each is written, known ones first in the order of the list, then the others.
     ///
-    /// A name that shares its key with a section stands in the section: `vehicle.aerodynamics.name`.
+    /// A name that shares its key with a section is written in the section: `vehicle.aerodynamics.name`.
     fn ordered(&self) -> Vec<(Place, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
         let is_known = |key: &str| inputs().any(|input| input.key == key);
@@ -36,7 +36,7 @@ impl Case {
     fn place(&self, key: &str) -> Place {
         let named = |key: &str| self.holds_below(key) && is_named_in_section(key);
         let mut above = key.match_indices('.').filter_map(|(end, _)| key.get(..end));
-        // what is a value of its own cannot be a section as well
+        // a key with a value cannot be a section as well
         let below_a_value = above.any(|above| self.values.contains_key(above) && !named(above));
         let key = if named(key) {
             format!("{key}.name")
@@ -52,7 +52,7 @@ impl Case {
                     name: name.to_string(),
                 }
             }
-            // quoted as a whole it stands for itself: its parts may be empty, or hold what a bare key may not
+            // quoted as a whole it is unambiguous: its parts may be empty, or contain characters not allowed in a bare key
             _ => Place {
                 section: String::new(),
                 name: key,
@@ -93,7 +93,7 @@ impl Case {
         for (section, lines) in sections {
             match phase_number(section) {
                 Some(number) => {
-                    // Phases that nothing is given for keep their place.
+                    // Phases without inputs keep their place.
                     let before = number.saturating_sub(phases);
                     text.push_str(&format!("\n[[{SECTION}]]\n").repeat(before));
                     text.push_str(&lines);
@@ -140,7 +140,7 @@ impl Case {
     }
 }
 
-/// Where a key is written: its section, empty for none, and its name there.
+/// Place at which a key is written: its section, empty for none, and its name there.
 struct Place {
     section: String,
     name: String,
@@ -163,13 +163,13 @@ fn is_named_in_section(key: &str) -> bool {
     find(&format!("{key}.name")).is_some_and(|input| input.key == key)
 }
 
-/// Whether a section lies beside or below the list of phases.
+/// Whether a section begins like the list of phases but belongs to no phase.
 fn is_odd_phase(section: &str) -> bool {
     let first = section.split('.').next();
     first == Some(SECTION) && phase_number(section).is_none()
 }
 
-/// The number of the phase that a section is of.
+/// Number of the phase to which a section belongs.
 fn phase_number(section: &str) -> Option<usize> {
     let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
     let index: usize = number.parse().ok()?;

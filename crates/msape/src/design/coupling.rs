@@ -1,8 +1,8 @@
-//! The answer of a design: the vehicle on which the passes settle, or why there is none.
+//! The answer of a design: the vehicle to which the passes converge, or the reason why there is none.
 //!
 //! # Valid
 //! Always ends: converged, not converged after the last pass, not closed, with a flight that leaves the atmosphere, or a table
-//! beyond which the case refuses to go on, or given up at a limit of work or where a number is not finite.
+//! beyond which the case does not allow extrapolation, or given up at a limit of work or where a number is not finite.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12.
@@ -34,8 +34,8 @@ pub struct Coupled<'a> {
 
 /// Designs a vehicle, from the numbers of another design where they are given.
 ///
-/// With a start the passes end at the same vehicle to within the criterion; where they do not settle from it, they begin anew from
-/// the guesses of the input. Who watches hears after each pass, and may end it there.
+/// With a start the passes end at the same vehicle to within the criterion; where they do not converge from it, they restart from
+/// the guesses of the input. The observer is called after each pass and may stop the passes there.
 pub fn solve<'a>(
     input: &'a DesignInput,
     start: Option<&Start>,
@@ -69,7 +69,7 @@ impl Coupled<'_> {
         }
     }
 
-    /// How it ended.
+    /// Outcome: how the passes ended.
     pub fn outcome(&self) -> Outcome {
         match &self.searched.run.end {
             End::Vehicle(made) => made.outcome,
@@ -98,12 +98,12 @@ impl Coupled<'_> {
         &self.searched.run.passes
     }
 
-    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    /// Start for the passes of a neighbor; `None` if these passes did not converge.
     pub fn start(&self) -> Option<Start> {
         self.searched.run.start()
     }
 
-    /// The solution: remarks, landing, and the time history of the flight as asked for.
+    /// The solution: remarks, landing, and the time history of the flight if requested.
     pub fn solution(self, request: Request) -> Solution {
         let remark = self.searched.remark();
         let Searched { run, heavier, .. } = self.searched;

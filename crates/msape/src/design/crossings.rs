@@ -1,4 +1,4 @@
-//! What crosses between the modules: the entries of the design structure matrix off its diagonal.
+//! Values passed between the modules: the entries of the design structure matrix off its diagonal.
 //!
 //! # References
 //! - \[samareh-2014\] Figure 4.
@@ -9,7 +9,7 @@ use crate::quantity::Module;
 use crate::units::Dimension;
 use crate::vehicle::Vehicle;
 
-/// A pass, as far as its modules give values to others.
+/// Data of a pass from which the modules give values to others.
 pub(super) struct Crossed<'a> {
     pub(super) vehicle: &'a Vehicle,
     pub(super) flown: &'a Flown,
@@ -23,22 +23,22 @@ impl Crossed<'_> {
     }
 }
 
-/// A value that one module gives to others.
+/// Value that one module gives to others.
 #[derive(Clone, Copy)]
 pub struct Crossing {
     /// Key with its SI unit.
     pub key: &'static str,
-    /// What it is.
+    /// Label.
     pub label: &'static str,
-    /// What it measures.
+    /// Physical dimension.
     pub dimension: Dimension,
     /// Symbol of the unit shown by default.
     pub unit: &'static str,
-    /// Module that gives it.
+    /// Module that computes the value.
     pub from: Module,
-    /// Modules that take it.
+    /// Modules that use the value.
     pub to: &'static [Module],
-    /// Takes it out of a pass.
+    /// Function that returns the value in a pass.
     get: fn(&Crossed) -> f64,
 }
 

@@ -4,14 +4,14 @@ use crate::aero::DragTable;
 use crate::aero::standard::{AeroBody, AxialForces};
 use crate::vehicle::Vehicle;
 
-/// Where the drag of a design comes from; below Mach 0.5 it is a number of the case either way.
+/// Source of the drag of a design; below Mach 0.5 it is always a number of the case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DesignDrag {
     /// A table, whatever the outline.
     Table(DragTable),
     /// Computed from the outline.
     Outline {
-        /// With these.
+        /// Axial forces of the outline.
         forces: AxialForces,
         /// Coefficient below Mach 0.5.
         subsonic: f64,
@@ -57,7 +57,7 @@ mod tests {
                 / vehicle.mass.mass_kg
                 / flight.peak_deceleration_earth_g.value
         };
-        // dynamic pressure that a load takes goes with 1 / C_A
+        // the dynamic pressure at a given load is proportional to 1 / C_A
         let own = entry_load("45", "outline") / entry_load("60", "outline");
         let table = entry_load("45", "mmeev-60") / entry_load("60", "mmeev-60");
         assert!(own > 1.25 && own < 1.5, "{own}");

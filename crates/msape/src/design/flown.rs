@@ -17,7 +17,7 @@ pub(super) struct Flown {
     pub(super) outcome: Outcome,
     pub(super) reason: Option<String>,
     pub(super) terminal_speed_m_s: f64,
-    /// Whether it ended where the case asks for.
+    /// Whether the flight ended where the case asks for.
     pub(super) came_down: bool,
     /// Speed at impact, or the terminal speed where the flight does not come down.
     pub(super) impact_speed_m_s: f64,
@@ -59,7 +59,7 @@ impl Flown {
         }
     }
 
-    /// Gives up the flight for a number, by its name, that is not finite.
+    /// Gives up the flight because the named number is not finite.
     pub(super) fn give_up(&mut self, name: &str) {
         // a flight that was given up has the first of the reasons
         if self.outcome != Outcome::GaveUp {
@@ -68,7 +68,7 @@ impl Flown {
         }
     }
 
-    /// The remark on a vehicle whose flight ends in time above its final altitude: asked for, and no touchdown.
+    /// Finding on a flight that the time limit ends above its final altitude: as requested, but without touchdown.
     pub(super) fn ended_in_time(&self, mission: &Mission) -> Option<Finding> {
         let end_m = mission.stop.altitude_m.unwrap_or(0.0);
         let height_m = self.flight.final_altitude_m;
@@ -90,7 +90,7 @@ impl Flown {
         })
     }
 
-    /// A flight that leaves the atmosphere, ends on the way or is given up: nothing can be sized for it.
+    /// End of the passes for a flight that leaves the atmosphere, ends on the way or is given up: no vehicle can be sized for it.
     pub(super) fn departed(
         self,
         input: &DesignInput,

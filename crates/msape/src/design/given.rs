@@ -7,8 +7,8 @@
 //! with thicknesses t in m, the payload's temperature T in K and masses m of components in kg, before the margin.
 //!
 //! # Valid
-//! A given result is taken; the model that it replaces is told beside it. A component of given mass keeps the shape that the rules give
-//! it.
+//! A given result is used; that of the model it replaces is reported with it. A component of given mass keeps the shape that the
+//! rules give it.
 //!
 //! # References
 //! - \[samareh-2014\] section 1: hooks to higher fidelity.
@@ -148,7 +148,7 @@ mod tests {
         let design = answer.design.as_ref().unwrap();
         let depths = design.vehicle.layout.depths;
         assert_eq!((depths.forebody_tps_m, depths.aftbody_tps_m), (0.03, 0.03));
-        // Table 7 asks for about 4.5 cm of PICA here: both numbers are told
+        // Table 7 requires about 4.5 cm of PICA here: both numbers are reported
         let asked_m = design.forebody_tps.asked_m;
         assert!(asked_m > 0.04 && asked_m < 0.05, "{asked_m}");
         let thin = said(&answer, "forebody_tps_thickness_m");

@@ -1,4 +1,4 @@
-//! Everything that a design is made from, checked.
+//! Checked inputs of a design.
 
 use crate::aero::Drag;
 use crate::design::drag::DesignDrag;
@@ -12,7 +12,7 @@ use crate::tps::fit_space::FitSpace;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{Vehicle, VehicleInput};
 
-/// Results that the user gives in the place of models.
+/// Results that the user gives instead of models.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Given {
     /// Thickness of the forebody's heat shield, m.
@@ -30,7 +30,7 @@ pub struct DesignInput {
     pub mission: Mission,
     /// The vehicle; its heat-shield thicknesses and loads are first guesses, which the passes replace.
     pub vehicle: VehicleInput,
-    /// Results that the user gives in the place of models.
+    /// Results that the user gives instead of models.
     pub given: Given,
     /// Heat-shield material of the forebody.
     pub forebody_material: TpsMaterial,
@@ -40,24 +40,24 @@ pub struct DesignInput {
     pub soak: SoakCorrelation,
     /// Trajectory space of the mass-estimating relations.
     pub fit_space: FitSpace,
-    /// What the aftbody gets of the forebody's environment.
+    /// Environment of the aftbody as fractions of that of the forebody.
     pub afterbody: Afterbody,
-    /// What the shoulder gets of the stagnation point's heating.
+    /// Heating of the shoulder relative to that of the stagnation point.
     pub shoulder: Shoulder,
-    /// Where the forebody's heat shield is judged.
+    /// Point at which the forebody's heat shield is sized.
     pub judged_at: JudgedAt,
     /// Drag coefficient against Mach number.
     pub drag: DesignDrag,
     /// Estimated distance of the entry mass from its fixed point below which a design is converged, kg.
     pub mass_criterion_kg: f64,
-    /// Passes after which an answer is given as it is.
+    /// Largest number of passes; after it the answer is given without convergence.
     pub max_iterations: u32,
     /// Fraction of a change that a pass applies where earlier passes do not yet explain it.
     pub relaxation: f64,
 }
 
 impl DesignInput {
-    /// A vehicle as flight sees it; `before` is what it was in the pass before, whose tables serve again.
+    /// Body of a vehicle for the flight; `before` is that of the pass before, whose tables are used again.
     pub fn body(&self, vehicle: &Vehicle, before: Option<Body>) -> Body {
         let drag = match (before, &self.drag) {
             (Some(Body { drag, .. }), DesignDrag::Table(_)) => drag,

@@ -1,18 +1,18 @@
-//! The lighter of two vehicles that both carry themselves at one diameter, and the smallest diameter at which it does.
+//! The lighter of two vehicles that both close at one diameter, and the smallest diameter at which it does.
 //!
 //! ```text
-//! heavy: grown from the diameter asked for, or outgrown every diameter     at D₁, with M₁
+//! heavy: grown from the requested diameter, or outgrown every diameter     at D₁, with M₁
 //! light: the passes at D₁ itself, from the first guesses                   M < 0.99 M₁, not grown
-//! D:     halved between nothing and the largest allowed, while the light vehicle of the next larger D leads to one at D
+//! D:     bisected between 0 and the largest allowed, while the light vehicle of the next larger D leads to one at D
 //! ```
 //!
-//! A vehicle that grows starts small and dense, with the loads and heat shields of that; where these make a vehicle that asks
-//! for as much again, the passes settle there, though at the same diameter a vehicle of half the mass would carry itself.
-//! The diameters D are the same whatever was asked for, and so is the vehicle found.
+//! A vehicle that grows starts small and dense, with the corresponding loads and heat shields; where these lead to a vehicle that
+//! requires them again, the passes converge there, though at the same diameter a vehicle of half the mass would close, too.
+//! The diameters D do not depend on the requested one, and neither does the vehicle found.
 //!
 //! # Valid
-//! Two vehicles whose masses differ by less than a hundredth are taken as one. The smallest diameter is found to 2⁻¹⁵ of the
-//! largest allowed. There the light vehicle ends: below it, each asks for a heavier one.
+//! Two vehicles whose masses differ by less than 1 % count as one. The smallest diameter is found to 2⁻¹⁵ of the
+//! largest allowed. There the light vehicle ends: below it, each pass requires a heavier one.
 
 use super::inputs::DesignInput;
 use super::passes::{Cut, End, Made, Run, Way, Work, run};
@@ -21,37 +21,38 @@ use crate::finding::{Adjustment, Finding, Severity};
 use crate::quantity::input;
 use crate::vehicle::{PayloadSize, Vehicle};
 
-/// Masses closer than this part of each other are of one vehicle: assumed, between one vehicle found twice, which differs by its mass
+/// Relative difference below which two masses are of one vehicle: assumed, between a vehicle found twice, which differs by its mass
 /// criterion, and two, of which one was found to have 450 kg and the other 957 kg.
 const SAME: f64 = 0.01;
 
 /// Halvings of the largest diameter, assumed: of the report's 2 m 0.06 mm are left, within its 0.1 mm of section 3.1.2.
 const HALVINGS: usize = 15;
 
-/// Passes allowed at each diameter, if not more are asked for: assumed. Where the light vehicle ends they settle slowly.
+/// Passes allowed at each diameter, unless the case allows more: assumed. Where the light vehicle ends they converge slowly.
 const MOST_PASSES: u32 = 200;
 
-/// What was found beside the vehicle of the first passes.
+/// Result of the search for a lighter vehicle.
 #[derive(Debug)]
 pub(super) struct Searched<'a> {
-    /// The vehicle that answers.
+    /// Passes of the vehicle that is the answer.
     pub(super) run: Run<'a>,
-    /// The heavier vehicle, where it is not that one.
+    /// The heavier vehicle, if the answer is a lighter one.
     pub(super) heavier: Option<Heavier>,
-    /// Why the search was cut short, where it was.
+    /// Reason why the search was cut short, if it was.
     pub(super) cut: Option<Cut>,
 }
 
-/// A heavier vehicle that answers, too.
+/// A heavier vehicle that satisfies the case, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Heavier {
     /// Diameter from which it was grown, m.
     asked_m: f64,
-    /// Diameter, m, and mass, kg, on which it settles; absent where it outgrows every diameter allowed.
+    /// Diameter, m, and mass, kg, to which it converges; absent where it outgrows every diameter allowed.
     settled: Option<[f64; 2]>,
 }
 
-/// The lighter vehicle than the one that the passes found, where it had to grow or closes at no diameter, else what they found.
+/// A lighter vehicle than that found by the passes, if that had to grow or closes at no diameter; otherwise the result of the
+/// passes.
 /// `work` as in [`run`].
 pub(super) fn than<'a>(input: &DesignInput, found: Run<'a>, work: &mut Work) -> Searched<'a> {
     let settled = found.converged().map(|made| {
@@ -100,7 +101,7 @@ fn search(
     let asked_m = input.vehicle.diameter_m;
     let largest_m = input.vehicle.rules.diameter_max_m;
     let mut input = input.clone();
-    // a payload that is a part of the diameter asked for stays as large
+    // a payload that is a part of the requested diameter stays as large
     input.vehicle.payload_size = PayloadSize::DiameterM(input.vehicle.payload_diameter_m());
     input.max_iterations = input.max_iterations.max(MOST_PASSES);
     let mut light_at = |diameter_m: f64, from: Option<Numbers>| {
@@ -166,7 +167,7 @@ impl Searched<'_> {
 }
 
 impl Heavier {
-    /// Says of the lighter vehicle of what it was made: grown from the diameter asked for, and beside which heavier one.
+    /// Adds the origin of the lighter vehicle to its remarks: grown from the requested diameter, and the heavier alternative.
     pub(super) fn explain(&self, vehicle: &mut Vehicle) {
         let asked_m = self.asked_m;
         let diameter_m = vehicle.dimensions.diameter_m;

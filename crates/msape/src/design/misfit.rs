@@ -1,4 +1,4 @@
-//! Why a vehicle does not close, told at the inputs that mend it.
+//! Reasons why a vehicle does not close, reported at the inputs that mend it.
 
 use crate::finding::{Finding, Severity};
 use crate::quantity::input;
@@ -15,7 +15,7 @@ fn payload_key(size: PayloadSize) -> &'static str {
     }
 }
 
-/// Keys of the inputs between which a misfit lies.
+/// Keys of the inputs that cause a misfit.
 fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     let payload = payload_key(input.payload_size);
     match misfit {
@@ -39,7 +39,7 @@ fn fields(misfit: &Misfit, input: &VehicleInput) -> Vec<&'static str> {
     }
 }
 
-/// A finding for each input between which the misfit at the diameter asked for lies.
+/// Findings on the misfit at the requested diameter, one for each input that causes it.
 pub fn findings(not_closed: &NotClosed, input: &VehicleInput) -> Vec<Finding> {
     let Some(misfit) = &not_closed.at_input else {
         return Vec::new();

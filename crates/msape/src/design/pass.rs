@@ -4,7 +4,7 @@ use super::crossings::CROSSINGS;
 use crate::flight::mission::Model;
 use serde::{Deserialize, Serialize};
 
-/// One pass of the coupling through the modules.
+/// A pass of the coupling through the modules.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pass {
     /// Number of the pass, from 1.
@@ -17,7 +17,7 @@ pub struct Pass {
     pub mass_kg: f64,
     /// Change of the entry mass since the pass before, kg; absent in the first.
     pub mass_change_kg: Option<f64>,
-    /// Estimated distance of the entry mass from its fixed point, kg; absent while no two passes tell it.
+    /// Estimated distance of the entry mass from its fixed point, kg; absent until two passes allow an estimate.
     #[serde(default)]
     pub mass_distance_kg: Option<f64>,
 }

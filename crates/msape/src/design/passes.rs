@@ -7,15 +7,15 @@
 //!
 //! with x the entry load, stagnation pressure, speed at impact and both heat-shield thicknesses; f runs through geometry,
 //! mass, impact and structure, then flight, heating, soak and heat shield; ω the relaxation, M the entry mass in kg, Δ the
-//! last two steps and γ their parts ([`numerics::fixed_point`]). Σ γⱼ ΔMⱼ is how far the mass stands from its fixed point
-//! as the last steps tell it; u is the largest part of a coupling number that they leave unexplained, s the steepest
-//! change of the mass for such a part that they saw.
+//! last two steps and γ their weights ([`numerics::fixed_point`]). Σ γⱼ ΔMⱼ is the distance of the mass from its fixed point
+//! estimated from the last steps; u is the largest part of a coupling number that they leave unexplained, s the steepest
+//! change of the mass with such a part in these steps.
 //!
 //! The answer's walls, foam and heat shields are made for the flight that it prints. That flight was flown by the vehicle
-//! before, whose mass differs by less than the criterion: the one place where two passes meet.
+//! before, whose mass differs by less than the criterion: the only place where the answer combines two passes.
 //!
-//! They begin with the guesses of the input, or with numbers that earlier ones found. What a step did is remembered apart for vehicles
-//! of the diameter asked for and for those that had to grow: where growth begins f has a kink.
+//! They begin with the guesses of the input, or with numbers that earlier ones found. Steps are remembered separately for vehicles
+//! of the requested diameter and for those that had to grow: where growth begins f has a kink.
 //!
 //! # References
 //! - \[samareh-2014\] section 2.2, steps 4 to 12; \[anderson-1965\].
@@ -33,21 +33,21 @@ use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
 use numerics::fixed_point::Anderson;
 use std::borrow::Cow;
 
-/// The closed form is left when a pass changes the mass by less than this part of it.
+/// Relative change of the mass in a pass below which the integrated flight replaces the closed form.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
 
-/// Accuracy of a flight, as a part of what the criterion is of the mass: the numbers of a pass scatter by as much.
+/// Accuracy of a flight, as a fraction of the relative mass criterion: the numbers of a pass scatter by as much.
 const FLIGHT_PART: f64 = 0.05;
-/// Finest tolerance of a flight: below it the steps meet rounding.
+/// Smallest tolerance of a flight: below it rounding limits the steps.
 const FINEST_TOLERANCE: f64 = 1e-10;
 
 /// Work after which a design is given up, in evaluations of the equations of motion, assumed: the default of twenty passes, each with
 /// a flight of the classical method at its own limit, is 16 million.
 pub(super) const MOST_WORK: u64 = 20_000_000;
-/// Work of a pass beside its flight, in evaluations: geometry, masses and heat shields.
+/// Work of a pass in addition to its flight, in evaluations: geometry, masses and heat shields.
 pub(super) const WORK_OF_PASS: u64 = 10_000;
 
-/// Work of all passes of a design, in evaluations of the equations of motion, and who watches it.
+/// Work of all passes of a design, in evaluations of the equations of motion, with their observer.
 pub(super) struct Work<'a> {
     done: u64,
     most: u64,
@@ -56,11 +56,11 @@ pub(super) struct Work<'a> {
     is_stopped: bool,
 }
 
-/// Passes after which half is told to be done, assumed: how many it takes is not known before.
+/// Passes after which progress is reported as one half, assumed: the number needed is not known before.
 const HALF_DONE: f64 = 5.0;
 
 impl<'a> Work<'a> {
-    /// None yet, of as much at most.
+    /// No work done yet, with an upper limit.
     pub(super) fn up_to(most: u64, progress: &'a mut dyn Progress) -> Work<'a> {
         Work {
             done: 0,
@@ -71,7 +71,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// The work done, with so much more allowed.
+    /// The work done, with an additional allowance.
     #[cfg(test)]
     pub(super) fn with_limit(self, more: u64) -> Work<'a> {
         Work {
@@ -80,7 +80,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Takes in a pass and tells who watches.
+    /// Records a pass and reports it to the observer.
     fn add(&mut self, evaluations: u64) {
         self.done += WORK_OF_PASS + evaluations;
         self.passes += 1;
@@ -89,12 +89,12 @@ impl<'a> Work<'a> {
         self.is_stopped |= told.is_break();
     }
 
-    /// Whether the limit is reached, or who watches has stopped it.
+    /// Whether the limit is reached, or the observer has stopped the passes.
     pub(super) fn is_spent(&self) -> bool {
         self.is_stopped || self.done >= self.most
     }
 
-    /// Why no more is done, where that is so.
+    /// Reason to stop the passes, if there is one.
     pub(super) fn end(&self) -> Option<Cut> {
         match self.is_stopped {
             true => Some(Cut::Stopped),
@@ -103,17 +103,17 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Why passes were cut short.
+/// Reason why passes were cut short.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cut {
-    /// At a limit of work, in evaluations of the equations of motion.
+    /// The limit of work was reached, in evaluations of the equations of motion.
     Work(u64),
-    /// By who watches.
+    /// The caller stopped the passes.
     Stopped,
 }
 
 impl Cut {
-    /// It in a part of a sentence.
+    /// The reason as part of a sentence.
     pub(super) fn reason(self) -> String {
         match self {
             Cut::Work(most) => format!(
@@ -135,7 +135,7 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// The same with an input of its own.
+    /// This run with an owned input.
     pub(super) fn into_owned(self) -> Run<'static> {
         Run {
             input: Cow::Owned(self.input.into_owned()),
@@ -145,7 +145,7 @@ impl Run<'_> {
         }
     }
 
-    /// Where the passes of a neighbour may begin; absent where these did not settle.
+    /// Start for the passes of a neighbor; `None` if these passes did not converge.
     pub(super) fn start(&self) -> Option<Start> {
         let numbers = self.converged()?.numbers();
         let mut memories = self.memories.clone();
@@ -153,7 +153,7 @@ impl Run<'_> {
         Some(Start { numbers, memories })
     }
 
-    /// The vehicle on which the passes settled.
+    /// Vehicle to which the passes converged.
     pub(super) fn converged(&self) -> Option<&Made> {
         match &self.end {
             End::Vehicle(made) if made.outcome == Outcome::Converged => Some(made),
@@ -165,7 +165,7 @@ impl Run<'_> {
 /// How passes ended.
 #[derive(Debug)]
 pub(super) enum End {
-    /// A vehicle was made for its flight, settled or not.
+    /// A vehicle was designed for its flight, converged or not.
     Vehicle(Box<Made>),
     /// The flight leaves the atmosphere or a table, or was given up.
     Departed { body: Body, flown: Box<Flown> },
@@ -184,7 +184,7 @@ pub(super) struct Made {
 }
 
 impl Made {
-    /// The numbers that couple its passes.
+    /// Coupling numbers of the vehicle.
     pub(super) fn numbers(&self) -> Numbers {
         found(&self.flown, &self.sized)
     }
@@ -195,9 +195,9 @@ impl Made {
 pub(super) struct Way<'a> {
     /// Numbers of the first pass; the guesses of the input if absent.
     pub(super) from: Option<Numbers>,
-    /// What the passes of a neighbour have taught.
+    /// Memory of the acceleration from the passes of a neighbor.
     pub(super) taught: Option<&'a Memories>,
-    /// Only a vehicle of the diameter asked for, and lighter than this, counts, kg: passes to another are cut short, not converged.
+    /// Largest mass of an acceptable vehicle of the requested diameter, kg: passes that lead to another vehicle are cut short.
     pub(super) as_asked_below_kg: Option<f64>,
 }
 
@@ -211,7 +211,7 @@ pub(super) fn run<'a>(input: &'a DesignInput, way: Way, work: &mut Work) -> Run<
     if let Some(numbers) = way.from {
         take(&mut vehicle_input, numbers);
     }
-    // a step beyond what a pass found may lead where no vehicle closes; the acceleration goes as far as the passes say
+    // a step beyond the result of a pass may lead to where no vehicle closes: only the acceleration goes further
     let mut memories = way.taught.cloned().unwrap_or_else(|| {
         let memory = Anderson::new(input.relaxation.min(1.0));
         [memory.clone(), memory]
@@ -351,7 +351,7 @@ fn taken(vehicle: &VehicleInput) -> Numbers {
     ]
 }
 
-/// Gives a vehicle other coupling numbers.
+/// Replaces the coupling numbers of a vehicle.
 pub(super) fn take(vehicle: &mut VehicleInput, numbers: Numbers) {
     [
         vehicle.loads.entry_load_earth_g,

@@ -14,7 +14,7 @@ use crate::vehicle::Vehicle;
 pub(super) struct Sized {
     /// The stagnation point, from which the other points follow.
     pub(super) stagnation: Environment,
-    /// The point of the forebody at which its heat shield is judged.
+    /// Point of the forebody at which its heat shield is sized.
     pub(super) environment: Environment,
     /// The hottest point off the stagnation point.
     pub(super) off: OffStagnation,
@@ -26,7 +26,7 @@ pub(super) struct Sized {
 }
 
 impl Sized {
-    /// The heat shields that a flight asks for.
+    /// The heat shields that a flight requires.
     pub(super) fn new(input: &DesignInput, vehicle: &Vehicle, flown: &Flown) -> Sized {
         let flight = &flown.flight;
         let stagnation = Environment {
@@ -73,7 +73,7 @@ impl Sized {
         }
     }
 
-    /// A result that is not a finite number, by its name.
+    /// Name of a result that is not a finite number.
     pub(super) fn not_finite(&self) -> Option<&'static str> {
         let named = [
             ("peak heat flux", self.stagnation.peak_heat_flux_w_m2),
@@ -105,7 +105,7 @@ fn of_points(flight: &Flight, stagnation: &Environment) -> OffStagnation {
     }
 }
 
-/// One over the other; 0 where that is 0.
+/// Ratio of `value` to `of`; 0 if `of` is 0.
 fn ratio(value: f64, of: f64) -> f64 {
     if of > 0.0 { value / of } else { 0.0 }
 }

@@ -1,4 +1,4 @@
-//! Which way a designed vehicle flies of itself: static margin and trims of its outline about its centre of gravity.
+//! Static stability of a designed vehicle: static margin and trims of its outline about its center of gravity.
 //!
 //! ```text
 //! nose first: margin > 0;   another stable trim: the vehicle may stay there
@@ -25,7 +25,7 @@ pub fn of_vehicle(vehicle: &Vehicle, heat_capacity_ratio: f64) -> Option<Stabili
     Stability::new(&AeroBody::of_vehicle("", vehicle), heat_capacity_ratio)
 }
 
-/// Margins and trims, a vehicle that turns away from nose first, and one that has another way to fly.
+/// Findings on margins and trims, on a vehicle that is unstable nose first, and on one with another stable trim.
 pub fn findings(stability: &Stability) -> Vec<Finding> {
     let regimes = [
         (

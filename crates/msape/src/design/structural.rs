@@ -1,4 +1,4 @@
-//! The structure of a converged design: what every rule says, and the shell model beside it.
+//! The structure of a converged design: the results of every rule, and those of the shell model.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.6.
@@ -23,9 +23,9 @@ pub struct Structural {
     pub shell: Option<CarrierAnalysis>,
 }
 
-/// A margin that is nought but for rounding.
+/// Margin of safety that is zero within rounding.
 const ROUNDING: f64 = 1e-6;
-/// Part by which the deceleration of the shell model may differ from that of the flight before it is told.
+/// Relative difference between the decelerations of shell model and flight above which it is reported.
 const LOAD_DIFFERENCE: f64 = 0.15;
 
 impl Structural {
@@ -54,7 +54,7 @@ impl Structural {
         }
     }
 
-    /// The check of a wall with the least margin, gauge left out.
+    /// Check of a wall with the least margin, minimum gauge left out.
     pub fn critical(&self, wall: WallPlace) -> Option<&Check> {
         let of_wall = |check: &&Check| check.wall == wall && check.rule != Rule::MinimumGauge;
         let checks = self.checks.iter().filter(of_wall);
@@ -71,7 +71,7 @@ impl Structural {
             .reduce(f64::min)
     }
 
-    /// What governs, what fails, and where the two levels disagree.
+    /// Findings on the governing rule of each wall, on negative margins, and on disagreement between rules and shell model.
     pub fn findings(&self, structure: &Structure, flight: &Flight) -> Vec<Finding> {
         let mut list = vec![self.governing(structure)];
         list.extend(
@@ -97,7 +97,7 @@ impl Structural {
         ];
         let of_wall = walls.map(|(place, name, wall)| {
             let margin = self.critical(place).map_or(String::new(), |check| {
-                // a wall that a rule sized has a margin of nought but for rounding
+                // the margin of a wall sized by a rule is zero within rounding
                 format!(
                     " (least margin of safety {:+.2}, {})",
                     check.margin + ROUNDING,
@@ -118,7 +118,7 @@ impl Structural {
         }
     }
 
-    /// The part that the shell model finds too weak, with what the conceptual level says of its wall.
+    /// Finding on a part that the shell model finds too weak, with the result of the conceptual level for its wall.
     fn overstressed(&self, case: &CaseStress, name: &str) -> Option<Finding> {
         let worst = worst(case).filter(|part| part.least_margin() < 0.0)?;
         let wall = worst.part.wall();

@@ -1,4 +1,4 @@
-//! Ranges in data files, and the finding that is due where a value lies outside.
+//! Ranges in data files, and the findings on values outside them.
 
 use super::{Finding, Severity};
 use serde::{Deserialize, Serialize};
@@ -53,12 +53,12 @@ impl Range {
     }
 }
 
-/// One comparison of a value with a range, all in the unit of the source.
+/// A comparison of a value with a range, all in the unit of the source.
 #[derive(Clone, Copy, Debug)]
 pub struct Check<'a> {
-    /// How much it matters when the value is outside.
+    /// Severity of a value outside the range.
     pub severity: Severity,
-    /// The model that speaks.
+    /// Model that the finding is about.
     pub model: &'a str,
     /// Key of the quantity.
     pub key: &'a str,
@@ -70,13 +70,13 @@ pub struct Check<'a> {
     pub range: Range,
     /// The unit of both.
     pub unit: &'a str,
-    /// One such unit in SI (1 for degrees).
+    /// Value of the unit in SI (1 for degrees).
     pub si_per_unit: f64,
-    /// What it means to be outside; ends the sentence.
+    /// Consequence of a value outside the range, as the end of the sentence.
     pub meaning: &'a str,
-    /// Where the range comes from.
+    /// Source of the range.
     pub source: &'a str,
-    /// Key of the input that mends it.
+    /// Key of the input that removes the cause.
     pub field: Option<&'a str>,
 }
 

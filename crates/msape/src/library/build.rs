@@ -1,5 +1,5 @@
-//! Builds a library: what data files name of each other is looked up here, once, so that a checked case cannot meet a name that
-//! nothing has.
+//! Builds a library: references between data files are resolved here, once, so that a checked case cannot contain an unknown
+//! name.
 
 use super::read::{Files, RELATIONS, Relation};
 use super::{DataError, HeatingModels, Library, Named, Stack, World, named};
@@ -203,7 +203,7 @@ fn concepts(
     stacks
 }
 
-/// What a file names, or a fault that says what there is.
+/// Item of a list that a file names; otherwise a fault that lists the names there are.
 fn find<'l, T>(
     files: &mut Files,
     file: &str,

@@ -4,11 +4,11 @@
 /// Paths below `data`, and texts.
 type Files = &'static [(&'static str, &'static str)];
 
-/// What a library is made of, as the build reads it.
+/// Files of the library, as converted by the build script.
 pub(super) static SHIPPED: Files = include!(concat!(env!("OUT_DIR"), "/shipped_files.rs"));
-/// Texts of the same.
+/// Texts of the files of the library.
 static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
-/// Shipped cases, and what versions of them did otherwise.
+/// Shipped cases, and the defaults of earlier versions.
 static CASES: Files = include!(concat!(env!("OUT_DIR"), "/case_files.rs"));
 /// References; empty without the feature `validation`.
 static VALIDATION: Files = include!(concat!(env!("OUT_DIR"), "/validation_files.rs"));
@@ -26,7 +26,7 @@ pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static
     inside.into_iter().flatten()
 }
 
-/// As [`data_file`], of `cases` and `versions` only.
+/// Text of a file in `cases` or `versions` by its path below `data`.
 pub fn case_file(path: &str) -> Option<&'static str> {
     of(CASES, path)
 }

@@ -3,7 +3,7 @@
 use super::{DataError, Named, files};
 use crate::data::Data;
 
-/// Folders to which a user may add, and what the names of their files end in.
+/// Folders to which a user may add files, and the endings of the file names.
 #[cfg(feature = "own-data")]
 const FOLDERS: [(&str, &str); 8] = [
     ("planets", ".toml"),
@@ -22,13 +22,13 @@ pub(super) const RELATIONS: [&str; 3] = [
     "heating/tauber-sutton",
 ];
 
-/// The files of a library, and what is wrong with them.
+/// The files of a library, and their faults.
 pub(super) struct Files<'f> {
     files: Vec<(&'f str, Data<'f>)>,
     pub faults: Vec<DataError>,
 }
 
-/// What belongs to some planets, and the file that says so.
+/// Data that apply to some planets, and the file that contains them.
 pub(super) struct Relation<T> {
     pub file: String,
     pub planets: Vec<String>,
@@ -47,7 +47,7 @@ impl<'f> Files<'f> {
         }
     }
 
-    /// The same and those of a user.
+    /// These files and those of the user.
     #[cfg(feature = "own-data")]
     pub fn with(mut self, own: &'f [(String, String)]) -> Self {
         for (path, text) in own {
@@ -105,7 +105,7 @@ impl<'f> Files<'f> {
         self.parsed(path, file?.1, &parse)
     }
 
-    /// What the files whose paths begin with `start` hold for some planets each.
+    /// Relations in the files whose paths begin with `start`, each with its planets.
     pub fn relations<T>(
         &mut self,
         start: &str,

@@ -1,4 +1,4 @@
-//! Checks the question for the coefficients of a body: a case with an outline, or a design.
+//! Checks a request for the coefficients of a body: a case with an outline, or a design.
 
 use super::DesignProblem;
 use super::aerodynamics::{Coefficients, Medium, named_drag};
@@ -15,16 +15,16 @@ use crate::quantity::input;
 /// A body and the database of its coefficients.
 pub type BodyCoefficients = (AeroBody, Database);
 
-/// A question for coefficients that was checked.
+/// A checked request for coefficients.
 #[derive(Clone, Debug)]
 pub struct AeroProblem {
     body: Body,
     coefficients: Coefficients,
-    /// What the check remarked.
+    /// Findings of the check.
     pub findings: Vec<Finding>,
 }
 
-/// The body whose coefficients are asked for.
+/// Body whose coefficients are requested.
 #[derive(Clone, Debug)]
 enum Body {
     /// An outline.
@@ -34,7 +34,7 @@ enum Body {
 }
 
 impl Body {
-    /// The largest diameter, m; of a design that which is asked for.
+    /// Largest diameter, m; for a design the requested one.
     fn diameter_m(&self) -> f64 {
         match self {
             Body::Known(body) => body.surface.diameter_m(),
@@ -60,7 +60,7 @@ impl AeroProblem {
                 None
             }
         };
-        // The check of a design has said before what is wrong with the planet.
+        // the check of the design has already reported the faults of the planet
         let medium = match reader.faults.is_empty() {
             true => Medium::of_case(&mut reader, library),
             false => None,
@@ -89,7 +89,7 @@ impl AeroProblem {
     /// Designs the vehicle where there is one to design, and makes its database.
     ///
     /// # Errors
-    /// Why there is no vehicle, or no table at its diameter.
+    /// Reason why there is no vehicle, or no table at its diameter.
     pub fn solve(&self) -> Result<BodyCoefficients, Vec<InputError>> {
         let body = match &self.body {
             Body::Known(body) => body.as_ref().clone(),

@@ -1,4 +1,4 @@
-//! Checks what a case says about coefficients over the angle of attack.
+//! Checks the coefficients over the angle of attack of a case.
 
 use super::forms::{beyond, names};
 use super::planet::{atmosphere, planet};
@@ -22,7 +22,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 const TABLE: &Input = &input::vehicle::AERODYNAMICS_TABLE;
 const DAMPING_TABLE: &Input = &input::vehicle::AERODYNAMICS_DAMPING_TABLE;
 
-/// The air for which coefficients are.
+/// Air to which coefficients apply.
 #[derive(Clone, Debug)]
 pub(super) struct Medium {
     atmosphere: Atmosphere,
@@ -83,7 +83,7 @@ pub(super) fn named_drag(
         .map(Drag::Constant)
 }
 
-/// Coefficients that a case gives to a body, which may not be known yet.
+/// Coefficients that a case gives for a body, which may not be known yet.
 #[derive(Clone, Debug)]
 pub(super) enum Coefficients {
     /// A table of the case.
@@ -220,7 +220,7 @@ impl Rows {
 pub(super) struct OwnTable {
     rows: Rows,
     damping: Damping,
-    /// Whether the case asks for that damping; else that of the table stands before it.
+    /// Whether the case gives this damping; otherwise that of the table takes precedence.
     damping_given: bool,
 }
 
@@ -359,7 +359,7 @@ fn noted(
     }
 }
 
-/// What is said of angles that may be in radians.
+/// Finding on angles of a table that may be in radians.
 fn of_radians(input: &Input, largest_deg: f64) -> Finding {
     Finding {
         severity: Severity::Exceeded,

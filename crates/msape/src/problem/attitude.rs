@@ -7,7 +7,7 @@ use crate::flight::six_dof::quaternion;
 use crate::quantity::input::{Input, attitude as ways};
 use numerics::math::RADIANS_PER_DEGREE;
 
-/// Attitude as the case gives it; along the velocity where it says nothing.
+/// Attitude that the case gives; along the velocity if it gives none.
 pub(super) fn given(reader: &mut Reader) -> Option<Given> {
     let angles = |reader: &mut Reader, inputs: [&'static Input; 3]| -> Option<[f64; 3]> {
         let [first, second, third] = inputs.map(|input| match reader.given(input) {

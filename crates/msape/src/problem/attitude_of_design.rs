@@ -1,4 +1,4 @@
-//! Checks the attitude of a designed vehicle: its own mass, inertia, centre of gravity and database, through its own mission.
+//! Checks the attitude of a designed vehicle: its own mass, inertia, center of gravity and database, through its own mission.
 
 use super::aerodynamics::{Coefficients, Medium};
 use super::forms::one_row;
@@ -28,7 +28,7 @@ use numerics::math::RADIANS_PER_DEGREE;
 use numerics::ode::Method;
 
 /// The flight of a designed vehicle with its attitude. `[attitude]` of the case gives that of the start, `vehicle.cg_m`
-/// a centre of gravity in the place of the vehicle's own.
+/// a center of gravity in the place of the vehicle's own.
 ///
 /// # Errors
 /// Every fault of the case at once.
@@ -84,7 +84,7 @@ pub fn attitude_of_design(
         axial_force: axial_force.filter(|_| database.table().is_none()),
         database,
     };
-    // What the case says of the integration is for its point mass.
+    // the integration settings of the case are for its point mass
     let mut mission = input.mission.clone();
     mission.phases = phases;
     mission.solver.model = Model::ThreeDof;
@@ -171,7 +171,7 @@ pub fn add_turning(
     Ok(())
 }
 
-/// The vehicle that was flown, and whether its design had settled.
+/// Finding on the vehicle that was flown, and on whether its design converged.
 fn flown(outcome: Outcome, design: &Design) -> Finding {
     let vehicle = &design.vehicle;
     let mass = &vehicle.mass;
@@ -201,7 +201,7 @@ fn flown(outcome: Outcome, design: &Design) -> Finding {
     }
 }
 
-/// Inputs of another vehicle that are given and play no part are remarked.
+/// Adds remarks on inputs of another vehicle that are given but not used.
 fn remark_unused(reader: &mut Reader) {
     let unused = |input: &Input| !input.is_of(Task::DesignedBody);
     freedom::unused(reader, "the attitude of a design", unused);
@@ -226,7 +226,7 @@ mod tests {
         let designed = answer.design.as_ref().unwrap();
         let problem = attitude_of_design(&case, &library, designed).unwrap();
         let rigid = problem.solve("", Request::Nothing).flight.unwrap();
-        // Along the velocity at the start: gravity turns the path slowly, so that drag is that of zero angle but for cos α.
+        // Along the velocity at the start: gravity bends the path slowly, so that drag is that of zero angle but for cos α.
         let (a, b) = (
             rigid.peak_deceleration_earth_g.value,
             point.peak_deceleration_earth_g.value,
@@ -303,7 +303,7 @@ mod tests {
         let faults = crate::fly(&case(), &library, Request::Nothing).unwrap_err();
         let mass = faults.iter().find(|f| f.key == "vehicle.mass_kg").unwrap();
         assert!(mass.message.contains("vehicle.dof = 6"), "{mass}");
-        // A vehicle of its own is flown as before, whatever else the case says.
+        // a vehicle given in the case is flown as before, whatever else the case contains
         let mut own = case();
         own.set("vehicle.dof", "6");
         own.set("vehicle.mass_kg", "46");

@@ -1,4 +1,4 @@
-//! Checks the centre of gravity against the outline.
+//! Checks the center of gravity against the outline.
 
 use super::forms::one_row;
 use super::outline::Outline;
@@ -9,7 +9,7 @@ use crate::vehicle::profile::Profile;
 /// Pieces into which a segment is cut.
 const PIECES: u32 = 256;
 
-/// Centre of gravity, m; it must be inside the outline, and given where moments depend on it.
+/// Center of gravity, m; it must be inside the outline, and given where moments depend on it.
 pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Option<[f64; 3]> {
     let key = &input::vehicle::CG_M;
     let Some(cg) = one_row::<3>(reader, key)? else {
@@ -43,7 +43,7 @@ pub(super) fn cg(reader: &mut Reader, outline: &Outline, moments: bool) -> Optio
 fn contains(outline: &Profile, x_m: f64, r_m: f64) -> bool {
     let mut crossings = 0;
     for segment in &outline.segments {
-        // What closes the outline along the axis is not a wall.
+        // the segment that closes the outline along the axis is not a wall
         if segment.bounds_m()[3] == 0.0 {
             continue;
         }

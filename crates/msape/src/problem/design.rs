@@ -26,7 +26,7 @@ const FIRST_LOADS: Loads = Loads {
 const FIRST_FOREBODY_TPS_M: f64 = 0.03;
 const FIRST_AFTBODY_TPS_M: f64 = 0.01;
 
-/// What would cross what where a dimension is outside its range.
+/// Explanations, by input, of the surfaces that would intersect if a dimension were outside its range.
 const CROSSINGS: [(&Input, &str); 4] = [
     (
         &input::design::SHOULDER_RADIUS_RATIO,
@@ -46,7 +46,7 @@ const CROSSINGS: [(&Input, &str); 4] = [
     ),
 ];
 
-/// Adds to faults of the geometry what would cross what.
+/// Adds to faults of the geometry the surfaces that would intersect.
 fn explain_crossings(reader: &mut Reader) {
     for fault in &mut reader.faults {
         if let Some((_, why)) = CROSSINGS.iter().find(|(input, _)| input.key == fault.key)
@@ -301,7 +301,7 @@ fn given_masses(reader: &mut Reader) -> Vec<(ComponentKind, f64)> {
     masses
 }
 
-/// A wall of another density: of a laminate its own, of a sandwich that of its faces and core in proportion.
+/// A wall with another density: that of the laminate, or in a sandwich those of faces and core in proportion.
 fn with_density(mut carrier: Carrier, density: Option<f64>) -> Carrier {
     if let Some(density) = density {
         let factor = density / carrier.at_minimum_gauge().density_kg_m3;

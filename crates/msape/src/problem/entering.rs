@@ -62,7 +62,7 @@ pub(super) fn descends(reader: &mut Reader, start: &Start, solver: &Solver, angl
     }
 }
 
-/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the centre, m.
+/// Geodetic altitude at which a point of given geodetic latitude is at a distance from the center, m.
 pub(super) fn altitude_at(planet: &Planet, radius_m: f64, latitude_rad: f64) -> f64 {
     let excess = |altitude_m: f64| {
         let [x, y, z] = planet.cartesian_m(&Geodetic {

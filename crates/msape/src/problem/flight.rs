@@ -22,7 +22,7 @@ use crate::quantity::input::{self, Input};
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 use numerics::ode::Method;
 
-/// Which flight-path angles a command takes.
+/// Flight-path angles that a command accepts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Angle {
     /// Any.
@@ -31,7 +31,7 @@ pub(super) enum Angle {
     Descending,
 }
 
-/// Everything about a flight but the vehicle.
+/// Checks all of a flight but the vehicle.
 pub(super) fn mission(reader: &mut Reader, library: &Library, angle: Angle) -> Option<Mission> {
     let planet = planet(reader, library);
     let atmosphere = atmosphere(reader, library, &planet);
@@ -219,7 +219,7 @@ pub(super) fn body(
             drag.as_ref(),
             diameter_m,
         );
-        // Attitude tells the drag; that of Mach 25 nose first is for what has no attitude.
+        // with attitude, drag follows from it; the drag at Mach 25, nose first, serves computations without attitude
         drag = match (drag, &database) {
             (Some(Drag::Table(table)), Some(_)) => Some(Drag::Constant(table.at(25.0))),
             (drag, Some(_)) => drag,
@@ -350,7 +350,7 @@ fn drag(
     }
 }
 
-/// The drag of the one way in which a case gives it.
+/// Drag in the way in which the case gives it.
 fn drag_of(
     reader: &mut Reader,
     library: &Library,

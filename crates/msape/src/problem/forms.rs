@@ -36,7 +36,7 @@ pub(super) fn beyond(reader: &mut Reader, input: &'static Input) -> Extrapolatio
     reader.choice(input).unwrap_or_default()
 }
 
-/// The fault that an input is given together with another in whose place it stands.
+/// Fault that an input is given together with another that it replaces.
 pub(super) fn together(reader: &mut Reader, input: impl Into<Key>, other: &'static Input) {
     let message = format!("given together with {other}; give one of them");
     reader.fault(&input.into(), message);

@@ -50,7 +50,7 @@ pub(super) fn degrees(reader: &mut Reader) -> Option<Degrees> {
     }
 }
 
-/// What is known of the body besides.
+/// Other data of the body.
 pub(super) struct Known<'a> {
     pub(super) degrees: Degrees,
     pub(super) mission: Option<&'a Mission>,
@@ -97,7 +97,7 @@ pub(super) fn freedom(reader: &mut Reader, known: Known) -> Option<Freedom> {
     }
 }
 
-/// Inputs that are given and play no part are remarked, so that a case may be flown both ways.
+/// Inputs that are given but not used lead to remarks, not faults, so that a case may be flown both ways.
 pub(super) fn unused(reader: &mut Reader, model: &str, which: impl Fn(&Input) -> bool) {
     for input in inputs().filter(|input| which(input)) {
         if reader.given(input) {
@@ -198,7 +198,7 @@ fn inertia(reader: &mut Reader) -> Option<Inertia> {
     }
 }
 
-/// The one way in which a case gives a thing; `Err` when there are more, which is noted.
+/// Way in which the case gives a quantity; `Err`, with the fault recorded, if there is more than one.
 fn one_of(
     reader: &mut Reader,
     alternatives: &Alternatives,
@@ -305,7 +305,7 @@ fn table(reader: &mut Reader, input: &'static Input, factor: f64, end: End) -> O
     }
 }
 
-/// Length of moments and Knudsen number, m: as given, else the diameter, else that of a circle of the area.
+/// Reference length of moments and Knudsen number, m: as given, else the diameter, else that of a circle of the area.
 pub(super) fn length_m(
     reader: &mut Reader,
     diameter_m: Option<f64>,
@@ -318,7 +318,7 @@ pub(super) fn length_m(
     diameter_m.or_else(of_area)
 }
 
-/// Drag as a point mass has it, where constants stand in its place.
+/// Drag as for a point mass, where constant coefficients replace it.
 pub(super) fn drag_of_constants(reader: &mut Reader) -> Option<Drag> {
     let input = &input::vehicle::AERODYNAMICS_CA;
     let ca = reader.number(input);

@@ -161,7 +161,7 @@ fn given(reader: &mut Reader) -> (Option<Arc<GivenHeating>>, Option<Arc<BodyHeat
     (stagnation.map(Arc::new), body.map(Arc::new))
 }
 
-/// What was made of rows, or `None` with all their faults noted.
+/// Relation made from rows; `None`, with all faults recorded, if it failed.
 fn noted<T>(reader: &mut Reader, input: &'static Input, made: Result<T, Vec<String>>) -> Option<T> {
     let note = |fault: String| reader.fault(input, fault);
     made.map_err(|faults| faults.into_iter().for_each(note))

@@ -5,7 +5,7 @@ use crate::library::Stack;
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::{DensityBasis, Material, Materials, VehicleData};
 
-/// The materials of a concept; where the case gives a density, it says so.
+/// Materials of a concept; a density that the case gives is marked as given.
 pub(super) fn materials(
     given: &Densities,
     vehicle: &VehicleData,

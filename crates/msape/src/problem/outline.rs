@@ -9,7 +9,7 @@ use crate::vehicle::body::shape::Aft;
 use crate::vehicle::body::{RigidBody, Shape, from_rows};
 use numerics::math::RADIANS_PER_DEGREE;
 
-/// The outline of a case that has a section `[outline]`; `None` where it has none.
+/// Outline of a case with a section `[outline]`; `None` without one.
 ///
 /// # Errors
 /// Every fault of the section at once.
@@ -26,12 +26,12 @@ pub fn rigid_body(case: &Case, library: &Library) -> Result<Option<RigidBody>, V
     }
 }
 
-/// What the section `[outline]` of a case makes.
+/// Result of the section `[outline]` of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outline {
     /// The case has no such section.
     Absent,
-    /// It has faults, which are noted.
+    /// The section has faults, which are recorded.
     Faulty,
     /// An outline.
     Body(Box<RigidBody>),

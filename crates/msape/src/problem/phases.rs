@@ -15,7 +15,7 @@ const MARKS: [(&Input, Mark); 5] = [
     (&phase::DECELERATION_EARTH_G, Mark::Deceleration),
 ];
 
-/// What flies through the phases.
+/// Kind of body that flies through the phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Flown {
     /// A point mass.
@@ -202,7 +202,7 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
     })
 }
 
-/// What is said of phases where they play no part.
+/// Adds a finding if the case has phases and the command does not use them.
 pub(super) fn not_flown(reader: &mut Reader, by: &str) {
     if reader.phases() > 0 {
         let message = format!("The phases of the case are not used by {by}.");

@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// water by volume, 18.0 for 29.0 kg/kmol) on the Earth; air over carbon dioxide is 0.66.
 pub(super) const SAME_GAS: f64 = 1.05;
 
-/// The planet, and the one of the library whose heating relations are taken.
+/// Planet of the case, and the planet of the library whose heating relations are used.
 pub(super) fn planet<'l>(reader: &mut Reader, library: &'l Library) -> Option<(Planet, &'l World)> {
     let name = reader.name(&input::entry::PLANET, &names(&library.planets));
     if !is_own(reader) {
@@ -92,12 +92,12 @@ pub(super) fn deep_enough(
     }
 }
 
-/// Whether the case brings a planet of its own.
+/// Whether the case defines its own planet.
 fn is_own(reader: &Reader) -> bool {
     reader.any_given(input::planet::INPUTS)
 }
 
-/// The planet of the library that lends its air to one of the case: the one named, else the one whose atmosphere is named, else the
+/// Planet of the library that provides the air for one of the case: the one named, else the one whose atmosphere is named, else the
 /// default.
 fn base<'l>(reader: &Reader, library: &'l Library, name: Option<&str>) -> Option<&'l World> {
     let named = named(&library.planets, name?)?;
@@ -254,7 +254,7 @@ fn own_atmosphere(
     Some(world.atmosphere.clone())
 }
 
-/// The gas with what the case says of it; `None` at a fault.
+/// The gas, with the properties that the case gives; `None` at a fault.
 fn given_gas(reader: &mut Reader, gas: &mut Gas) -> Option<()> {
     let [molar_mass, ratio] = GAS.map(|key| (reader.given(key), reader.number(key)));
     if let (true, mass) = molar_mass {
@@ -266,7 +266,7 @@ fn given_gas(reader: &mut Reader, gas: &mut Gas) -> Option<()> {
     Some(())
 }
 
-/// What is not the case's own in an atmosphere that it brings, and a gas that is not the planet's.
+/// Messages on properties that an atmosphere given in the case does not contain, and on a gas that is not the planet's.
 fn assumed(
     reader: &Reader,
     model: &Atmosphere,

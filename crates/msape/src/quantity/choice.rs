@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 
 /// A choice of a fixed list.
 pub trait Choice: Copy + 'static {
-    /// All, each with its name in a case and its label.
+    /// All choices, each with its name in a case and its label.
     const ALL: &'static [(Self, &'static str, &'static str)];
     /// Names and labels of all, for an input that takes each of them.
     const CHOICES: Choices;
 
-    /// The choice of a name.
+    /// The choice with this name; `None` if there is none.
     fn named(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();
         all.find_map(|(choice, known, _)| (*known == name).then_some(*choice))
@@ -55,17 +55,17 @@ macro_rules! choice {
 }
 
 choice! {
-    /// To which frame speed, angle and azimuth of the entry belong.
+    /// Reference frame of speed, flight-path angle and azimuth at entry.
     Frame {
-        /// That of the rotating planet.
+        /// Frame that rotates with the planet.
         Relative = "relative", "Relative to the planet";
-        /// One that does not rotate.
+        /// Inertial frame.
         Inertial = "inertial", "Inertial";
     }
 }
 
 choice! {
-    /// Which relation gives convective heating.
+    /// Relation for convective heating.
     ConvectiveModel {
         /// Sutton and Graves.
         SuttonGraves = "sutton-graves", "SuttonGraves";
@@ -75,7 +75,7 @@ choice! {
 }
 
 choice! {
-    /// Which relation gives radiative heating.
+    /// Relation for radiative heating.
     RadiativeModel {
         /// Tauber and Sutton.
         TauberSutton = "tauber-sutton", "TauberSutton";
@@ -87,17 +87,17 @@ choice! {
 }
 
 choice! {
-    /// Which wall takes convective heating.
+    /// Wall condition for convective heating.
     WallModel {
-        /// A cold one.
+        /// Cold wall.
         Cold = "cold", "Cold wall";
-        /// One that radiates away its heat flux.
+        /// Hot wall in radiative equilibrium.
         RadiativeEquilibrium = "radiative-equilibrium", "Hot wall in radiative equilibrium";
     }
 }
 
 choice! {
-    /// How the stagnation pressure is found.
+    /// Model of the stagnation pressure.
     PressureModel {
         /// Cp,max = 2, which bounds every gas.
         NewtonianLimit = "newtonian-limit", "Newtonian limit, twice the dynamic pressure";
@@ -109,35 +109,35 @@ choice! {
 }
 
 choice! {
-    /// Where the heat shield of a part is judged.
+    /// Point at which the heat shield of a part is sized.
     JudgedAt {
-        /// At the hottest point of the part, shoulder included.
+        /// The hottest point of the part, shoulder included.
         HottestPoint = "hottest-point", "Hottest point of each part, shoulder included";
-        /// At the stagnation point, whatever the shoulder.
+        /// The stagnation point, whatever the heating of the shoulder.
         StagnationPoint = "stagnation-point", "Stagnation point";
     }
 }
 
 choice! {
-    /// Which method integrates the equations of motion.
+    /// Method by which the equations of motion are integrated.
     MethodName {
         /// Dormand and Prince, order 5(4).
         DormandPrince54 = "dormand-prince-54", "Runge-Kutta of order 5(4), adaptive";
         /// Dormand and Prince, order 8(5,3).
         DormandPrince853 = "dormand-prince-853", "Runge-Kutta of order 8(5,3), adaptive";
-        /// The classical one.
+        /// Classical Runge-Kutta method of order 4.
         Rk4 = "rk4", "Classical Runge-Kutta of order 4, fixed step";
     }
 }
 
 choice! {
-    /// Which model flies.
+    /// Flight model.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     FlightModel {
         /// Three degrees of freedom, integrated.
         ThreeDof = "three-dof", "Three degrees of freedom, integrated";
-        /// The same with the attitude of a rigid body.
+        /// Six degrees of freedom, integrated: point mass and attitude of a rigid body.
         SixDof = "six-dof", "Six degrees of freedom, integrated";
         /// The closed form of Allen and Eggers.
         AllenEggers = "allen-eggers", "Closed form of Allen and Eggers";
@@ -145,13 +145,13 @@ choice! {
 }
 
 impl FlightModel {
-    /// Those of which a case chooses one; the attitude comes with `vehicle.dof`.
+    /// Models of a point mass that a case can choose; the attitude comes with `vehicle.dof`.
     pub(super) const OF_POINT_MASS: Choices =
         Choices::Fixed(&[Self::ThreeDof.entry(), Self::AllenEggers.entry()]);
 }
 
 choice! {
-    /// What holds beyond a table.
+    /// Extrapolation beyond the ends of a table.
     #[derive(Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     Extrapolation {
@@ -166,15 +166,15 @@ choice! {
 }
 
 impl Extrapolation {
-    /// Of tables that can only be held.
+    /// Choices for tables that cannot be extended.
     pub(super) const HELD: Choices = Choices::Fixed(&[Self::Hold.entry(), Self::Refuse.entry()]);
-    /// Of heating, the default first.
+    /// Choices for heating tables, the default first.
     pub(super) const OF_HEATING: Choices = Choices::Fixed(&[
         Self::Extend.entry(),
         Self::Hold.entry(),
         Self::Refuse.entry(),
     ]);
-    /// Of the atmosphere, whose density never is held.
+    /// Choices for the atmosphere, whose density is never held constant.
     pub(super) const OF_AIR: Choices = Choices::Fixed(&[
         (Self::Extend.name(), "Density goes on with its last slope"),
         Self::Refuse.entry(),
@@ -182,7 +182,7 @@ impl Extrapolation {
 }
 
 choice! {
-    /// Which model damps the pitching.
+    /// Model of pitch damping.
     DampingModel {
         /// Equation 7 of the report, corrected.
         Report = "report", "Equation 7 corrected, placeholder for Viking (assumed)";
@@ -207,7 +207,7 @@ choice! {
 }
 
 choice! {
-    /// What the strength of the impact foam follows from.
+    /// Law that determines the strength of the impact foam.
     #[derive(Default, Serialize, Deserialize)]
     FoamStrength {
         /// The law by which the landing is judged: energy over the volume that is crushed.
@@ -219,7 +219,7 @@ choice! {
 }
 
 choice! {
-    /// What crushes the impact foam.
+    /// Mass that crushes the impact foam.
     #[derive(Default, Serialize, Deserialize)]
     CrushingMass {
         /// The payload alone, as in equations 4 and 6.
@@ -231,7 +231,7 @@ choice! {
 }
 
 choice! {
-    /// What is behind the shoulder of a sphere-cone that is given by its dimensions.
+    /// Aft shape of a sphere-cone given by its dimensions.
     AftOfCone {
         /// A disc.
         Flat = "flat", "Flat disc";
@@ -243,7 +243,7 @@ choice! {
 choice! {
     /// A unit of length that files are drawn in.
     LengthUnit {
-        /// Metre.
+        /// Meter.
         Metre = "m", "m";
         /// Centimetre.
         Centimetre = "cm", "cm";
@@ -257,7 +257,7 @@ choice! {
 }
 
 choice! {
-    /// Which way a quantity goes through a value.
+    /// Direction in which a quantity crosses a value.
     Direction {
         /// Downwards.
         Falling = "falling", "Falling";

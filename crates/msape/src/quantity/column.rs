@@ -2,7 +2,7 @@
 
 use crate::units::Dimension;
 
-/// One column: key, unit and meaning; the lists stand beside what is sampled.
+/// A column: key, unit and meaning; the lists of columns are in the modules of the sampled quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Column {
     /// Key with its SI unit, such as `altitude_m`.
@@ -13,6 +13,6 @@ pub struct Column {
     pub dimension: Dimension,
     /// Symbol of the unit shown by default.
     pub unit: &'static str,
-    /// One sentence: what it is.
+    /// Explanation of the column in one sentence.
     pub help: &'static str,
 }

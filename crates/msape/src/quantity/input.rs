@@ -2,7 +2,7 @@
 //!
 //! The module of an item is the section of its key; the name is the rest of the key, dots as underlines.
 
-/// Declares inputs, for the tasks that ask for them unless they say otherwise: the item of each, and the list of all.
+/// Declares inputs, for the default tasks unless they name others: the item of each, and the list of all.
 macro_rules! inputs {
     ($tasks:expr; $($name:ident: $key:literal = $made:expr;)+) => {
         $(
@@ -45,10 +45,10 @@ const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
 const REPORT_FLIGHT: &str = "NASA/TM-2014-218507, section 3.2";
 const REPORT_STATIC: &str = "NASA/TM-2014-218507, section 3.3.1";
 const REPORT_DAMPING: &str = "NASA/TM-2014-218507, section 3.3.7";
-/// Below any planet's lowest altitude, m; each has its own limit.
+/// Altitude below the lowest of every planet, m; each planet has its own limit.
 const DEEPEST_M: f64 = -1e6;
 
-/// One input.
+/// An input of a case.
 #[derive(Clone, Copy)]
 pub struct Input {
     /// Dotted key in the case file, such as `entry.speed_m_s`.
@@ -57,29 +57,29 @@ pub struct Input {
     pub label: &'static str,
     /// Symbol of the unit shown by default.
     pub unit: &'static str,
-    /// One sentence: what it is.
+    /// Explanation of the input in one sentence.
     pub help: &'static str,
-    /// Where its definition or default comes from.
+    /// Source of the definition or of the default.
     pub source: &'static str,
     /// Part of the form.
     pub group: Group,
-    /// Who needs to see it.
+    /// Level of user to whom it is shown.
     pub level: Level,
-    /// Which command needs it.
+    /// Commands that require it.
     pub need: Need,
-    /// What it takes.
+    /// Kind of value that it accepts.
     pub kind: Kind,
-    /// What holds when it is absent.
+    /// Default.
     pub preset: Preset,
-    /// Other names under which it is read.
+    /// Other names under which it is accepted.
     pub aliases: &'static [&'static str],
-    /// Which tasks ask for it.
+    /// Tasks that ask for it.
     pub tasks: &'static [Task],
-    /// The ways to give one thing of which it is one.
+    /// Group of alternative inputs to which it belongs.
     pub alternatives: Option<&'static Alternatives>,
-    /// Section that, where a case has it, stands in the place of the default.
+    /// Section that takes the place of the default if a case has it.
     pub default_gives_way_to: Option<&'static str>,
-    /// Tables of which it names a file.
+    /// Tables that the file named by this input contains.
     pub tables: &'static [&'static Input],
     /// Whether it is a table of one row, which may be given without the outer brackets: `[0.2, 0.0, 0.0]`.
     pub one_row: bool,
@@ -97,7 +97,7 @@ impl fmt::Debug for Input {
     }
 }
 
-/// The key, as messages name an input.
+/// Key of the input, by which messages name it.
 impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.key)
@@ -186,7 +186,7 @@ impl Input {
         self
     }
 
-    /// Asked for by these tasks instead of those of its file.
+    /// This input for the given tasks instead of those of its file.
     const fn tasks(mut self, tasks: &'static [Task]) -> Input {
         self.tasks = tasks;
         self
@@ -225,7 +225,7 @@ impl Input {
         self.tasks.contains(&task)
     }
 
-    /// The other inputs in the place of which it may be given.
+    /// Inputs of the other ways to give the same quantity.
     pub fn rivals(&self) -> impl Iterator<Item = &'static Input> {
         let key = self.key;
         let ways = self.alternatives.map_or(&[][..], |all| all.ways);

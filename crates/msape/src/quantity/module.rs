@@ -7,7 +7,7 @@ pub enum Module {
     Coupling,
     /// Dimensions.
     Geometry,
-    /// Masses, centre of gravity, inertias.
+    /// Masses, center of gravity, inertias.
     Mass,
     /// Landing.
     Impact,
@@ -43,7 +43,7 @@ impl Module {
     }
 }
 
-/// Which answers have an output.
+/// Kind of job whose answers have an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Job {
     /// `fly`: flight only.
@@ -52,7 +52,7 @@ pub enum Job {
     Design,
 }
 
-/// What asks for an input.
+/// Task that asks for an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     /// The flight of a point mass.

@@ -8,11 +8,11 @@
 //!
 //! with stress after von Mises in Pa, at the limit load; in the core of a sandwich the transverse shear stress. Where the
 //! flight decelerates the mass M more than Newtonian pressure does, the pressure is raised to it. The foot of
-//! the lid is where the attached structure holds the vehicle on its way up; the frequencies are those of the vehicle
-//! held there, as a launcher asks for them.
+//! the lid is where the attached structure holds the vehicle during launch; the frequencies are those of the vehicle
+//! held there, as a launcher specifies them.
 //!
 //! # Valid
-//! As [`super::carrier`].
+//! Same as [`super::carrier`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.6; \[spacex-falcon-guide\] load factors; \[nasa-std-5001\] factors of safety.
@@ -37,13 +37,13 @@ pub struct PartStress {
     pub part: Part,
     /// Largest equivalent stress in laminate or faces, Pa.
     pub stress_pa: f64,
-    /// Where.
+    /// Place of this stress.
     pub at: Point,
     /// Margin of safety against the strength of laminate or faces.
     pub margin: f64,
     /// Largest transverse shear stress, Pa.
     pub shear_pa: f64,
-    /// Where.
+    /// Place of this stress.
     pub shear_at: Point,
     /// Margin of safety of the core of a sandwich.
     pub core_margin: Option<f64>,
@@ -52,13 +52,13 @@ pub struct PartStress {
 /// A load case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseStress {
-    /// Its parts; the edge member, a stand-in, is left out.
+    /// Stresses of the parts, without the edge member, which is a stand-in.
     pub parts: Vec<PartStress>,
     /// Largest displacement relative to the foot of the lid, m.
     pub largest_displacement_m: f64,
 }
 
-/// Values along the meridians: at entry unless the name says launch. One entry for each Gauss point, in the order of the parts.
+/// Values along the meridians, at entry unless the name contains `launch`; one for each Gauss point, in the order of the parts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Distributions {
     /// Part.
@@ -81,7 +81,7 @@ pub struct Distributions {
     pub launch_displacement_m: Vec<f64>,
 }
 
-/// What the shell model says of a vehicle.
+/// Results of the shell model of a vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CarrierAnalysis {
     /// Number of elements.
@@ -90,9 +90,9 @@ pub struct CarrierAnalysis {
     pub pressure_factor: f64,
     /// Force of the pressure along the axis, N.
     pub pressure_force_n: f64,
-    /// Deceleration that balances it, Earth g.
+    /// Deceleration that balances the pressure force, Earth g.
     pub deceleration_earth_g: f64,
-    /// Force that is left at the foot of the lid when both act, over that of the pressure: nought but for rounding.
+    /// Remaining force at the foot of the lid over the pressure force: zero within rounding.
     pub imbalance: f64,
     /// Entry.
     pub entry: CaseStress,
@@ -171,7 +171,7 @@ fn distributions(entry: &[Sample], stress: &[Stressed], launch: &[Stressed]) -> 
 /// Largest number of waves round the axis.
 const MOST_WAVES: u32 = 4;
 
-/// Where round the circle launch loads are looked at, as (cos θ, sin θ): both ends of the lateral load, and across.
+/// Places round the circle at which launch loads are evaluated, as (cos θ, sin θ): both ends of the lateral load, and across.
 const AROUND: [[f64; 2]; 3] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 
 impl CarrierModel {
@@ -419,7 +419,7 @@ mod tests {
         for (a, b) in cases(&usual).iter().zip(&cases(&fine)) {
             for (a, b) in a.parts.iter().zip(&b.parts) {
                 let off = a.stress_pa / b.stress_pa - 1.0;
-                // peaks stand where walls meet, at the ends of elements
+                // peaks are where walls meet, at the ends of elements
                 assert!(off.abs() < 0.03, "{:?}: {off:+.1e}", b.part);
             }
             let off = a.largest_displacement_m / b.largest_displacement_m - 1.0;

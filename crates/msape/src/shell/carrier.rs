@@ -1,4 +1,4 @@
-//! The walls of a vehicle as a shell of revolution: where they stand, what lies on them, what loads them.
+//! The walls of a vehicle as a shell of revolution: position, masses on them, loads.
 //!
 //! ```text
 //! p = p₀ sin² δ (1 + k₁ d)(1 + k₂ d)        pressure of the outer surface, on the middle surface at the depth d
@@ -15,11 +15,11 @@
 //! insulation on the lid. The edge member is a second forebody wall without mass.
 //!
 //! # Valid
-//! Pressure at zero angle of attack; none on the aftbody, which stands in the shadow of the flow. Fillings are mass only:
-//! what they stiffen is left out, which is safe.
+//! Pressure at zero angle of attack; none on the aftbody, which is in the shadow of the flow. Fillings are mass only:
+//! their stiffness is left out, which is conservative.
 //!
 //! # References
-//! - \[samareh-2014\] sections 3.1.4 and 3.1.6, eq. 10. The spreading of the masses is a choice of ours.
+//! - \[samareh-2014\] sections 3.1.4 and 3.1.6, eq. 10. The distribution of the masses is a choice of this project.
 
 use super::element::{ArealMass, GAUSS_3, station};
 use super::mesh::{Meridian, Mesh, length_m};
@@ -309,13 +309,13 @@ mod tests {
             assert!(found.imbalance.abs() < 1e-12);
             assert_eq!(found.frequencies.len(), 5);
             for frequency in &found.frequencies {
-                // a stiff vehicle of metres: tens to thousands of hertz
+                // a stiff vehicle of meters: tens to thousands of hertz
                 assert!(
                     (5.0..5000.0).contains(&frequency.frequency_hz),
                     "{frequency:?}"
                 );
             }
-            // a pressure of 1 bar makes tens of MPa in a shell of a metre
+            // a pressure of 1 bar makes tens of MPa in a shell of a meter
             let peak = found
                 .entry
                 .parts
@@ -351,7 +351,7 @@ mod tests {
         let cone = PI * (cone_r * cone_r - nose_r * nose_r) * sin * sin;
         let rim = PI * (forebody.diameter_m * forebody.diameter_m / 4.0 - cone_r * cone_r);
         let force = found.unwrap().pressure_force_n / 1e5;
-        // the shoulder adds less than its area times sin² θ, and loses what the carrier does not reach under it
+        // the shoulder adds less than its area times sin² θ; the part of it that the carrier does not reach is missing
         assert!(
             force > (nose + cone) * 0.93 && force < nose + cone + rim,
             "{force} {nose} {cone} {rim}"

@@ -53,7 +53,7 @@ pub struct Station {
     pub hoop_curvature_per_m: f64,
     /// Shape functions.
     pub shape: [f64; 3],
-    /// Their derivatives along the meridian, 1/m.
+    /// Derivatives of the shape functions along the meridian, 1/m.
     pub slope_per_m: [f64; 3],
 }
 
@@ -259,8 +259,8 @@ mod tests {
         // along x; across: U_r = cos θ, V = −sin θ
         assert!(strain_of(|_, _| [1.0, 0.0, 0.0, 0.0, 0.0], 0) < 1e-13);
         assert!(strain_of(|_, _| [0.0, 1.0, -1.0, 0.0, 0.0], 1) < 1e-13);
-        // pitch about z: U_x = −r cos θ, U_r = x cos θ, V = −x sin θ; the normal (−s, c) turns by β = −1 round e_θ at
-        // θ = 0, at θ = 90° by the part of the turn about the meridian, φ = s
+        // pitch about z: U_x = −r cos θ, U_r = x cos θ, V = −x sin θ; the normal (−s, c) rotates by β = −1 round e_θ at
+        // θ = 0, at θ = 90° by the component of the rotation about the meridian, φ = s
         let pitch = |p: &Point, [_, s]: [f64; 2]| [-p.r_m, p.x_m, -p.x_m, -1.0, s];
         // s is not quadratic along a curved element: its error, of order h², is left
         assert!(strain_of(pitch, 1) < 2e-3, "{}", strain_of(pitch, 1));

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! K = Σ ∫ Bᵀ D B r ds        M = Σ ∫ Nᵀ m N r ds        K_ij(n) = K_ij(0) + nᵖ [K_ij(1) − K_ij(0)]
-//! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all nought
+//! axis: n = 0: U_r = β = 0;  n = 1: U_x = 0, V = −U_r, φ = −β;  n ≥ 2: all zero
 //! ```
 //!
 //! with K in N/m and M in kg, per radian; p = 1 between a freedom that goes with cos nθ and one that goes with sin nθ, else 2.
@@ -24,27 +24,27 @@ use numerics::linear::sparse::Sparse;
 pub struct Wall {
     /// Build and material.
     pub section: Section,
-    /// Its own mass and what lies on it.
+    /// Mass of the wall and of the layers on it.
     pub areal: ArealMass,
 }
 
-/// How a node is held.
+/// Support of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// Not along the axis.
+    /// Held along the axis.
     Axially,
-    /// Not across the axis, free to move along it and to turn.
+    /// Held across the axis; free to move along it and to rotate.
     ByDiaphragm,
-    /// Not at all to move, free to turn about the circle.
+    /// All displacements held; free to rotate about the circle.
     ByHinge,
-    /// Neither to move nor to turn.
+    /// Displacements and rotations held.
     Clamped,
-    /// As by its mirror image in a plane normal to the axis.
+    /// Symmetry about a plane normal to the axis.
     BySymmetry,
 }
 
 impl Held {
-    /// Which of U_x, U_r, V, β, φ are nought.
+    /// Whether each of U_x, U_r, V, β, φ is zero.
     fn freedoms(self) -> [bool; NODE_FREEDOMS] {
         match self {
             Self::Axially => [true, false, false, false, false],
@@ -68,7 +68,7 @@ pub struct Model {
     pub walls: Vec<Wall>,
 }
 
-/// An unknown, and the sign with which it stands for a freedom; `None` where the freedom is nought.
+/// Index of an unknown, and the sign with which it gives a degree of freedom; `None` where that is zero.
 type Slot = Option<(usize, f64)>;
 
 /// The unknowns of a harmonic.
@@ -157,7 +157,7 @@ impl Freedoms {
         self.slots.get(number).unwrap_or(NONE)
     }
 
-    /// Freedoms of an element taken out of the unknowns.
+    /// Degrees of freedom of an element from the unknowns.
     pub fn gather(&self, number: usize, unknowns: &[f64]) -> [f64; FREEDOMS] {
         self.of_element(number).map(|slot| {
             slot.and_then(|(unknown, sign)| unknowns.get(unknown).map(|value| sign * value))
@@ -165,13 +165,13 @@ impl Freedoms {
         })
     }
 
-    /// A matrix of noughts over the unknowns.
+    /// Zero matrix over the unknowns.
     pub fn matrix(&self) -> Skyline {
         Skyline::new(&self.first)
     }
 }
 
-/// Which freedoms of a node are nought; in the harmonic 0 those of torsion.
+/// Whether each degree of freedom of a node is zero; in the harmonic 0 those of torsion are.
 fn held(supports: &[Support], node: usize, harmonic: u32) -> [bool; NODE_FREEDOMS] {
     let torsion = harmonic == 0;
     let mut all = [false, false, torsion, false, torsion];
@@ -233,12 +233,12 @@ impl Model {
 /// Stiffness of a model in every harmonic, by element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stiffness {
-    /// That of the harmonic 0, and what the harmonic 1 has more; absent where an element has no wall.
+    /// Stiffness of the harmonic 0, and the difference of that of the harmonic 1; absent where an element has no wall.
     elements: Vec<Option<[Matrix; 2]>>,
 }
 
 impl Stiffness {
-    /// Over the unknowns of a harmonic.
+    /// Stiffness over the unknowns of a harmonic.
     pub fn over(&self, freedoms: &Freedoms) -> Skyline {
         let mut matrix = freedoms.matrix();
         let n = f64::from(freedoms.harmonic);

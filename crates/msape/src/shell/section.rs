@@ -17,10 +17,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a wall is made of.
+/// Build of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Build {
-    /// One laminate.
+    /// A laminate.
     Solid {
         /// Thickness, m.
         thickness_m: f64,
@@ -50,11 +50,11 @@ pub struct Section {
 /// Stiffness of a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stiffness {
-    /// Against stretching, N/m.
+    /// Stiffness in extension, N/m.
     pub membrane_n_m: f64,
-    /// Against bending, N m.
+    /// Stiffness in bending, N m.
     pub bending_nm: f64,
-    /// Against transverse shear, N/m.
+    /// Stiffness in transverse shear, N/m.
     pub shear_n_m: f64,
     /// Poisson's ratio.
     pub poisson_ratio: f64,
@@ -78,7 +78,7 @@ impl Resultants {
         [a, b, c, d, e, f, g, h]
     }
 
-    /// Those of two harmonics together, each times its factors for cos nθ and sin nθ at one place on the circle.
+    /// Sum of the forces of two harmonics, each times its factors for cos nθ and sin nθ at one place on the circle.
     pub fn at_angle(parts: [(&Self, [f64; 2]); 2]) -> Self {
         let mut sum = Self::default();
         for (part, [cos, sin]) in parts {
@@ -106,7 +106,7 @@ pub struct Stress {
 const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl Section {
-    /// Stiffness against stretching, bending and transverse shear.
+    /// Stiffness in extension, bending and transverse shear.
     pub fn stiffness(&self) -> Stiffness {
         let (e, nu) = (self.elastic_modulus_pa, self.poisson_ratio);
         let plane = e / (1.0 - nu * nu);

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with a in m and rad, p in Pa (amplitudes: p_x and p_r with cos nθ, p_v with sin nθ), f in N per radian; A and D as in
-//! [`super::section`]. Within an element forces are taken at the two Gauss points, where they are best; at its ends from
-//! the balance of the element, which is as exact as the displacements; on the axis carried on from the Gauss points.
+//! [`super::section`]. Within an element forces are taken at the two Gauss points, where they are most accurate; at its ends from
+//! the balance of the element, which is as accurate as the displacements; on the axis extrapolated from the Gauss points.
 //!
 //! # Valid
 //! Linear elasticity; supports that leave no rigid motion.
@@ -28,20 +28,20 @@ use numerics::linear::skyline::Factor;
 /// Displacements of a harmonic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// Which unknown is what.
+    /// Assignment of the unknowns to the degrees of freedom.
     pub freedoms: Freedoms,
     /// The unknowns, m and rad.
     pub unknowns: Vec<f64>,
-    /// What loads it.
+    /// Loads.
     pub loads: Loads,
 }
 
 /// Nodal forces of loads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loads {
-    /// By unknown, N and N m per radian.
+    /// Forces by unknown, N and N m per radian.
     pub by_unknown: Vec<f64>,
-    /// By element and its freedoms, N per radian.
+    /// Forces by element and degree of freedom, N per radian.
     pub by_element: Vec<[f64; FREEDOMS]>,
 }
 
@@ -58,7 +58,7 @@ pub struct Sample {
     pub displacement_m: [f64; 3],
 }
 
-/// Where an element is sampled: its ends and its two Gauss points.
+/// Places at which an element is sampled: its ends and its two Gauss points.
 pub const SAMPLES: [f64; 4] = [-1.0, -GAUSS_2, GAUSS_2, 1.0];
 
 /// Nodal forces of a load per area: p_x, p_r, p_v, Pa, by element and place on it.
@@ -125,7 +125,7 @@ impl Solution {
             let stations = [-GAUSS_2, GAUSS_2].map(|xi| station(&points, xi));
             let n = self.freedoms.harmonic;
             let best = stations.map(|at| resultants(&at, wall, n, &a));
-            // the forces with which its neighbours hold the element: Σ Bᵀ F − f
+            // the forces with which its neighbors hold the element: Σ Bᵀ F − f
             let mut balance = self
                 .loads
                 .by_element

@@ -1,14 +1,14 @@
-//! What the shell model says of one wall of the vehicle.
+//! Results of the shell model for one wall of the vehicle.
 //!
 //! ```text
-//! σ_allowed = σ (1 + margin)                 stress at the limit load at which the margin of safety is nought
+//! σ_allowed = σ (1 + margin)                 stress at the limit load at which the margin of safety is zero
 //! u = √(u_x² + u_r²)
 //! ```
 //!
 //! with stresses in Pa, u the displacement at entry and its parts along and away from the axis in m.
 //!
 //! # Valid
-//! As [`super::analysis`]. The edge member, a stand-in, is left out.
+//! Same as [`super::analysis`]. The edge member, a stand-in, is left out.
 //!
 //! # References
 //! - \[nasa-std-5001\] margin of safety.
@@ -18,7 +18,7 @@ use super::carrier::Part;
 use crate::vehicle::WallPlace;
 
 impl Part {
-    /// The wall that it is a part of.
+    /// Wall to which the part belongs.
     pub fn wall(self) -> WallPlace {
         match self {
             Self::Nose | Self::Cone | Self::Edge => WallPlace::Forebody,
@@ -35,7 +35,7 @@ impl PartStress {
             .map_or(self.margin, |core| core.min(self.margin))
     }
 
-    /// Stress in laminate or faces at which the margin of safety is nought, Pa.
+    /// Stress in laminate or faces at which the margin of safety is zero, Pa.
     pub fn allowed_stress_pa(&self) -> f64 {
         self.stress_pa * (1.0 + self.margin)
     }
@@ -74,7 +74,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// Where it stands along its wall: the distance from the axis, of the primary structure the axial position, m.
+    /// Position along the wall: the distance from the axis, or for the primary structure the axial position, m.
     pub fn along_m(&self) -> f64 {
         match self.part.wall() {
             WallPlace::Primary => self.x_m,

@@ -35,7 +35,7 @@ pub(super) fn cell(case: &Case, input: &Input, manner: Manner) -> Option<String>
     }
 }
 
-/// Whether something else that is given stands in the place of this input's default.
+/// Whether another input that is given takes the place of the default of this one.
 fn replaced(case: &Case, input: &Input) -> bool {
     let given = |start: &str| case.values.keys().any(|key| key.starts_with(start));
     input.default_gives_way_to.is_some_and(given)

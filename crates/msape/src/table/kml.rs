@@ -1,7 +1,7 @@
 //! A trajectory as KML 2.2: a track with times and a placemark for each event.
 //!
 //! Altitudes are geodetic; a viewer takes `absolute` for heights above mean sea level, which on Earth differ by at most
-//! about 110 m (the undulation of the geoid). Another body than the Earth is said, with the hint \[kml-reference\] where viewers know it.
+//! about 110 m (the undulation of the geoid). A body other than the Earth is named, with the hint \[kml-reference\] if one exists.
 
 mod instant;
 
@@ -30,7 +30,7 @@ pub fn kml(answer: &Answer, epoch: Instant) -> Option<String> {
 /// Writes that text piece by piece.
 ///
 /// # Errors
-/// What the writer refuses.
+/// The error of the writer.
 pub fn write(answer: &Answer, epoch: Instant, text: &mut dyn fmt::Write) -> Option<fmt::Result> {
     let flight = answer.flight.as_ref()?;
     let track = Track::of(flight.trajectory.as_ref()?)?;
@@ -76,7 +76,7 @@ fn write_track(
     text.write_str("</Document>\n</kml>\n")
 }
 
-/// How a file says over which body the track is; a viewer takes the Earth where nothing is said.
+/// Way in which a file names the body of the track; viewers assume the Earth where none is named.
 struct Body {
     hint: String,
     remark: String,
@@ -104,7 +104,7 @@ impl Body {
     }
 }
 
-/// The body over which viewers draw when nothing is said.
+/// Body that viewers assume where none is named.
 const EARTH: &str = "earth";
 
 struct Event<'a> {
@@ -172,7 +172,7 @@ impl Event<'_> {
     }
 }
 
-/// The columns of a trajectory that say where it is.
+/// Columns of a trajectory that give the position.
 struct Track<'a> {
     time_s: &'a [f64],
     longitude_deg: &'a [f64],
@@ -211,7 +211,7 @@ impl<'a> Track<'a> {
             }
         };
         let (east_a, mut east_b) = (value(self.longitude_deg, a), value(self.longitude_deg, b));
-        // The short way round, across the date line.
+        // the shorter way, across the date line
         if (east_b - east_a).abs() > 180.0 {
             east_b += if east_b < east_a { 360.0 } else { -360.0 };
         }

@@ -31,7 +31,7 @@ fn cell(number: Option<f64>) -> String {
 }
 
 /// One row for each component, then the sum without margin, the margin, the whole, and the whole after landing; masses and inertias of
-/// components are without margin, inertias through the row's own centre of gravity.
+/// components are without margin, inertias through the row's own center of gravity.
 ///
 /// ```
 /// use msape::{Case, Library, Request, design, table};

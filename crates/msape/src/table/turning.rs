@@ -5,7 +5,7 @@ use crate::answer::turning::{COLUMNS, Cell};
 use crate::flight::six_dof::turning::Turning;
 use crate::units::number::shortest;
 
-/// One row for each entry; headers are keys in SI units, angles in degrees.
+/// Table with one row for each entry; headers are keys in SI units, angles in degrees.
 pub fn turning(turning: &Turning) -> Table {
     let text = |cell: Cell| match cell {
         Cell::Number(number) => number.map_or_else(String::new, shortest),

@@ -8,7 +8,7 @@
 //! the structural rules.
 //!
 //! # Valid
-//! As heat shield and carrier are.
+//! Same as for heat shield and carrier.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.1 and Table B1.
@@ -24,9 +24,9 @@ pub struct Concept {
     pub name: String,
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// What is assumed.
+    /// Assumptions.
     pub note: String,
     /// File name of the material in `data/materials`.
     pub tps: String,
@@ -48,7 +48,7 @@ pub struct Bond {
     pub thickness_cm: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub provenance: String,
 }
 

@@ -1,4 +1,4 @@
-//! What a heat shield goes through, and the point of its part at which it is judged.
+//! Environment of a heat shield, and the point at which it is sized.
 //!
 //! ```text
 //! q̇ = max(1, f) q̇₀      Q = max(1, f) Q₀      p = p₀            forebody, hottest-point
@@ -10,11 +10,11 @@
 //!
 //! The forebody's heat shield runs round the shoulder, so its hottest point is the stagnation point or the shoulder. The
 //! heat load there is taken with the factor of the flux, as if the ratio held along the whole entry, and the factor is on
-//! radiation too, for whose share at the shoulder no source was found: both are on the safe side. The pressure is that of
+//! radiation too, for whose share at the shoulder no source was found: both are conservative. The pressure is that of
 //! the stagnation point, the largest of the part. The aftbody's fractions hold for the whole of it.
 //!
 //! # Valid
-//! As the shoulder factor. The relations of Table 7 were fitted with the environments of the stagnation point.
+//! Same as for the shoulder factor. The relations of Table 7 were fitted with the environments of the stagnation point.
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.4.3 and 3.5.2, Table 6.
@@ -30,7 +30,7 @@ use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
 impl JudgedAt {
-    /// What the forebody's heat shield is judged by, from the stagnation point and the hottest point off it.
+    /// Environment for which the forebody's heat shield is sized, from those of the stagnation point and the hottest point off it.
     pub fn environment<S: Single>(
         self,
         stagnation: &Environment<S>,
@@ -57,7 +57,7 @@ impl JudgedAt {
 /// The hottest point off the stagnation point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OffStagnation<S = f64> {
-    /// Which.
+    /// Point with this heat flux.
     pub point: Point,
     /// Peak heat flux over that of the stagnation point.
     pub heat_flux_ratio: S,
@@ -91,7 +91,7 @@ pub enum Point {
 }
 
 impl Point {
-    /// The part to which it belongs.
+    /// Side of the vehicle to which the point belongs.
     pub fn side(self) -> Side {
         match self {
             Self::Stagnation | Self::Shoulder | Self::Given => Side::Forebody,
@@ -99,7 +99,7 @@ impl Point {
         }
     }
 
-    /// Where it is, for a sentence.
+    /// Place of the point, as part of a sentence.
     pub fn place(self) -> &'static str {
         match self {
             Self::Stagnation => "at the stagnation point",
@@ -127,7 +127,7 @@ impl Point {
         }
     }
 
-    /// Key of the pressure that is held against the limits.
+    /// Key of the pressure that is compared with the limits.
     pub fn pressure_key(self) -> &'static str {
         match self.side() {
             Side::Forebody => "peak_stagnation_pressure_pa",
@@ -136,10 +136,10 @@ impl Point {
     }
 }
 
-/// What a heat shield goes through, at its own place: an aftbody's values are already those of the aftbody.
+/// Environment of a heat shield at its own place: the values for an aftbody are already those on the aftbody.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Environment<S = f64> {
-    /// Where it is.
+    /// Point on the surface.
     pub point: Point,
     /// Peak total heat flux, cold wall, with margins, W/m².
     pub peak_heat_flux_w_m2: S,
@@ -156,7 +156,7 @@ pub struct Environment<S = f64> {
 }
 
 impl<S: Single> Environment<S> {
-    /// What the aftbody goes through when the stagnation point goes through this.
+    /// Environment of the aftbody, given this of the stagnation point.
     pub fn aftbody(&self, fractions: &Afterbody) -> Self {
         Self {
             point: Point::Aftbody,
@@ -170,7 +170,7 @@ impl<S: Single> Environment<S> {
 }
 
 impl Environment {
-    /// The part to which it belongs.
+    /// Side of the vehicle to which the point belongs.
     pub fn side(&self) -> Side {
         self.point.side()
     }
@@ -180,7 +180,7 @@ impl Environment {
         -self.entry_flight_path_angle_rad / RADIANS_PER_DEGREE
     }
 
-    /// Which choice judged the forebody's heat shield, and where.
+    /// Finding on the choice by which the forebody's heat shield is sized, and on the point.
     pub fn judged(&self, by: JudgedAt, off: &OffStagnation) -> Finding {
         let [factor, load_factor] = [off.heat_flux_ratio, off.heat_load_ratio].map(short);
         let place = self.point.place();

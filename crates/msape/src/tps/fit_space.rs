@@ -14,9 +14,9 @@ use serde::Deserialize;
 pub struct FitSpace {
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// How many.
+    /// Number of trajectories.
     pub trajectories: u32,
     /// Entry speed, km/s.
     pub speed_km_s: Range,

@@ -1,4 +1,4 @@
-//! What a reader must know about a sized heat shield: limits of the material, range of its relation.
+//! Findings on a sized heat shield: limits of the material, range of its relation.
 //!
 //! ```text
 //! q̇ ≤ q̇max, or q̇ ≤ q̇short for no longer than the short duration;  p ≤ pmax;  tmin ≤ t ≤ tmax
@@ -7,7 +7,7 @@
 //! with cold-wall heat flux q̇ in W/cm², pressure p in atm, thickness t in cm.
 //!
 //! # Valid
-//! The limits are those of tests and flights: a material may bear more.
+//! The limits are those of tests and flights: a material may withstand more.
 //!
 //! # References
 //! - \[samareh-2014\] Tables 7 and 8.
@@ -221,7 +221,7 @@ fn in_depth(material: &TpsMaterial, environment: &Environment, template: &Check)
             model: template.model.into(),
             key: "entry_relative_flight_path_angle_deg".into(),
             value: Some(-depth),
-            // the difference holds inside the row's angles; what is good lies outside them
+            // the difference applies inside the row's angles; the relation is good outside them
             valid: if low < 0.0 {
                 (None, upper.map(|deg| -deg))
             } else {

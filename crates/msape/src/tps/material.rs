@@ -14,9 +14,9 @@ pub struct TpsMaterial {
     pub name: String,
     /// Key of the reference.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// What is doubtful about the numbers.
+    /// Doubts about the numbers.
     pub note: String,
     /// Sides for which the relation was made.
     pub sides: Vec<Side>,
@@ -35,11 +35,11 @@ pub struct TpsMaterial {
     pub emissivity: Emissivity,
 }
 
-/// How well a relation meets the ablation code it was fitted to.
+/// Accuracy of a relation against the ablation code to which it was fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fit {
-    /// One standard deviation, percent.
+    /// Standard deviation, percent.
     pub standard_deviation_percent: f64,
     /// Largest under-prediction, percent of the ablation code's thickness.
     pub largest_underprediction_percent: f64,
@@ -49,7 +49,7 @@ pub struct Fit {
     pub recession_cm: Option<Range>,
 }
 
-/// What a material bears, from tests and flights.
+/// Limits of a material, from tests and flights.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
@@ -75,11 +75,11 @@ pub struct InDepth {
     pub flight_path_angle_deg: Range,
     /// Difference, percent of the in-depth model's thickness; negative is too thin.
     pub difference_percent: Range,
-    /// How it was found.
+    /// Method by which the difference was determined.
     pub provenance: String,
 }
 
-/// A density and where it comes from.
+/// A density and its source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Density {
@@ -88,19 +88,19 @@ pub struct Density {
     /// Densities of other lots and sources, kg/m³; open where none was found.
     #[serde(default)]
     pub range_kg_m3: Range,
-    /// Key of the reference; `assumed` for a choice of ours.
+    /// Key of the reference; `assumed` for a choice of this project.
     pub source: String,
     /// Place, spread, doubt.
     pub provenance: String,
 }
 
-/// An emissivity and where it comes from.
+/// An emissivity and its source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Emissivity {
     /// Emissivity.
     pub emissivity: f64,
-    /// Key of the reference; `assumed` for a choice of ours.
+    /// Key of the reference; `assumed` for a choice of this project.
     pub source: String,
     /// Place, spread, doubt.
     pub provenance: String,

@@ -36,9 +36,9 @@ pub enum Mer {
     },
     /// t = p₂ x² + p₁ x + p₀.
     Quadratic {
-        /// Of the square.
+        /// Coefficient of the square.
         p2: f64,
-        /// Of the linear term.
+        /// Coefficient of the linear term.
         p1: f64,
         /// Constant.
         p0: f64,
@@ -51,9 +51,9 @@ pub enum Mer {
         a: f64,
         /// Exponent.
         b: f64,
-        /// Of the square.
+        /// Coefficient of the square.
         p2: f64,
-        /// Of the linear term.
+        /// Coefficient of the linear term.
         p1: f64,
         /// Constant.
         p0: f64,
@@ -62,13 +62,13 @@ pub enum Mer {
     },
 }
 
-/// What sets the thickness.
+/// Criterion that determines the thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Governed {
-    /// The relation.
+    /// The mass-estimating relation.
     Relation,
-    /// The least thickness in which the material is made.
+    /// The least thickness that can be made.
     MinimumThickness,
     /// The user.
     Given,
@@ -79,17 +79,17 @@ pub enum Governed {
 pub struct Sizing<S = f64> {
     /// Thickness to use, m.
     pub thickness_m: S,
-    /// Thickness that relation and making ask for, m.
+    /// Thickness required by the relation and by the least thickness made, m.
     pub asked_m: S,
     /// Thickness of the relation, m.
     pub relation_thickness_m: S,
-    /// One standard deviation of the relation, m.
+    /// Standard deviation of the relation, m.
     pub standard_deviation_m: S,
     /// Thickness where the relation under-predicts the most, m.
     pub largest_thickness_m: S,
     /// Heat load over squared entry speed, J/cm² per (km/s)².
     pub x: S,
-    /// What sets the thickness.
+    /// Criterion that determines the thickness.
     pub governed_by: Governed,
     /// Whether the relation gives less than the least thickness it was fitted to.
     pub below_fit: bool,
@@ -135,7 +135,7 @@ fn quadratic<S: Single>(x: S, [p2, p1, p0]: [f64; 3]) -> S {
 }
 
 impl<S> Sizing<S> {
-    /// With the thickness that the user gives, m, where one is given.
+    /// This sizing with the thickness that the user gives, m, if any.
     pub fn or_given(self, thickness_m: Option<S>) -> Self {
         match thickness_m {
             None => self,

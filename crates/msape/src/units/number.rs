@@ -13,7 +13,7 @@ pub fn shortest(number: f64) -> String {
     }
 }
 
-/// A number in a message: the [`shortest`] text, or what it is instead of a finite number.
+/// A number in a message: the [`shortest`] text, or a word for a value that is not finite.
 pub fn told(number: f64) -> String {
     match number.is_finite() {
         true => shortest(number),

@@ -1,9 +1,9 @@
-//! Numbers as people type them: `11.56 km/s`, `38e3 ft/s`, `11,56`, `=1.3*0.25/2 m`.
+//! Numbers as typed: `11.56 km/s`, `38e3 ft/s`, `11,56`, `=1.3*0.25/2 m`.
 
 use super::{Dimension, Unit, canonical, units_of};
 use thiserror::Error;
 
-/// Why a typed number was not understood.
+/// Reason why a typed number was not understood.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TextError {
     /// Nothing was typed.
@@ -15,17 +15,17 @@ pub enum TextError {
     /// A comma that could divide thousands or decimals.
     #[error("\"{0}\" could mean {1} or {2}: write it without the comma")]
     AmbiguousComma(String, String, String),
-    /// The unit is not known, or measures something else.
+    /// The unit is not known, or has another dimension.
     #[error("unit \"{unit}\" does not fit here: use one of {known}")]
     UnknownUnit {
-        /// What was typed.
+        /// Unit as typed.
         unit: String,
         /// The units that fit.
         known: String,
     },
 }
 
-/// Most characters of a key or of a text that a message repeats.
+/// Largest number of characters of a key or a text that a message repeats.
 pub(crate) const SHOWN_MAX: usize = 100;
 
 /// A text short enough for a message.
@@ -41,7 +41,7 @@ pub(crate) fn cut(text: &str) -> String {
 /// Accepts a decimal comma, and a sum or product after `=`.
 ///
 /// # Errors
-/// [`TextError`] says what was not understood and which units fit.
+/// [`TextError`] with the text that was not understood and the units that fit.
 pub fn parse_number(text: &str, dimension: Dimension, default: &Unit) -> Result<f64, TextError> {
     let text = text.trim().replace('\u{2212}', "-");
     if text.is_empty() {

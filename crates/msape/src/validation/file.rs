@@ -5,7 +5,7 @@ use crate::units::number::shortest;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// What solves the case.
+/// Function that solves the case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Command {
@@ -15,15 +15,15 @@ pub enum Command {
     Design,
 }
 
-/// How far a value may be from its reference, and why.
+/// Tolerance of a value about its reference, and its reason.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tolerance {
-    /// Part of the reference value.
+    /// Relative tolerance, as a fraction of the reference value.
     pub relative: Option<f64>,
-    /// In the unit of the row.
+    /// Absolute tolerance, in the unit of the row.
     pub absolute: Option<f64>,
-    /// Why it is what it is.
+    /// Reason for the tolerance.
     pub reason: String,
 }
 
@@ -34,7 +34,7 @@ impl Tolerance {
         relative.max(self.absolute.unwrap_or(0.0))
     }
 
-    /// As it is written: `0.1 %`, `0.2 s`.
+    /// Tolerance as text, such as `0.1 %` or `0.2 s`.
     pub fn text(&self, unit: &str) -> String {
         match (self.relative, self.absolute) {
             (Some(part), _) => format!("{} %", shortest((part * 1e8).round() / 1e6)),
@@ -44,7 +44,7 @@ impl Tolerance {
     }
 }
 
-/// One value to compare with.
+/// A reference value.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Expectation {
@@ -60,20 +60,20 @@ pub struct Expectation {
     /// Symbol of the unit in which the source gives it.
     #[serde(default)]
     pub unit: String,
-    /// Name of a tolerance of the file; a row without one is shown and not judged.
+    /// Name of a tolerance of the file; a row without one is shown without a verdict.
     pub tolerance: Option<String>,
     /// Whether an assumption of the program was fitted to this value.
     #[serde(default)]
     pub calibrated: bool,
-    /// What must be known of it; for a row that is only shown, why it is not judged.
+    /// Note on the value; for a row without a verdict, the reason.
     pub note: Option<String>,
-    /// Key of the bibliography, where it is not that of the file.
+    /// Key of the bibliography, if different from that of the file.
     pub source: Option<String>,
-    /// Place in it, where it is not that of the file.
+    /// Place in the source, if different from that of the file.
     pub place: Option<String>,
 }
 
-/// Many measured points, compared by the mean of the ratio of ours to the measured value.
+/// Measured points, compared by the mean of the ratio of computed to measured value.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Points {
@@ -91,17 +91,17 @@ pub struct Points {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct File {
-    /// What is compared, in one line.
+    /// Title of the comparison, in one line.
     pub title: String,
     /// Name of a file of the folder `cases`.
     pub case: String,
-    /// What solves it.
+    /// Function that solves the case.
     pub command: Command,
     /// Key of the bibliography.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// What must be known of the whole.
+    /// Note on the whole comparison.
     pub note: Option<String>,
     /// Step of the trajectory, s, where rows name times.
     pub step_s: Option<f64>,
@@ -120,7 +120,7 @@ impl File {
     /// Reads a file; a unit that is not known or a tolerance that is not in the file is an error.
     ///
     /// # Errors
-    /// What is wrong, in one sentence.
+    /// A sentence that describes the fault.
     pub fn parse(text: &str) -> Result<File, String> {
         let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let of_points = file.points.iter().map(|points| &points.expected);

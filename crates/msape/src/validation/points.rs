@@ -1,4 +1,4 @@
-//! Measured points: the mean ratio of ours to the measured value at the start of a flight set up for each point.
+//! Measured points: the mean ratio of the computed to the measured value at the start of a flight set up for each point.
 //!
 //! ```text
 //! ratio = (1/n) Σ ours_i / measured_i
@@ -21,7 +21,7 @@ pub(super) fn row(runner: &Runner, points: &Points) -> Result<Row, DataError> {
     let mut fault = None;
     for point in &table {
         match runner.solve(&point.set) {
-            // The start of the flight is the point; what the quantity is there needs no flying.
+            // The start of the flight is the point; the quantity there requires no flight.
             Ok(answer) => match value(&answer, &points.expected.quantity, Some(0.0)) {
                 Some(ours) => sum += ours / point.measured,
                 None => fault = fault.or_else(|| Some("the quantity did not occur".to_string())),

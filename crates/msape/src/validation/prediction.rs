@@ -1,4 +1,4 @@
-//! Heat shield and entry mass of flown capsules, predicted from what they carried and how they entered.
+//! Heat shield and entry mass of flown capsules, predicted from their equipment and entry state.
 //!
 //! ```text
 //! M = M_e + ρ V(t),   t = t(Q(M))            closed on the mass
@@ -12,13 +12,13 @@
 //! The band is that of the relation's standard deviation on the thickness, and on the masses of this and of the densities
 //! found for the material: the least is closed with both at their least, the greatest with both at their greatest.
 //!
-//! Nothing is fitted: the case is flown with the margins of the report's run page, and the heat shield is judged at its
+//! Nothing is fitted: the case is flown with the margins of the report's run page, and the heat shield is sized at its
 //! hottest point where a shoulder radius is known. A prediction is a hit when its band meets the flown value or its range. A
 //! miss is no fault of the program and does not end `validate` with one.
 //!
 //! # Valid
 //! A heat shield of one thickness on a sphere-cone, without bond and carrier, which count as given. A sharp shoulder has no
-//! factor: the stagnation point is judged.
+//! factor: the heat shield is sized at the stagnation point.
 //!
 //! # References
 //! - \[samareh-2014\] Table 7; those of each file of `data/predictions`.
@@ -36,13 +36,13 @@ use crate::vehicle::body::Shape;
 use numerics::math;
 use serde::{Deserialize, Serialize};
 
-/// What came of a prediction.
+/// Verdict on a prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// The band meets what flew.
+    /// The predicted band contains the flown value.
     Hit,
-    /// It does not.
+    /// The predicted band does not contain the flown value.
     Miss,
     /// No flown value was found.
     NotKnown,
@@ -69,7 +69,7 @@ struct FlownValue {
     place: String,
 }
 
-/// What flew, in the units of the rows.
+/// Flown values, in the units of the rows.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Flown {
@@ -78,7 +78,7 @@ struct Flown {
     entry_mass_kg: Option<FlownValue>,
 }
 
-/// What is given: all but the forebody's heat shield.
+/// Given masses and dimensions: all but the forebody's heat shield.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Equipment {
@@ -95,9 +95,9 @@ pub struct File {
     pub title: String,
     /// Key of the bibliography, of the entry state.
     pub source: String,
-    /// Place in it.
+    /// Place in the source.
     pub place: String,
-    /// What must be known of the whole.
+    /// Note on the whole comparison.
     pub note: String,
     /// Name of an outline.
     outline: String,
@@ -110,28 +110,28 @@ pub struct File {
     flown: Flown,
 }
 
-/// One predicted quantity.
+/// A predicted quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Prediction {
     /// Name of the file, such as `stardust`.
     pub capsule: String,
-    /// What is predicted, in words.
+    /// Label of the quantity.
     pub label: String,
     /// Symbol of the unit of the numbers below.
     pub unit: String,
     /// Predicted value.
     pub predicted: f64,
-    /// Lower end of its band.
+    /// Lower end of the predicted band.
     pub least: f64,
-    /// Upper end of its band.
+    /// Upper end of the predicted band.
     pub greatest: f64,
     /// Flown value, or the least where sources differ.
     pub flown_least: Option<f64>,
     /// Greatest flown value.
     pub flown_greatest: Option<f64>,
-    /// What came of it.
+    /// Verdict.
     pub verdict: Verdict,
-    /// Where the flown value comes from.
+    /// Source of the flown value.
     pub source: String,
 }
 
@@ -142,9 +142,9 @@ pub struct Capsule {
     pub name: String,
     /// Name for people.
     pub title: String,
-    /// What was given, and from where.
+    /// Given quantities, with their sources.
     pub given: String,
-    /// What must be known.
+    /// Note on the predictions.
     pub note: String,
     /// The predictions.
     pub rows: Vec<Prediction>,
@@ -153,7 +153,7 @@ pub struct Capsule {
 /// Every capsule of the folder `predictions`.
 ///
 /// # Errors
-/// A file that cannot be read or names what is not there, which a test excludes.
+/// A file that cannot be read or contains an unknown name, which a test excludes.
 pub fn capsules(library: &Library) -> Result<Vec<Capsule>, DataError> {
     data_folder("predictions")
         .map(|(path, text)| {
@@ -171,7 +171,7 @@ pub fn capsules(library: &Library) -> Result<Vec<Capsule>, DataError> {
         .collect()
 }
 
-/// Most turns of the closing, and the change of the mass at which it ends, kg.
+/// Largest number of iterations of the closing, and the change of the mass at which it ends, kg.
 const TURNS: usize = 50;
 const SETTLED_KG: f64 = 1e-9;
 
@@ -223,7 +223,7 @@ impl<'a> Closing<'a> {
         })
     }
 
-    /// The heat shield that a capsule of a mass, kg, needs.
+    /// Heat shield that a capsule of a mass, kg, requires.
     fn sizing(&self, mass_kg: f64) -> Sizing {
         let FlightProblem { mission, body, .. } = &self.problem;
         let mut body = body.clone();
@@ -243,7 +243,7 @@ impl<'a> Closing<'a> {
         mer::size(self.material, &judged)
     }
 
-    /// Closes the mass with the relation's thickness moved by a number of its standard deviations.
+    /// Closes the mass with the thickness of the relation changed by a number of its standard deviations.
     fn close(&self, deviations: f64, density_kg_m3: f64) -> Closed {
         let mut entry_kg = self.problem.body.mass_kg;
         let mut turn = 0;

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the density ρ in kg/m³, lengths in m, Rₚ the payload's radius and s the stroke. Behind the payload a void of π Rₚ² s is left;
-//! the foam beside stays as it is. All is exact but the last integral, by quadrature to nine digits.
+//! the foam around it does not change. All terms are exact but the last integral, by quadrature to nine digits.
 //!
 //! # Valid
 //! Landing on the nose, one-dimensional crush: the payload a homogeneous ball, each column of uniform density. The stroke is cut at
@@ -94,7 +94,7 @@ fn columns<S: Single>(concept: Concept, layout: &Layout<S>) -> Profile<S> {
         .closed()
 }
 
-/// Change of ∫ x² dV, each volume weighed by what it was before, m⁵.
+/// Change of ∫ x² dV, each volume weighted by its value before the crush, m⁵.
 fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stroke_m: S) -> S {
     let radius = layout.payload_radius_m;
     let forebody = &layout.outline.forebody;
@@ -112,7 +112,7 @@ fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stro
         let change = a * (b_new - b) + b_new * b_new - b * b;
         radius * (2.0 * PI) * s * radius * c * (b - a) * change / 3.0
     };
-    // the nose goes over into the cone with a kink in the curvature
+    // the curvature jumps where the nose joins the cone
     let [axis, equator] = [0.0, FRAC_PI_2].map(S::constant);
     let kink = match concept {
         Concept::Msr => equator,
@@ -174,7 +174,7 @@ mod tests {
                 forward > least && forward < most,
                 "{least} {forward} {most}"
             );
-            // nothing goes sideways
+            // no sideways motion
             assert_eq!(after.ixx_kg_m2, mass.ixx_kg_m2);
         }
     }

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with the area S that coefficients refer to in m², D in m, x along the axis in m, aft positive. x = 0 is the virtual apex of the
-//! cone where the shape has one, the tip of the nose for a spherical segment, and what the file says for points.
+//! cone where the shape has one, the tip of the nose for a spherical segment, and as in the file for points.
 //!
 //! # Valid
 //! Closed outlines of lines and arcs that touch the axis at both ends only.
@@ -44,12 +44,12 @@ pub struct RigidBody {
     pub cone_half_angle_rad: Option<f64>,
     /// Axial position of the cone's virtual apex, m; absent without a cone.
     pub virtual_apex_x_m: Option<f64>,
-    /// Where the numbers come from and what was made of them.
+    /// Sources and processing of the numbers.
     pub notes: Vec<String>,
 }
 
 impl RigidBody {
-    /// A body from its open outline, nose first; nose and cone are looked for in it.
+    /// A body from its open outline, nose first, in which nose and cone are recognized.
     pub fn from_outline(name: &str, open: Profile, notes: Vec<String>) -> Self {
         let [.., largest_r_m] = open.bounds_m();
         let diameter_m = 2.0 * largest_r_m.max(0.0);
@@ -93,11 +93,11 @@ impl RigidBody {
     }
 }
 
-/// Radii that points on a nose sphere give may differ by this part.
+/// Largest relative difference between the radii from points on a nose sphere.
 const NOSE_TOLERANCE: f64 = 1e-3;
-/// Points, beside the tip, that make a nose sphere.
+/// Number of points, in addition to the tip, that define a nose sphere.
 const NOSE_POINTS: usize = 3;
-/// A nose sphere cut by this or less by the axis is centred on it.
+/// A nose sphere cut by this or less by the axis is centered on it.
 const CENTER_TOLERANCE: f64 = 1e-6;
 
 /// Radius of the nose: of an arc about a point of the axis, or of the sphere on which the first points lie.
@@ -126,7 +126,7 @@ fn nose_radius_m(open: &Profile) -> Option<f64> {
     (alike + 1 >= NOSE_POINTS).then_some(radius)
 }
 
-/// A line of the forebody is its cone when it spans this part of the radius.
+/// Least fraction of the radius that a line of the forebody spans to count as its cone.
 const CONE_SPAN: f64 = 0.2;
 
 /// Half-angle and apex of the forebody's cone: its longest line up to the largest diameter.

@@ -1,14 +1,14 @@
-//! Closing at one diameter: the centre of gravity that the vehicle about it has, its walls settled.
+//! Closing at one diameter: the center of gravity about which the vehicle is laid out, with converged walls.
 //!
 //! ```text
 //! g(x, walls) = x   bracketed among the x that leave room for a wing; the foremost root, x(walls)
 //! walls             least fixed point of  walls → geometry(x(walls), walls) → masses → loads → walls,  from the least gauges up
 //! ```
 //!
-//! with x in m and g the centre of gravity of the vehicle laid out about x with these walls. Too far forward the lid is so flat,
-//! too far aft its foot stands so high that the wing is too shallow: in between is the admissible interval; g outside it is not
-//! asked for. In the MSR concept nothing is laid out about x, and g is its centre of gravity at once. There is no start:
-//! what closes at a diameter depends on the input and the diameter alone.
+//! with x in m and g the center of gravity of the vehicle laid out about x with these walls. Too far forward the lid is so flat,
+//! too far aft its foot is so high that the wing is too shallow: in between is the admissible interval; g outside it is not
+//! needed. In the MSR concept nothing is laid out about x, and g is its center of gravity at once. There is no initial guess:
+//! the vehicle that closes at a diameter depends on the input and the diameter alone.
 //!
 //! # Valid
 //! As [`crate::vehicle::outline`] and [`crate::vehicle::structure`]. Thicker walls make heavier vehicles and these thicker walls:
@@ -17,7 +17,7 @@
 //! root ahead of the one found is looked for at a few places only.
 //!
 //! # References
-//! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it). Its loop, geometry about the last centre of gravity
+//! - \[samareh-2014\] section 3.1.2 and Figure 12 (as the text describes it). Its loop, geometry about the last center of gravity
 //!   over and over, is replaced by the bracketed root: it need not settle where a vehicle closes.
 
 use crate::vehicle::draft::Memory;
@@ -35,7 +35,7 @@ use numerics::scalar::Single;
 /// A vehicle that closes at a diameter.
 #[derive(Clone, Debug)]
 pub struct Closed {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout,
     /// Components.
     pub components: Vec<Component>,
@@ -48,38 +48,38 @@ pub struct Closed {
 /// Turns after which walls count as rising without end.
 const MOST_TURNS: u32 = 500;
 
-/// Turns after which a vehicle that does not fit is taken as it stands: thicker walls give it no room.
+/// Iterations after which a vehicle that does not fit is taken as it is: thicker walls give it no room.
 const MOST_UNFIT_TURNS: u32 = 12;
 
-/// Precision of centre of gravity and walls, as part of what the rules ask.
+/// Precision of center of gravity and walls, as a fraction of that of the rules.
 const PRECISION: f64 = 1e-4;
 
-/// Room that walls of the least gauge must nearly have, m: thicker ones never give as much back.
+/// Least room with walls of minimum gauge for a search to continue, m: thicker walls never gain as much.
 const HOPELESS_M: f64 = -0.02;
 
-/// Room that is missing, or centre of gravity that is off, so much that the walls need not be known well, m.
+/// Lack of room, or error of the center of gravity, above which approximate walls suffice, m.
 const UNFIT_M: f64 = 1e-4;
 
-/// Step that tells to which side there is more room, and room that is nought but for rounding, m.
+/// Step for finding the side with more room, and room that is zero within rounding, m.
 const NEAR_M: f64 = 1e-9;
 
-/// Room that counts for each metre by which a centre of gravity lies beyond the places that leave room: it moves faster with
+/// Room that counts for each meter by which a center of gravity lies beyond the places that leave room: it moves faster with
 /// the diameter than the annulus does.
 const CG_SHARE: f64 = 0.2;
 
-/// Neighborhood in which the centre of gravity is looked for first when walls have changed, m.
+/// Interval searched first for the center of gravity when walls have changed, m.
 const NEIGHBORHOOD_M: f64 = 1e-3;
 
 /// Room that is missing at the edge of the places that leave room: the length that a wing must have, m.
 const EDGE_M: f64 = 1e-6;
 
-/// Places between nose and aft end at which the foremost root is looked for.
+/// Number of places between nose and aft end at which the foremost root is searched for.
 const PLACES: u32 = 6;
 
 /// A vehicle at a diameter, whether it closes or not.
 #[derive(Clone, Debug)]
 pub struct Attempt {
-    /// Where everything stands, or would.
+    /// Layout, which may not fit.
     trial: Trial,
     structure: Structure,
     iterations: u32,
@@ -91,7 +91,7 @@ impl Attempt {
         self.trial.misfit
     }
 
-    /// How much room there is, continuous in the diameter: negative where the vehicle is too small, m.
+    /// Room, continuous in the diameter, m: negative where the vehicle is too small.
     pub fn room_m(&self) -> f64 {
         self.trial.room_m
     }
@@ -122,7 +122,7 @@ impl Attempt {
     }
 }
 
-/// Lays a vehicle out at one diameter after the other, with the impact foam that the landing asks for or more of it.
+/// Layout of a vehicle at successive diameters, with the impact foam that the landing requires or more of it.
 pub struct Search<'a> {
     input: &'a VehicleInput,
     foam: &'a FoamRule<'a>,
@@ -131,7 +131,7 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// For the vehicle of an input, whose landing asks for `foam`.
+    /// Search for the vehicle of an input, whose landing requires `foam`.
     pub fn new(input: &'a VehicleInput, foam: &'a FoamRule<'a>) -> Self {
         Self {
             input,
@@ -204,7 +204,7 @@ struct Candidate<'a> {
     memory: &'a mut Memory,
     forebody: Forebody,
     payload_radius_m: f64,
-    /// Walls of the last turn.
+    /// Walls of the last iteration.
     structure: Structure,
     layouts: u32,
 }
@@ -222,7 +222,7 @@ impl Candidate<'_> {
         lay_out(self.input.concept, &frame)
     }
 
-    /// Width within which centre of gravity and walls are found, m.
+    /// Width within which center of gravity and walls are found, m.
     fn precision_m(&self) -> f64 {
         PRECISION * self.input.rules.convergence_m
     }
@@ -239,7 +239,7 @@ impl Candidate<'_> {
         masses(self.input, &trial.layout, &densities, self.memory)
     }
 
-    /// The layout with walls that carry it, and how far its centre of gravity lies from the place that it is laid out about, m.
+    /// Layout with walls that carry it, and the distance of its center of gravity from the place about which it is laid out, m.
     fn settle(&mut self) -> Result<(Trial, f64), Misfit> {
         let mut x_m = None;
         let mut move_m = f64::INFINITY;
@@ -275,7 +275,7 @@ impl Candidate<'_> {
         Err(Misfit::NotConverged { move_m })
     }
 
-    /// How far the centre of gravity lies behind the place about which the vehicle is laid out, m; where the wing is too
+    /// Distance of the center of gravity behind the place about which the vehicle is laid out, m; where the wing is too
     /// shallow by how much, positive when a place further aft has it less so.
     fn lead_m(&mut self, x_m: f64) -> f64 {
         self.layouts += 1;
@@ -290,7 +290,7 @@ impl Candidate<'_> {
         }
     }
 
-    /// The place about which the vehicle with these walls has its centre of gravity, or the last one that leaves room for a
+    /// The place about which the vehicle with these walls has its center of gravity, or the last one that leaves room for a
     /// wing, m: near the place `before_m` of walls before, or the foremost.
     fn own_cg_x_m(&mut self, before_m: Option<f64>) -> Result<f64, Misfit> {
         if let Some(x_m) = before_m {
@@ -304,14 +304,14 @@ impl Candidate<'_> {
         let aft_x_m = self.forebody.shoulder_center().x_m.max(payload_x_m) + self.payload_radius_m;
         let step_m = (aft_x_m - nose_x_m) / f64::from(PLACES);
         let place = |k: u32| nose_x_m + step_m * f64::from(k);
-        // from the nose on; beyond the vehicle no centre of gravity lies behind
+        // from the nose on; beyond the vehicle no center of gravity lies behind
         match (1..=4 * PLACES).find(|&k| self.lead_m(place(k)) <= 0.0) {
             Some(k) => self.cg_between(place(k - 1), place(k)),
             None => Err(Misfit::NotConverged { move_m: step_m }),
         }
     }
 
-    /// The place between two at which the lead changes its sign, m: no closer than need be where the centre of gravity is far off.
+    /// The place between two at which the lead changes its sign, m: no closer than need be where the center of gravity is far off.
     fn cg_between(&mut self, fore_m: f64, aft_m: f64) -> Result<f64, Misfit> {
         let none = || Misfit::NotConverged {
             move_m: aft_m - fore_m,
@@ -325,13 +325,13 @@ impl Candidate<'_> {
         root::brent(|x_m| self.lead_m(x_m), one, other, tolerance).ok_or_else(none)
     }
 
-    /// The settled layout, with the room that its centre of gravity leaves.
+    /// Converged layout, with the room that its center of gravity leaves.
     fn trial(&mut self) -> Result<Trial, Misfit> {
         let (trial, off_m) = self.settle()?;
         if trial.room_m < -EDGE_M || off_m.abs() < self.input.rules.convergence_m {
             return Ok(trial);
         }
-        // the last place that leaves room for a wing, and the centre of gravity lies beyond it
+        // the last place that leaves room for a wing, and the center of gravity lies beyond it
         let about_cg = self.lay_out(trial.layout.outline.lid_center_x_m + off_m);
         let slope_rad = about_cg.layout.outline.wing_slope_rad;
         Ok(Trial {

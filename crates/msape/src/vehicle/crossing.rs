@@ -1,4 +1,4 @@
-//! Where two segments meet.
+//! Points at which two segments meet.
 //!
 //! ```text
 //! line, line: p + t u = q + s v         line, arc: |p + t u − c| = R         arc, arc: |x − c₁| = R₁, |x − c₂| = R₂

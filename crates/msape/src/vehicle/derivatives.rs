@@ -5,11 +5,11 @@
 //! ```
 //!
 //! with u what the search finds: diameter, place about which the vehicle is laid out, thickness, faces and density of the three
-//! walls; and r what holds there: the diameter asked for or no room to spare, the centre of gravity at that place, walls as the
-//! rules ask for. Roots within a layout (shoulder, foam, lid) move by their own equations.
+//! walls; and r what holds there: the requested diameter or no room to spare, the center of gravity at that place, walls as the
+//! rules require. Roots within a layout (shoulder, foam, lid) move by their own equations.
 //!
 //! # Valid
-//! Off the places where another branch takes over, which [`Branches`] names; there the derivative is that of the branch taken. A
+//! Away from changes of branch, which [`Branches`] names; there the derivative is that of the branch taken. A
 //! diameter at which room jumps has no derivative: not a number.
 //!
 //! # References
@@ -39,33 +39,33 @@ const NO_ROOM_M: f64 = 1e-6;
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;
 
-/// What a vehicle's diameter is set by.
+/// Condition that determines the diameter of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DiameterBy {
-    /// The case.
+    /// The requested diameter.
     Asked,
-    /// The room for its wing.
+    /// The room for the wing.
     Room,
-    /// Something that fits from one diameter on and not before: no derivative.
+    /// A part that fits from one diameter on and not below: no derivative.
     Jump,
 }
 
-/// The branches that a vehicle's numbers are on.
+/// Branches taken by the numbers of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Branches {
-    /// What sets the diameter.
+    /// Condition that determines the diameter.
     pub diameter: DiameterBy,
-    /// Shoulder radius against that asked for.
+    /// Shoulder radius compared with that requested.
     pub shoulder: core::cmp::Ordering,
-    /// Whether the impact foam is thicker than the landing asks for.
+    /// Whether the impact foam is thicker than the landing requires.
     pub foam_thickened: bool,
     /// Whether the gap under the lid is that of the rules.
     pub whole_gap: bool,
-    /// Whether the wing is at most as steep as the rules have it, and not as the forebody.
+    /// Whether the steepest wing is limited by the rules, and not by the forebody.
     pub steepest_by_rule: bool,
     /// Whether payload and foam rest in the nose and not in the cone.
     pub in_nose: bool,
-    /// What sets each wall.
+    /// Criterion that determines the thickness of each wall.
     pub walls: [Governs; 3],
 }
 
@@ -128,10 +128,10 @@ pub fn figures<S: Single>(input: &VehicleInput<S>) -> Result<(Figures<S>, Branch
     Ok((figures, branches))
 }
 
-/// What holds of a vehicle that closes.
+/// Equations that a vehicle that closes satisfies.
 struct System {
     by: DiameterBy,
-    /// What sets each wall.
+    /// Criterion that determines the thickness of each wall.
     governs: [Governs; 3],
 }
 

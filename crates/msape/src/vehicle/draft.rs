@@ -1,6 +1,6 @@
 //! The closed curves of a vehicle's parts, drawn one after the other in the same memory.
 //!
-//! A search draws every part thousands of times and keeps none of them: it reads each curve while it stands.
+//! A search draws every part thousands of times and keeps none of them: it reads each curve while it exists.
 
 use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::profile::Profile;

@@ -16,13 +16,13 @@ use serde::{Deserialize, Serialize};
 /// The numbers of a vehicle that closes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figures<S = f64> {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout<S>,
     /// Walls.
     pub structure: Structure<S>,
-    /// Mass, centre of gravity, inertia.
+    /// Mass, center of gravity, inertia.
     pub mass: MassProperties<S>,
-    /// The same after landing, the payload moved forward by the required stroke.
+    /// Mass, center of gravity and inertia after landing, the payload moved forward by the required stroke.
     pub crushed: MassProperties<S>,
     /// Key dimensions.
     pub dimensions: Dimensions<S>,
@@ -41,7 +41,7 @@ pub struct Dimensions<S = f64> {
     pub nose_radius_m: S,
     /// Shoulder radius, m.
     pub shoulder_radius_m: S,
-    /// Shoulder radius asked for at this diameter, m.
+    /// Requested shoulder radius at this diameter, m.
     pub input_shoulder_radius_m: S,
     /// Distance of the virtual apex ahead of the nose tip, m.
     pub virtual_apex_ahead_m: S,
@@ -59,7 +59,7 @@ pub struct Dimensions<S = f64> {
     pub payload_diameter_m: S,
     /// Payload density, kg/m³.
     pub payload_density_kg_m3: S,
-    /// Nose tip to payload centre, m.
+    /// Nose tip to payload center, m.
     pub payload_height_m: S,
     /// Impact foam, m.
     pub foam_thickness_m: S,
@@ -71,20 +71,20 @@ pub struct Dimensions<S = f64> {
     pub lid_insulation_thickness_m: S,
     /// Inner radius of the primary structure, m.
     pub primary_structure_radius_m: S,
-    /// Centre of gravity behind the nose tip, m.
+    /// Center of gravity behind the nose tip, m.
     pub cg_from_nose_m: S,
-    /// Centre of gravity behind the virtual apex, m.
+    /// Center of gravity behind the virtual apex, m.
     pub cg_from_apex_m: S,
-    /// The same over the diameter.
+    /// Center of gravity behind the virtual apex over the diameter.
     pub cg_over_diameter: S,
     /// Area of nose, cone and shoulder up to the largest diameter, m².
     pub forebody_area_m2: S,
-    /// Area of the whole outer mould line, m².
+    /// Area of the whole outer mold line, m².
     pub wetted_area_m2: S,
 }
 
 impl<S: Single> Figures<S> {
-    /// Those of a vehicle whose diameter, layout, walls and parts are found.
+    /// Numbers of a vehicle whose diameter, layout, walls and parts are found.
     pub fn new(
         input: &VehicleInput<S>,
         rule: &FoamRule<S>,

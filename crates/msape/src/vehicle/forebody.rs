@@ -1,8 +1,8 @@
 //! Sphere-cone forebody: nose sphere, cone, shoulder arc, and its inner offsets.
 //!
 //! ```text
-//! x_n = Rₙ / sin θ                                  centre of the nose sphere
-//! x_s = (r_s + R_s cos θ) / tan θ + R_s sin θ        centre of the shoulder arc, r_s = D/2 − R_s
+//! x_n = Rₙ / sin θ                                  center of the nose sphere
+//! x_s = (r_s + R_s cos θ) / tan θ + R_s sin θ        center of the shoulder arc, r_s = D/2 − R_s
 //! r   = (x − t / sin θ) tan θ                       cone at the depth t under the surface
 //! ```
 //!
@@ -22,7 +22,7 @@ use numerics::scalar::Single;
 use numerics::scalar::functions::sin_cos;
 use serde::{Deserialize, Serialize};
 
-/// The forebody's outer mould line.
+/// The forebody's outer mold line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Forebody<S = f64> {
     /// Largest diameter, m.
@@ -36,7 +36,7 @@ pub struct Forebody<S = f64> {
 }
 
 impl<S: Single> Forebody<S> {
-    /// That of an input at a diameter.
+    /// Forebody of an input at a diameter.
     pub fn new(input: &VehicleInput<S>, diameter_m: S) -> Self {
         let radius_m = diameter_m / 2.0;
         Self {
@@ -52,7 +52,7 @@ impl<S: Single> Forebody<S> {
         sin_cos(self.cone_half_angle_rad)
     }
 
-    /// Axial position of the centre of the nose sphere, m.
+    /// Axial position of the center of the nose sphere, m.
     pub fn nose_center_x_m(&self) -> S {
         self.nose_radius_m / self.sin_cos().0
     }
@@ -62,7 +62,7 @@ impl<S: Single> Forebody<S> {
         self.nose_center_x_m() - self.nose_radius_m
     }
 
-    /// Centre of the shoulder arc; its x is that of the largest diameter.
+    /// Center of the shoulder arc; its x is that of the largest diameter.
     pub fn shoulder_center(&self) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let Self {
@@ -76,7 +76,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Point at depth `depth_m` where the nose sphere goes over into the cone; on the axis when the sphere is used up.
+    /// Point at depth `depth_m` where the nose sphere joins the cone; on the axis if no sphere is left at this depth.
     pub fn nose_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let radius = self.nose_radius_m - depth_m;
@@ -90,7 +90,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Point at depth `depth_m`, less than the shoulder radius, where the cone goes over into the shoulder arc.
+    /// Point at depth `depth_m`, less than the shoulder radius, where the cone joins the shoulder arc.
     pub fn shoulder_tangent(&self, depth_m: S) -> Point<S> {
         let (sin, cos) = self.sin_cos();
         let (center, radius) = (self.shoulder_center(), self.shoulder_radius_m - depth_m);
@@ -100,7 +100,7 @@ impl<S: Single> Forebody<S> {
         }
     }
 
-    /// Distance from the axis, m, at a part of the length along the surface from the nose tip to the largest diameter.
+    /// Distance from the axis, m, at a fraction of the length along the surface from the nose tip to the largest diameter.
     pub fn radius_along_m(&self, part: S) -> S {
         let zero = S::constant(0.0);
         let (nose, tangent) = (self.nose_tangent(zero), self.shoulder_tangent(zero));
@@ -192,7 +192,7 @@ impl<S: Single> Forebody<S> {
         path
     }
 
-    /// Axial position of the centre of a ball of radius `radius_m` that rests on the surface at depth `depth_m`, m.
+    /// Axial position of the center of a ball of radius `radius_m` that rests on the surface at depth `depth_m`, m.
     pub fn resting_ball_x_m(&self, depth_m: S, radius_m: S) -> S {
         let nose = self.nose_radius_m - depth_m;
         if radius_m.less(nose) {
@@ -285,7 +285,7 @@ mod tests {
             shoulder_radius_m: 0.05,
             cone_half_angle_rad: PI / 6.0,
         };
-        // centre of the nose at 0.3 / 0.5 = 0.6; a ball of 0.1 rests at 0.6 − 0.3 + 0.1, one of 0.4 at 0.4 / 0.5
+        // center of the nose at 0.3 / 0.5 = 0.6; a ball of 0.1 rests at 0.6 − 0.3 + 0.1, one of 0.4 at 0.4 / 0.5
         assert!((body.resting_ball_x_m(0.0, 0.1) - 0.4).abs() < 1e-15);
         assert!((body.resting_ball_x_m(0.0, 0.4) - 0.8).abs() < 1e-15);
     }

@@ -4,13 +4,13 @@
 //! D → D − room / L   while room < 0;   then the root of room(D) in the last step
 //! ```
 //!
-//! with D the diameter in m, from the one asked for up; `room` in m how far the annulus stands inside the shallowest wing and the
+//! with D the diameter in m, from the requested one up; `room` the distance in m of the annulus inside the shallowest wing and the
 //! shoulder, negative when the vehicle is too small; L a bound of its growth with D. Steps that long cannot pass a
 //! diameter that closes; where the room is nearly enough, and where something else does not fit, they are small parts of D.
 //!
 //! # Valid
-//! Up to the largest diameter of the rules. L is that of a rigid filling in a growing forebody, with a reserve for what
-//! centre of gravity and walls do; tests scan what lies below the diameters found.
+//! Up to the largest diameter of the rules. L is that of a rigid filling in a growing forebody, with a reserve for
+//! the motion of center of gravity and walls; tests scan the diameters below those found.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2: the diameter is increased until the smallest vehicle is found.
@@ -26,28 +26,28 @@ use serde::{Deserialize, Serialize};
 /// A vehicle that closes at no diameter up to the largest allowed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotClosed {
-    /// One sentence: what does not fit where, and what was tried.
+    /// Message in one sentence: the parts that do not fit, the place, and the attempts made.
     pub reason: String,
-    /// Why it did not fit at the diameter asked for.
+    /// Why it did not fit at the requested diameter.
     pub at_input: Option<Misfit>,
     /// Why it did not fit at the largest diameter tried.
     pub at_largest: Option<Misfit>,
 }
 
-/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's centre, that times cot θ along the axis; and as much
-/// again for what the filling does.
+/// Bound of the growth of the room with the diameter: 1/2 at the shoulder's center, that times cot θ along the axis; and as much
+/// again for the motion of the filling.
 fn largest_growth(input: &VehicleInput) -> f64 {
     let (s, c) = sin_cos(input.cone_half_angle_rad);
     (c / s).max(1.0)
 }
 
-/// Smallest step of the diameter, as part of it.
+/// Smallest relative step of the diameter.
 const LEAST_STEP: f64 = 0.002;
 
-/// Step of the diameter where no room tells how far it is, as part of it.
+/// Relative step of the diameter where no measure of room gives the distance to a fit.
 const BLIND_STEP: f64 = 0.01;
 
-/// The vehicle at the diameter asked for or, when it does not close there, at the smallest larger one that does.
+/// The vehicle at the requested diameter or, when it does not close there, at the smallest larger one that does.
 pub fn smallest_that_closes(
     input: &VehicleInput,
     foam: &FoamRule,
@@ -132,7 +132,7 @@ fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
     let closes = |payload_m: f64| {
         let mut input = input.clone();
         input.payload_size = PayloadSize::DiameterM(payload_m);
-        // a wider payload crushes more foam at once, and asks for another
+        // a wider payload crushes more foam at once, and requires another
         Search::new(&input, &FoamRule::new(&input))
             .attempt(diameter_m)
             .is_ok_and(|tried| tried.misfit().is_none())
@@ -146,7 +146,7 @@ fn largest_payload_m(input: &VehicleInput, diameter_m: f64) -> Option<f64> {
             high = middle
         }
     }
-    // rounded down to the millimetre, so that what is said does fit
+    // rounded down to the millimeter, so that a payload of the printed size fits
     let said = (low * 1000.0).floor() / 1000.0;
     (said > 0.0 && closes(said)).then_some(said)
 }

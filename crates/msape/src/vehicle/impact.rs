@@ -53,7 +53,7 @@ pub struct Impact<S = f64> {
     pub ground_penetration: Option<RigidBodyLoad<S>>,
     /// The constant α of equation 1; absent on other grounds.
     pub penetration_alpha: Option<f64>,
-    /// Load on a rigid surface, which the foam is made for, Earth g.
+    /// Load on a rigid surface for which the foam is designed, Earth g.
     pub crush_load_limit_earth_g: S,
     /// Nose diameter in equation 1, m.
     pub nose_diameter_m: S,
@@ -61,13 +61,13 @@ pub struct Impact<S = f64> {
     pub required_stroke_m: S,
     /// Foam thickness that gives this stroke, m.
     pub required_foam_thickness_m: S,
-    /// Part of the foam's thickness that was used for it.
+    /// Fraction of the foam's thickness used for the stroke.
     pub stroke_efficiency: S,
-    /// What the strength of the foam follows from.
+    /// Law that determines the strength of the foam.
     pub foam_strength_by: FoamStrength,
-    /// Compressive strength asked for, Pa.
+    /// Requested compressive strength, Pa.
     pub foam_strength_pa: S,
-    /// The same by equation 6, Pa.
+    /// Compressive strength by equation 6, Pa.
     pub equation_6_strength_pa: S,
     /// Density of the foam, kg/m³.
     pub foam_density_kg_m3: S,

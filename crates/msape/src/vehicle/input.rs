@@ -1,4 +1,4 @@
-//! What a vehicle is made from: the inputs of section 3.1.1 of the report and the data that the rules need.
+//! Inputs of a vehicle: those of section 3.1.1 of the report and the data that the rules need.
 
 use crate::vehicle::impact::Ground;
 use crate::vehicle::impact::foam::FoamKind;
@@ -22,11 +22,11 @@ pub enum PayloadSize<S = f64> {
     DensityKgM3(S),
     /// Diameter, m.
     DiameterM(S),
-    /// Diameter as a fraction of the vehicle diameter asked for.
+    /// Diameter as a fraction of the requested vehicle diameter.
     DiameterRatio(S),
 }
 
-/// What the landing is designed for.
+/// Inputs of the landing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ImpactInput<S = f64> {
     /// Design load of the payload, Earth g.
@@ -35,11 +35,11 @@ pub struct ImpactInput<S = f64> {
     pub stroke_efficiency: Option<S>,
     /// The ground.
     pub ground: Ground,
-    /// What its strength follows from.
+    /// Law that determines the strength of the foam.
     pub foam_strength: FoamStrength,
     /// How the foam crushes.
     pub foam: FoamKind,
-    /// What crushes it.
+    /// Mass that crushes the foam.
     pub crushing_mass: CrushingMass,
 }
 
@@ -60,7 +60,7 @@ pub struct LayerStack<S = f64> {
     pub carrier: Carrier<S>,
 }
 
-/// What the flight says about loads.
+/// Loads from the flight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Loads<S = f64> {
     /// Peak deceleration in flight, Earth g.
@@ -76,7 +76,7 @@ pub struct Loads<S = f64> {
 pub struct VehicleInput<S = f64> {
     /// Concept.
     pub concept: Concept,
-    /// Diameter asked for, m.
+    /// Requested diameter, m.
     pub diameter_m: S,
     /// Nose radius over vehicle radius.
     pub nose_radius_ratio: S,
@@ -104,7 +104,7 @@ pub struct VehicleInput<S = f64> {
     pub densities: ComponentDensities<S>,
     /// Masses of components that the user gives, kg, before the margin.
     pub given_masses: Vec<(ComponentKind, S)>,
-    /// What each component is made of, and where its density comes from.
+    /// Material of each component, and source of its density.
     pub materials: Materials,
     /// Loads of flight and landing.
     pub loads: Loads<S>,
@@ -112,7 +112,7 @@ pub struct VehicleInput<S = f64> {
     pub structure_loads: StructureLoads<S>,
     /// Crush load limit, stroke efficiency, ground.
     pub impact: ImpactInput<S>,
-    /// Foam grades by rising density, for judging the strength asked for.
+    /// Foam grades by rising density, for judging the requested strength.
     pub foam_grades: Vec<FoamGrade>,
     /// Constants of the geometry.
     pub rules: Rules,
@@ -144,7 +144,7 @@ impl<S: Single> VehicleInput<S> {
 }
 
 impl VehicleInput {
-    /// What is wrong with the numbers, as one sentence; `None` when a vehicle can be tried.
+    /// Fault of the numbers, as one sentence; `None` if a vehicle can be laid out.
     pub fn fault(&self) -> Option<String> {
         let positive = [
             ("diameter_m", self.diameter_m),

@@ -58,7 +58,7 @@ pub enum ComponentKind {
 }
 
 impl ComponentKind {
-    /// How many.
+    /// Number of kinds.
     pub const COUNT: usize = 12;
 
     /// All, in the order in which they are summed.
@@ -173,14 +173,14 @@ impl WallPlace {
     }
 }
 
-/// Impact foam as the landing asks for it.
+/// Impact foam that the landing requires.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Foam<S = f64> {
     /// Thickness, m.
     pub thickness_m: S,
     /// Density, kg/m³.
     pub density_kg_m3: S,
-    /// Compressive strength asked for, Pa.
+    /// Requested compressive strength, Pa.
     pub strength_pa: S,
 }
 
@@ -198,10 +198,10 @@ pub struct FoamGrade {
     pub source: String,
 }
 
-/// Densities of what fills the vehicle.
+/// Densities of the fillings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComponentDensities<S = f64> {
-    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the strength asked for, and adds the panels.
+    /// Impact foam with its panels, kg/m³; `None` takes the grade that has the requested strength, and adds the panels.
     pub impact_foam_kg_m3: Option<S>,
     /// Composite panels of the MSR impact sphere, smeared over its foam, kg/m³; part of the density of the foam.
     pub impact_panels_kg_m3: S,

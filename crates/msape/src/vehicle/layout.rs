@@ -1,15 +1,15 @@
-//! Where everything in a vehicle stands at one diameter, and why it may not fit: what both concepts share.
+//! Layout of a vehicle at one diameter, and the reasons why it may not fit: the part common to both concepts.
 //!
 //! ```text
 //! R_s ≥ (t + t_a cos δ) / (1 + cos δ), cos δ = sin (θ + φ)      the layers fit into the shoulder
 //! ```
 //!
 //! with R_s the shoulder radius, t and t_a the layers of forebody and aftbody in m, θ the cone half-angle and φ the slope of the
-//! wing in rad. Of the lids that a concept may have the lowest and widest is taken that [`Wing`] lets stand; how far
-//! it stands ahead of the shallowest wing then tells by how much a vehicle is too small, continuously in every dimension.
+//! wing in rad. Of the lids possible in a concept, the lowest and widest that [`Wing`] allows is taken; its distance
+//! ahead of the shallowest wing then measures by how much a vehicle is too small, continuously in every dimension.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
@@ -28,7 +28,7 @@ use numerics::scalar::Single;
 use numerics::scalar::functions::sin_cos;
 use serde::{Deserialize, Serialize};
 
-/// Depths of the layers under the outer mould line and thickness of the inner walls.
+/// Depths of the layers under the outer mold line and thickness of the inner walls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Depths<S = f64> {
     /// Forebody heat shield, m.
@@ -46,7 +46,7 @@ pub struct Depths<S = f64> {
 }
 
 impl<S: Single> Depths<S> {
-    /// Those of an input with its walls.
+    /// Depths of the layers of an input with its walls.
     pub fn new(input: &VehicleInput<S>, structure: &Structure<S>) -> Self {
         Self {
             forebody_tps_m: input.forebody.tps_thickness_m,
@@ -69,31 +69,31 @@ impl<S: Single> Depths<S> {
     }
 }
 
-/// What a concept is laid out from.
+/// Data from which a concept is laid out.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, S = f64> {
-    /// Forebody with the shoulder radius asked for.
+    /// Forebody with the requested shoulder radius.
     pub forebody: Forebody<S>,
     /// Layers.
     pub depths: Depths<S>,
     /// Radius of the payload, m.
     pub payload_radius_m: S,
-    /// Impact foam that the stroke asks for, m.
+    /// Impact foam that the stroke requires, m.
     pub foam_thickness_m: S,
-    /// Centre of gravity, the lid's centre of curvature in the non-MSR concept, m.
+    /// Center of gravity, the lid's center of curvature in the non-MSR concept, m.
     pub cg_x_m: S,
     /// Constants.
     pub rules: &'a Rules,
 }
 
-/// Where everything stands.
+/// Layout of all components.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layout<S = f64> {
-    /// Outer mould line.
+    /// Outer mold line.
     pub outline: Outline<S>,
     /// Layers.
     pub depths: Depths<S>,
-    /// Axial position of the payload's centre, m.
+    /// Axial position of the payload's center, m.
     pub payload_x_m: S,
     /// Radius of the payload, m.
     pub payload_radius_m: S,
@@ -107,7 +107,7 @@ pub struct Layout<S = f64> {
     pub lid_insulation_thickness_m: S,
 }
 
-/// Why a vehicle does not fit at a diameter.
+/// Reason why a vehicle does not fit at a diameter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Misfit {
@@ -129,7 +129,7 @@ pub enum Misfit {
     LidWiderThanShoulder {
         /// Outer radius of the annulus, m.
         annulus_r_m: f64,
-        /// Distance of the shoulder's centre from the axis, m.
+        /// Distance of the shoulder's center from the axis, m.
         shoulder_r_m: f64,
     },
     /// The wing's aft side would be shallower than allowed.
@@ -146,7 +146,7 @@ pub enum Misfit {
         /// Layers of forebody and aftbody together, m.
         layers_m: f64,
     },
-    /// Walls that carry themselves were not found: each turn asks for thicker ones.
+    /// Walls that meet the rules were not found: each iteration requires thicker ones.
     NotConverged {
         /// Last growth of a wall, m.
         move_m: f64,
@@ -193,7 +193,7 @@ impl Misfit {
     }
 }
 
-/// Room below which no shoulder between the smallest and the largest floor is looked for, m.
+/// Room below which no shoulder between the smallest and the largest floor is searched for, m.
 const NEARLY_M: f64 = -0.01;
 
 /// Precision of the shoulder that leaves the most to spare, m.
@@ -211,9 +211,9 @@ pub const LID_TOLERANCE_M: f64 = 1e-14;
 /// A layout, whether it closes or not.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<S = f64> {
-    /// Where everything stands.
+    /// Layout of all components.
     pub layout: Layout<S>,
-    /// By how much the wing keeps its least slope, measured at the edge of the annulus; negative when it does not, m.
+    /// Margin of the wing to its least slope, measured at the edge of the annulus, m; negative when it is shallower.
     pub room_m: S,
     /// Why it does not close.
     pub misfit: Option<Misfit>,
@@ -237,13 +237,13 @@ impl<S: Single> Frame<'_, S> {
         smallest_shoulder_radius_m(self.depths.fore_m(), self.depths.aft_m(), theta, slope_rad)
     }
 
-    /// The layout with the shoulder radius asked for or, when the layers have no room in it, with the smallest in which they
+    /// The layout with the requested shoulder radius or, when the layers have no room in it, with the smallest in which they
     /// have. `lay_out` is given a floor for the radius; the room needed depends on the slope of the wing, and so on the radius.
     pub fn with_room_for_layers(&self, lay_out: impl Fn(S) -> Trial<S>) -> Trial<S> {
         let (least, most) = (self.shallowest_rad(), self.steepest_rad());
         let lack_m = |trial: &Trial<S>| {
             let outline = &trial.layout.outline;
-            // shallower than allowed it asks for more than any slope that is allowed
+            // shallower than allowed it requires more than any slope that is allowed
             let slope_rad = outline
                 .wing_slope_rad
                 .max(-self.forebody.cone_half_angle_rad);
@@ -381,7 +381,7 @@ impl<S: Single> Frame<'_, S> {
 }
 
 impl<S: Single> Layout<S> {
-    /// Inner radius of the primary structure, which stands under the foot of the lid, m.
+    /// Inner radius of the primary structure, which is under the foot of the lid, m.
     pub fn primary_inner_r_m(&self) -> S {
         self.outline.lid_foot_r_m(self.depths.aft_m())
     }
@@ -391,7 +391,7 @@ impl<S: Single> Layout<S> {
         self.primary_inner_r_m() + self.depths.primary_m
     }
 
-    /// Radius of payload and impact foam, with the shell where there is one, m.
+    /// Radius of payload and impact foam, including the shell if there is one, m.
     pub fn impact_sphere_radius_m(&self) -> S {
         self.payload_radius_m + self.foam_thickness_m + self.impact_shell_thickness_m
     }

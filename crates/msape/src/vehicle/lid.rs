@@ -7,7 +7,7 @@
 //! with R_L the lid's radius about x_L, x_a its foot and r_a the outer edge of the annulus, m.
 //!
 //! # Valid
-//! A foot within the radius of its centre.
+//! A foot within the radius of its center.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
@@ -15,10 +15,10 @@
 use crate::vehicle::segment::Point;
 use numerics::scalar::Single;
 
-/// A lid: a spherical cap that stands on the plane of the annulus.
+/// A lid: a spherical cap on the plane of the annulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lid<S = f64> {
-    /// Axial position of its centre, m.
+    /// Axial position of its center, m.
     pub center_x_m: S,
     /// Outer radius, m.
     pub radius_m: S,
@@ -27,7 +27,7 @@ pub struct Lid<S = f64> {
 }
 
 impl<S: Single> Lid<S> {
-    /// Outer edge of the annulus around it.
+    /// Outer edge of the annulus around the lid.
     pub fn edge(&self, annulus_width_m: f64) -> Point<S> {
         let height = self.foot_x_m - self.center_x_m;
         let square = self.radius_m * self.radius_m - height * height;

@@ -1,6 +1,6 @@
 //! The inputs of a vehicle as numbers of another kind: with derivatives, or without.
 //!
-//! What the case asks for is lifted; what data files say of foams, grounds and rules is the same for all.
+//! Inputs of the case are lifted; data of foams, grounds and rules remain plain numbers.
 
 use crate::vehicle::input::{ImpactInput, LayerStack, Loads, PayloadSize, VehicleInput};
 use crate::vehicle::kinds::ComponentDensities;
@@ -8,7 +8,7 @@ use crate::vehicle::structure::{Carrier, Construction, LaunchLoad, StructureLoad
 use numerics::scalar::Single;
 
 impl<S: Single> VehicleInput<S> {
-    /// The same inputs, each continuous one as `f` of it; in a fixed order.
+    /// The inputs with `f` applied to each continuous one, in a fixed order.
     pub fn lift<T: Single>(&self, mut f: impl FnMut(S) -> T) -> VehicleInput<T> {
         let f: &mut dyn FnMut(S) -> T = &mut f;
         VehicleInput {

@@ -8,7 +8,7 @@
 //! payload. Sums run in the order of the components.
 //!
 //! # Valid
-//! Homogeneous components; centre of gravity on the axis.
+//! Homogeneous components; center of gravity on the axis.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
@@ -26,12 +26,12 @@ use crate::vehicle::structure::Structure;
 use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
-/// One part: closed profiles, density, mass.
+/// A component: closed profiles, density, mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Component {
-    /// Which part.
+    /// Kind of component.
     pub kind: ComponentKind,
-    /// Its closed profiles (the body foam may be in two pieces).
+    /// Closed profiles (the body foam may be in two pieces).
     pub profiles: Vec<Profile>,
     /// Volume, m³.
     pub volume_m3: f64,
@@ -39,7 +39,7 @@ pub struct Component {
     pub density_kg_m3: f64,
     /// Name of its material.
     pub material: String,
-    /// Where its density comes from.
+    /// Basis of the density.
     pub density_basis: DensityBasis,
     /// Area of its closed surface, m².
     pub surface_area_m2: f64,
@@ -49,36 +49,36 @@ pub struct Component {
     pub mass_kg: f64,
     /// Mass with margin, kg.
     pub mass_with_margin_kg: f64,
-    /// Axial position of its centre of gravity from the virtual apex, m.
+    /// Axial position of its center of gravity from the virtual apex, m.
     pub cg_x_m: f64,
     /// Moment of inertia about the axis, with margin, kg m².
     pub ixx_kg_m2: f64,
-    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    /// Moment of inertia about a transverse axis through its own center of gravity, with margin, kg m².
     pub iyy_kg_m2: f64,
     /// Volume and moments.
     pub solid: SolidProperties,
 }
 
-/// Mass, centre of gravity and inertia of the whole, margin included.
+/// Mass, center of gravity and inertia of the whole, margin included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MassProperties<S = f64> {
     /// Mass, kg.
     pub mass_kg: S,
     /// Mass without any margin, kg.
     pub mass_without_margin_kg: S,
-    /// Axial position of the centre of gravity from the virtual apex, m.
+    /// Axial position of the center of gravity from the virtual apex, m.
     pub cg_x_m: S,
     /// Moment of inertia about the axis, kg m².
     pub ixx_kg_m2: S,
-    /// Moment of inertia about a transverse axis through the centre of gravity, kg m².
+    /// Moment of inertia about a transverse axis through the center of gravity, kg m².
     pub iyy_kg_m2: S,
-    /// The same about the other transverse axis, kg m².
+    /// Moment of inertia about the other transverse axis through the center of gravity, kg m².
     pub izz_kg_m2: S,
     /// Volume of all components, m³.
     pub volume_m3: S,
 }
 
-/// Densities that are found and not given.
+/// Densities that are computed and not given.
 #[derive(Clone, Copy, Debug)]
 pub struct Densities<'a, S = f64> {
     /// Walls.
@@ -87,19 +87,19 @@ pub struct Densities<'a, S = f64> {
     pub foam: Foam<S>,
 }
 
-/// Mass and centre of gravity alone, margin included.
+/// Mass and center of gravity alone, margin included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Masses<S = f64> {
     /// Each component, with margin, kg: zero where the concept does not have it.
     parts_kg: [S; ComponentKind::COUNT],
-    /// Their sum, kg.
+    /// Sum of the components, kg.
     pub mass_kg: S,
-    /// Axial position of the centre of gravity from the virtual apex, m.
+    /// Axial position of the center of gravity from the virtual apex, m.
     pub cg_x_m: S,
 }
 
 impl<S: Single> Masses<S> {
-    /// Those of parts and of their sum.
+    /// Masses from the parts and from their sum.
     pub fn of(
         parts: impl Iterator<Item = (ComponentKind, Part<S>)>,
         mass: &MassProperties<S>,
@@ -131,7 +131,7 @@ fn margin_factor<S: Single>(kind: ComponentKind, input: &VehicleInput<S>) -> S {
     }
 }
 
-/// What the closing loop reads of [`parts`] and [`total`], with the same bits.
+/// Results of [`parts`] and [`total`] that the closing loop needs, with the same bits.
 pub fn masses<S: Single>(
     input: &VehicleInput<S>,
     layout: &Layout<S>,
@@ -239,7 +239,7 @@ pub fn parts<S: Single>(
     ComponentKind::ALL.map(|kind| (kind, part(kind, input, found, &solids[kind as usize])))
 }
 
-/// Area swept by closed profiles, and by those of their segments that are part of the outer mould line, m².
+/// Area swept by closed profiles, and by those of their segments that are part of the outer mold line, m².
 fn areas_m2(profiles: &[Profile], outside: &Profile) -> [f64; 2] {
     let (mut all, mut wetted) = (0.0, 0.0);
     for segment in profiles.iter().flat_map(|profile| &profile.segments) {
@@ -287,7 +287,7 @@ pub fn components(input: &VehicleInput, layout: &Layout, found: &Densities) -> V
         .collect()
 }
 
-/// What the sum reads of a component.
+/// Properties of a component that the sum over components needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part<S = f64> {
     /// Volume, m³.
@@ -298,16 +298,16 @@ pub struct Part<S = f64> {
     pub mass_kg: S,
     /// Mass with margin, kg.
     pub mass_with_margin_kg: S,
-    /// Axial position of its centre of gravity from the virtual apex, m.
+    /// Axial position of its center of gravity from the virtual apex, m.
     pub cg_x_m: S,
     /// Moment of inertia about the axis, with margin, kg m².
     pub ixx_kg_m2: S,
-    /// Moment of inertia about a transverse axis through its own centre of gravity, with margin, kg m².
+    /// Moment of inertia about a transverse axis through its own center of gravity, with margin, kg m².
     pub iyy_kg_m2: S,
 }
 
 impl Component {
-    /// What the sum reads of it.
+    /// Kind and properties of the component that the sum over components needs.
     pub fn part(&self) -> (ComponentKind, Part) {
         let part = Part {
             volume_m3: self.volume_m3,

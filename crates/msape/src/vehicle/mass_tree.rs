@@ -7,7 +7,7 @@
 //! with masses in kg. Sums run in the order of the components, so that the lines add up to the last bit.
 //!
 //! # Valid
-//! As [`crate::vehicle::mass`].
+//! Same as [`crate::vehicle::mass`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.
@@ -16,7 +16,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::material::DensityBasis;
 use serde::{Deserialize, Serialize};
 
-/// A line of the mass tree; moments of inertia are through the line's own centre of gravity.
+/// A line of the mass tree; moments of inertia are through the line's own center of gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Name.
@@ -25,7 +25,7 @@ pub struct Line {
     pub material: Option<String>,
     /// Density, kg/m³.
     pub density_kg_m3: Option<f64>,
-    /// Where the density comes from.
+    /// Basis of the density.
     pub density_basis: Option<DensityBasis>,
     /// Volume, m³.
     pub volume_m3: Option<f64>,
@@ -35,7 +35,7 @@ pub struct Line {
     pub wetted_area_m2: Option<f64>,
     /// Mass, kg; of components without margin.
     pub mass_kg: f64,
-    /// Centre of gravity behind the nose, m.
+    /// Center of gravity behind the nose, m.
     pub cg_from_nose_m: f64,
     /// Moment of inertia about the axis, kg m²; of components without margin.
     pub ixx_kg_m2: f64,
@@ -48,9 +48,9 @@ pub struct Line {
 /// The lines of a vehicle: components, their sum without margin, the margin, the whole.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MassTree {
-    /// One line a component.
+    /// Components, one line each.
     pub components: Vec<Line>,
-    /// Their sum.
+    /// Sum of the components, without margin.
     pub without_margin: Line,
     /// The margin on everything but the payload, where its mass is.
     pub margin: Line,
@@ -74,7 +74,7 @@ impl Moments {
         self.iyy_kg_m2 + self.mass_kg * self.cg_x_m * self.cg_x_m
     }
 
-    /// What is left of the whole without a part.
+    /// Moments of the whole without a part.
     fn less(self, part: Self) -> Self {
         let mass_kg = self.mass_kg - part.mass_kg;
         if mass_kg <= 0.0 {

@@ -1,4 +1,4 @@
-//! What each component is made of, and where its density comes from.
+//! Material of each component, and source of its density.
 //!
 //! ```text
 //! ρ_foam = ρ_grade(strength asked for) + ρ_panels
@@ -10,20 +10,20 @@
 //! Homogeneous components.
 //!
 //! # References
-//! - \[samareh-2014\] Table 1; the sources of the densities stand in the data files.
+//! - \[samareh-2014\] Table 1; the sources of the densities are in the data files.
 
 use crate::vehicle::kinds::ComponentKind;
 use serde::{Deserialize, Serialize};
 
-/// Where the density of a component comes from.
+/// Basis of the density of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DensityBasis {
     /// A source in the list of references.
     Published,
-    /// A choice of this product where nothing is published.
+    /// A choice of this project where nothing is published.
     Assumed,
-    /// The case.
+    /// Given in the case.
     Given,
     /// Found by the design from numbers of which at least one is assumed.
     DerivedFromAssumed,
@@ -38,7 +38,7 @@ impl DensityBasis {
         }
     }
 
-    /// Whether a choice of this product is in it.
+    /// Whether the density depends on a choice of this project.
     pub fn is_assumed(self) -> bool {
         matches!(self, Self::Assumed | Self::DerivedFromAssumed)
     }
@@ -54,12 +54,12 @@ impl DensityBasis {
     }
 }
 
-/// What a component is made of.
+/// Material of a component.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Material {
     /// Name.
     pub name: String,
-    /// Where its density comes from.
+    /// Basis of the density.
     pub density_basis: DensityBasis,
 }
 
@@ -72,7 +72,7 @@ impl Material {
         }
     }
 
-    /// The same with the density of the case, where it gives one.
+    /// This material with the density marked as given, if the case gives one.
     pub fn with_given(self, density_kg_m3: Option<f64>) -> Self {
         match density_kg_m3 {
             Some(_) => Self {
@@ -101,7 +101,7 @@ pub struct Materials {
     pub primary_structure: Material,
     /// Filling of the wing.
     pub wing_insulation: Material,
-    /// Impact foam; without a name that of the grade which has the strength asked for.
+    /// Impact foam; without a name that of the grade which has the requested strength.
     pub impact_foam: Option<Material>,
     /// Impact shell.
     pub impact_shell: Material,

@@ -1,18 +1,18 @@
 //! The MSR concept: payload in a foam-filled impact sphere with a shell, under a hemispherical lid.
 //!
 //! ```text
-//! x_c = (R_i + T) / sin θ            centre of an impact sphere R_i that rests in the cone under layers T,
+//! x_c = (R_i + T) / sin θ            center of an impact sphere R_i that rests in the cone under layers T,
 //! x_c = x_n − (Rₙ − T) + R_i         or in the nose when R_i < Rₙ − T
-//! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure stand at x_c
+//! R_L = R_i + gap + t_a              lid, concentric; its foot and the attached structure are at x_c
 //! ```
 //!
-//! with lengths in m. The gap holds body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
+//! with lengths in m. The gap contains body foam and lid insulation in the proportion of the rules; it is narrowed as far as the
 //! rules allow when the wing would be too steep or the lid would reach the shoulder, then the shoulder radius shrinks, then the
 //! impact foam is thickened: sphere, lid and attached structure being tied to each other and to the forebody, nothing else
 //! raises the lid.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. With Table 9's thicknesses, 1.05 m and a nose radius of 0.35 m the gap of the
@@ -40,7 +40,7 @@ impl<S: Single> Frame<'_, S> {
         }
     }
 
-    /// Impact foam to add for an edge that stands `lack_m` ahead of the steepest wing, m.
+    /// Impact foam to add for an edge that is `lack_m` ahead of the steepest wing, m.
     ///
     /// Foam that is thicker by 1 m moves the edge outwards by as much and aft by 1 m on the nose, by 1 / sin θ m in the cone.
     fn foam_to_add_m(&self, lack_m: S) -> S {
@@ -80,7 +80,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     let wing = frame.wing_for(narrowest(foam), floor_m);
     let clearance = |foam_m: S| wing.clearance_m(narrowest(foam_m));
     if clearance(foam).value() < -LID_TOLERANCE_M {
-        // on the steepest wing, unless the shoulder lets a wider edge stand further forward
+        // on the steepest wing, unless the shoulder allows a wider edge further forward
         let lack_m = -wing.behind_steepest_m(narrowest(foam));
         let most = foam + frame.foam_to_add_m(lack_m.max(S::constant(0.0)));
         foam = if wing.is_aft_of_steepest(narrowest(most)) {
@@ -154,7 +154,7 @@ fn body_foam<S: Single>(layout: &Layout<S>, center: Point<S>, sphere: S, draft: 
     let dome_r = sphere + layout.body_foam_thickness_m;
     let dome = Segment::arc(center, dome_r, quarter, -quarter);
     let in_nose = sphere.less(forebody.nose_radius_m - fore);
-    // direction from the sphere's centre to where it touches
+    // direction from the sphere's center to where it touches
     let touch = if in_nose { half } else { theta + FRAC_PI_2 };
     let touch_r = if in_nose {
         zero

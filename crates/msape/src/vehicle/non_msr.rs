@@ -1,4 +1,4 @@
-//! The non-MSR concept: payload nested in impact foam, under a lid centred on the vehicle's centre of gravity.
+//! The non-MSR concept: payload nested in impact foam, under a lid centered on the vehicle's center of gravity.
 //!
 //! ```text
 //! x_p = rest of a ball of radius R_p + foam on the forebody's layers
@@ -7,15 +7,15 @@
 //! (R_L − t_a)² ≥ (R_p + c)² + (x_a − x_cg)²     the payload passes the foot of the lid, where the primary structure ends
 //! ```
 //!
-//! with lengths in m, x_p the payload's centre, x_cg the centre of gravity, x_a the attached structure, t_a the layers of the
+//! with lengths in m, x_p the payload's center, x_cg the center of gravity, x_a the attached structure, t_a the layers of the
 //! aftbody, c the clearance between payload and wall. Of all x_a the least is taken at which the wing is no steeper than allowed;
 //! when the payload does not pass there the shoulder radius shrinks, then the lid is raised: R_L grows beyond the
-//! 50 mm until the foot stands where the wing asks for it. The payload stays where it is. The foam reaches up to the
-//! attached structure or the payload's centre, whichever is higher, and never above the payload; lid insulation fills the
+//! 50 mm until the foot is where the wing requires it. The payload stays where it is. The foam reaches up to the
+//! attached structure or the payload's center, whichever is higher, and never above the payload; lid insulation fills the
 //! rest.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] sections 3.1.2 and 3.1.4. How the payload is nested, and that the lid is raised where 50 mm leave no room
@@ -58,7 +58,7 @@ impl<S: Single> Frame<'_, S> {
     }
 }
 
-/// Lays the concept out at the diameter and the centre of gravity of the frame.
+/// Lays the concept out at the diameter and the center of gravity of the frame.
 pub fn layout<S: Single>(frame: &Frame<S>) -> Trial<S> {
     frame.with_room_for_layers(|floor_m| at(frame, floor_m))
 }
@@ -73,7 +73,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     let payload_x_m = frame.payload_x_m();
     let payload_top = payload_x_m + frame.payload_radius_m;
     let passage = frame.payload_radius_m + rules.payload_wall_gap_min_m;
-    // a payload far ahead of the centre of gravity needs a wider lid to pass
+    // a payload far ahead of the center of gravity needs a wider lid to pass
     let radius = (payload_top + rules.payload_lid_gap_m - frame.cg_x_m).max(passage) + aft;
     let narrowest = frame.narrowest_lid(radius);
     let wing = frame.wing_for(narrowest.edge(width), floor_m);
@@ -106,7 +106,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
     }
 }
 
-/// The lid with the lowest foot, at or above its centre, at which the wing is not too steep; it is at `narrowest`.
+/// The lid with the lowest foot, at or above its center, at which the wing is not too steep; it is at `narrowest`.
 fn lowest_lid<S: Single>(frame: &Frame<S>, wing: &Wing<S>, narrowest: Lid<S>) -> Lid<S> {
     let width = frame.rules.annulus_width_m;
     let at = |foot_x_m: S| frame.lid_at(narrowest.radius_m, foot_x_m);
@@ -165,7 +165,7 @@ fn lid_above<S: Single>(layout: &Layout<S>, from_x_m: S) -> Segment<S> {
     Segment::arc(center, radius_m, start, -start)
 }
 
-/// Half the chord of a circle at a distance from its centre, m; zero outside of it.
+/// Half the chord of a circle at a distance from its center, m; zero outside of it.
 fn half_chord<S: Single>(radius: S, along: S) -> S {
     let square = radius * radius - along * along;
     square.max(S::constant(0.0)).sqrt()
@@ -177,7 +177,7 @@ fn lid_inner_angle_rad<S: Single>(layout: &Layout<S>, x_m: S) -> S {
     half_chord(radius, along).atan2(along)
 }
 
-/// Direction from the payload's centre to where the top of the foam meets it, rad.
+/// Direction from the payload's center to where the top of the foam meets it, rad.
 fn payload_angle_rad<S: Single>(layout: &Layout<S>) -> S {
     let (radius, along) = (
         layout.payload_radius_m,

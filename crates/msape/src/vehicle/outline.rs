@@ -1,4 +1,4 @@
-//! Outer mould line and its layers: forebody, shoulder, wing, annulus and lid, each followed at any depth.
+//! Outer mold line and its layers: forebody, shoulder, wing, annulus and lid, each followed at any depth.
 //!
 //! ```text
 //! (x_a − x_s) cos φ + (r_s − r_a) sin φ = R_s       wing line from the annulus (x_a, r_a) tangent to the shoulder (x_s, r_s)
@@ -9,7 +9,7 @@
 //! with x from the virtual apex and r from the axis in m, φ the slope of the wing's aft side against the plane normal to
 //! the axis in rad (positive: the wing is thicker at its root), θ the cone half-angle in rad.
 //! The forebody's layers run round the shoulder up to the tangent point of the wing line; there, on the line normal to
-//! the wing through the centre of the shoulder (the *tip line*), the aftbody's layers begin. A layer deeper than the
+//! the wing through the center of the shoulder (the *tip line*), the aftbody's layers begin. A layer deeper than the
 //! shoulder radius ends on the tip line.
 //!
 //! # Valid
@@ -26,7 +26,7 @@ use numerics::scalar::Single;
 use numerics::scalar::functions::{asin, hypot, sin_cos};
 use serde::{Deserialize, Serialize};
 
-/// The whole outer mould line.
+/// The whole outer mold line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outline<S = f64> {
     /// Nose, cone and shoulder.
@@ -39,7 +39,7 @@ pub struct Outline<S = f64> {
     pub annulus_width_m: S,
     /// Outer radius of the lid, m.
     pub lid_radius_m: S,
-    /// Axial position of the lid's centre of curvature, m.
+    /// Axial position of the lid's center of curvature, m.
     pub lid_center_x_m: S,
 }
 
@@ -72,7 +72,7 @@ impl<S: Single> Outline<S> {
             .sqrt()
     }
 
-    /// Point on the tip line, `aft_m` behind the centre of the shoulder.
+    /// Point on the tip line, `aft_m` behind the center of the shoulder.
     pub fn on_tip_line(&self, aft_m: S) -> Point<S> {
         let (center, (s, c)) = (
             self.forebody.shoulder_center(),
@@ -107,7 +107,7 @@ impl<S: Single> Outline<S> {
         }
     }
 
-    /// Where the cone at depth `depth_m` ends: at the shoulder arc, or on the tip line where the arc is used up.
+    /// End of the cone at depth `depth_m`: at the shoulder arc, or on the tip line if no arc is left at this depth.
     fn cone_end(&self, depth_m: S) -> Point<S> {
         let below = depth_m - self.forebody.shoulder_radius_m;
         if below.value() < 0.0 {
@@ -168,7 +168,7 @@ impl<S: Single> Outline<S> {
         self.lid_foot_r_m(S::constant(0.0)) + self.annulus_width_m + depth_m * s / (c + 1.0)
     }
 
-    /// The closed outer mould line, from the nose tip round the shoulder and over the lid.
+    /// The closed outer mold line, from the nose tip round the shoulder and over the lid.
     pub fn profile(&self) -> Profile<S> {
         let zero = S::constant(0.0);
         let fore = self.fore_layer(Profile::default(), zero, zero);

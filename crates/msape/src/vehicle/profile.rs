@@ -1,4 +1,4 @@
-//! Closed curves of straight lines and circular arcs in the half-plane (x, r), and what they enclose when turned about the axis.
+//! Closed curves of straight lines and circular arcs in the half-plane (x, r), and the solids that they enclose when revolved.
 //!
 //! ```text
 //! A = ∮ −r dx    ∬ r dA = ∮ −r²/2 dx    ∬ x r dA = ∮ −x r²/2 dx    ∬ x² r dA = ∮ −x² r²/2 dx    ∬ r³ dA = ∮ −r⁴/4 dx
@@ -34,7 +34,7 @@ impl<S> Default for Profile<S> {
     }
 }
 
-/// What a closed profile encloses when it is turned about the axis.
+/// Properties of the solid that a closed profile encloses when revolved about the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SolidProperties<S = f64> {
     /// Area of the half-section, m².
@@ -95,14 +95,14 @@ impl<S: Single> Profile<S> {
         self.segments.first().map(Segment::start)
     }
 
-    /// The same curve, run the other way.
+    /// The curve in the opposite direction.
     pub fn reversed(&self) -> Self {
         Self {
             segments: self.segments.iter().rev().map(Segment::reversed).collect(),
         }
     }
 
-    /// An empty curve in the memory of this one.
+    /// An empty curve that reuses the memory of this one.
     pub fn cleared(mut self) -> Self {
         self.segments.clear();
         self
@@ -120,7 +120,7 @@ impl<S: Single> Profile<S> {
         other.segments.iter().copied().fold(self, Self::and)
     }
 
-    /// This curve followed by `other` run the other way, joined by a line where there is a gap.
+    /// This curve followed by `other` in the opposite direction, joined by a line where there is a gap.
     pub fn back_along(self, other: &Self) -> Self {
         let backwards = other.segments.iter().rev().map(Segment::reversed);
         backwards.fold(self, Self::and)
@@ -177,7 +177,7 @@ impl<S: Single> Profile<S> {
         (r2_dx * (sign * PI), x_r2_dx * (sign * PI))
     }
 
-    /// Area swept by the curve when it is turned about the axis, m².
+    /// Area swept by the curve when it is revolved about the axis, m².
     pub fn wetted_area_m2(&self) -> S {
         let areas = self.segments.iter().map(Segment::swept_area_m2);
         areas.fold(S::constant(0.0), |sum, area| sum + area)

@@ -1,4 +1,4 @@
-//! What is said beside a vehicle: inputs that the closing rules changed, and findings.
+//! Remarks on a vehicle: inputs that the closing rules changed, and findings.
 
 use crate::finding::{Adjustment, Finding, Severity};
 use crate::quantity::input;
@@ -12,7 +12,7 @@ use crate::vehicle::layout::Layout;
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;
 
-/// Diameter, shoulder radius and impact foam where they are not what was asked for.
+/// Adjustments of diameter, shoulder radius and impact foam, where they differ from the request.
 pub fn adjustments(
     input: &VehicleInput,
     diameter_m: f64,
@@ -102,7 +102,7 @@ pub fn findings(input: &VehicleInput, figures: &Figures) -> Vec<Finding> {
     list
 }
 
-/// A lid that stands nearer to the impact sphere than the rules have it where there is room.
+/// Finding on a lid that is nearer to the impact sphere than the rules provide where there is room.
 fn narrow_gap(input: &VehicleInput, layout: &Layout) -> Option<Finding> {
     let rules = &input.rules;
     let wanted_m = rules.body_foam_gap_m + rules.lid_insulation_gap_m;

@@ -19,11 +19,11 @@ pub struct Rules {
     pub wing_slope_min_rad: f64,
     /// Largest slope of the wing's aft side, rad.
     pub wing_slope_max_rad: f64,
-    /// Diameter to which a vehicle is grown at most, m.
+    /// Largest diameter to which a vehicle is grown, m.
     pub diameter_max_m: f64,
     /// Width of the last interval in the search for the smallest diameter, m.
     pub diameter_resolution_m: f64,
-    /// Largest move of centre of gravity, attached structure and walls at convergence, m.
+    /// Largest move of center of gravity, attached structure and walls at convergence, m.
     pub convergence_m: f64,
     /// Thickness of the impact shell, m.
     pub impact_shell_thickness_m: f64,
@@ -39,7 +39,7 @@ pub struct Rules {
     pub foam_thickness_min_m: f64,
 }
 
-/// A number and where it comes from; the source `assumed` is a choice of this product.
+/// A number and its source; the source `assumed` is a choice of this project.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Datum {
@@ -47,9 +47,9 @@ pub struct Datum {
     pub value: f64,
     /// Key in the list of references, or `assumed`.
     pub source: String,
-    /// Where in the source, or the reason of the choice.
+    /// Place in the source, or the reason for the choice.
     pub place: String,
-    /// What has this density, where it is one.
+    /// Name of the material with this density, if it is a single one.
     pub material: Option<String>,
 }
 
@@ -76,9 +76,9 @@ pub struct CarrierMaterial {
     pub name: String,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
-    /// What is assumed.
+    /// Assumptions.
     pub note: String,
     /// Key in the list of references for the densities, or `assumed`.
     pub density_source: String,
@@ -95,7 +95,7 @@ pub struct CarrierMaterial {
 }
 
 impl CarrierMaterial {
-    /// Its name and where its density comes from.
+    /// Name of the material and source of its density.
     pub fn material(&self) -> Material {
         let basis = DensityBasis::of_source(&self.density_source);
         Material::new(self.name.clone(), basis)
@@ -128,7 +128,7 @@ pub struct LaunchCorner {
     pub axial_earth_g: f64,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
 }
 
@@ -138,9 +138,9 @@ pub struct LaunchCorner {
 pub struct VehicleData {
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Constants of the geometry, by name.
     pub rules: BTreeMap<String, Datum>,

@@ -1,4 +1,4 @@
-//! One straight line or circular arc in the half-plane (x, r), with its exact line integrals.
+//! A straight line or circular arc in the half-plane (x, r), with its exact line integrals.
 //!
 //! ```text
 //! arc: x = x_c + R cos u, r = r_c + R sin u, dx = −R sin u du
@@ -33,24 +33,24 @@ pub struct Point<S = f64> {
 pub enum Segment<S = f64> {
     /// A straight line.
     Line {
-        /// Where it starts.
+        /// Start.
         start: Point<S>,
-        /// Where it ends.
+        /// End.
         end: Point<S>,
     },
     /// A circular arc.
     Arc {
-        /// Where it starts.
+        /// Start.
         start: Point<S>,
-        /// Where it ends.
+        /// End.
         end: Point<S>,
-        /// Centre of the circle.
+        /// Center of the circle.
         center: Point<S>,
         /// Radius of the circle, m.
         radius_m: S,
-        /// Direction from the centre to the start, from the x axis towards the r axis, rad.
+        /// Direction from the center to the start, from the x axis towards the r axis, rad.
         start_angle_rad: S,
-        /// Angle run through, positive from the x axis towards the r axis, rad.
+        /// Swept angle, positive from the x axis towards the r axis, rad.
         sweep_rad: S,
     },
 }
@@ -73,7 +73,7 @@ pub struct Integrals<S = f64> {
 }
 
 impl<S: Single> Integrals<S> {
-    /// Those of nothing.
+    /// Integrals over nothing: all zero.
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -86,7 +86,7 @@ impl<S: Single> Integrals<S> {
         }
     }
 
-    /// With those of another segment.
+    /// Sum with the integrals over another segment.
     pub fn plus(self, other: &Self) -> Self {
         Self {
             r_dx: self.r_dx + other.r_dx,
@@ -131,21 +131,21 @@ impl<S: Single> Segment<S> {
         }
     }
 
-    /// Where it starts.
+    /// Start.
     pub fn start(&self) -> Point<S> {
         match *self {
             Self::Line { start, .. } | Self::Arc { start, .. } => start,
         }
     }
 
-    /// Where it ends.
+    /// End.
     pub fn end(&self) -> Point<S> {
         match *self {
             Self::Line { end, .. } | Self::Arc { end, .. } => end,
         }
     }
 
-    /// The same piece, run the other way.
+    /// The segment in the opposite direction.
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line { start, end } => Self::Line {
@@ -170,7 +170,7 @@ impl<S: Single> Segment<S> {
         }
     }
 
-    /// Area swept when turned about the axis, m².
+    /// Area swept by revolution about the axis, m².
     pub fn swept_area_m2(&self) -> S {
         match *self {
             Self::Line { start, end } => {
@@ -215,7 +215,7 @@ impl<S: Single> Segment<S> {
 }
 
 impl Segment {
-    /// The point at a part of its length, 0 at the start.
+    /// Point at a fraction of the length, 0 at the start.
     pub fn at(&self, part: f64) -> Point {
         match *self {
             Self::Line { start, end } => Point {
@@ -239,7 +239,7 @@ impl Segment {
         }
     }
 
-    /// Whether the arc passes the direction `angle_rad` from its centre; never for a line.
+    /// Whether the arc passes the direction `angle_rad` from its center; never for a line.
     pub fn sweeps(&self, angle_rad: f64) -> bool {
         match *self {
             Self::Line { .. } => false,

@@ -1,13 +1,13 @@
-//! The shapes of all components of a vehicle: closed curves that are turned about the axis.
+//! The shapes of all components of a vehicle: closed curves that are revolved about the axis.
 //!
 //! ```text
-//! layers of forebody and aftbody | primary structure | wing | what the concept has inside | payload
+//! layers of forebody and aftbody | primary structure | wing | filling of the concept | payload
 //! ```
 //!
-//! with lengths in m; each layer between two surfaces of the outer mould line at a depth.
+//! with lengths in m; each layer between two surfaces of the outer mold line at a depth.
 //!
 //! # Valid
-//! As [`crate::vehicle::outline`].
+//! Same as [`crate::vehicle::outline`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4 and Table 1.

@@ -1,4 +1,4 @@
-//! Walls of carrier and primary structure: materials, and the thickness that the rules ask for.
+//! Walls of carrier and primary structure: materials, and the thickness that the rules require.
 //!
 //! ```text
 //! t = max(gauge, strength, buckling of cone, cap or cylinder, core shear)
@@ -7,7 +7,7 @@
 //!
 //! with thicknesses in m, N the largest force in the wall in N/m, σ the strength and σ_wr the stress at which faces wrinkle,
 //! Pa, S the size of a honeycomb's cells, m: a sandwich has faces t_f, and its height follows from the other rules.
-//! [`capacity`] holds each rule, [`size`] the loads, [`check`] what every rule says of a wall as built.
+//! [`capacity`] contains each rule, [`size`] the loads, [`check`] the results of every rule for a wall as built.
 //!
 //! # Valid
 //! Thin walls; see each rule.
@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Construction<S = f64> {
-    /// One laminate.
+    /// A laminate.
     Solid {
         /// Density, kg/m³.
         density_kg_m3: S,
@@ -90,7 +90,7 @@ pub struct StructureLoads<S = f64> {
     pub aftbody_pressure_fraction: S,
 }
 
-/// What determines the thickness of a wall.
+/// Criterion that determines the thickness of a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Governs {
@@ -122,24 +122,24 @@ impl Governs {
     }
 }
 
-/// One wall as sized.
+/// A wall as sized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Wall<S = f64> {
     /// Thickness, of a sandwich its height, m.
     pub thickness_m: S,
-    /// Thickness of one face of a sandwich, m; nought for a laminate.
+    /// Thickness of one face of a sandwich, m; zero for a laminate.
     pub face_thickness_m: S,
     /// Mean density, kg/m³.
     pub density_kg_m3: S,
-    /// What determines it.
+    /// Criterion that determines the thickness.
     pub governs: Governs,
-    /// Thickness that strength alone asks for, m.
+    /// Thickness that strength alone requires, m.
     pub strength_thickness_m: S,
-    /// Thickness that buckling alone asks for, m.
+    /// Thickness that buckling alone requires, m.
     pub buckling_thickness_m: S,
-    /// Thickness that buckling of nose or lid alone asks for, m.
+    /// Thickness that buckling of nose or lid alone requires, m.
     pub cap_buckling_thickness_m: S,
-    /// Thickness that shear in the core alone asks for, m.
+    /// Thickness that shear in the core alone requires, m.
     pub core_shear_thickness_m: S,
 }
 
@@ -155,7 +155,7 @@ pub struct Structure<S = f64> {
 }
 
 impl<S: Copy> Structure<S> {
-    /// These walls with the reasons of others, which differ by less than the convergence.
+    /// These walls with the governing criteria of others, which differ by less than the convergence.
     pub fn with_reasons(self, sized: Self) -> Self {
         let wall = |used: Wall<S>, sized: Wall<S>| Wall {
             thickness_m: used.thickness_m,
@@ -180,7 +180,7 @@ impl<S: Copy> Structure<S> {
     }
 }
 
-/// What the rules ask of a wall.
+/// Requirements of the rules for a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs<S = f64> {
     /// Largest force in the wall, N/m.
@@ -196,7 +196,7 @@ pub struct Needs<S = f64> {
 }
 
 impl<S: Single> Needs<S> {
-    /// Those of a force in the wall alone, N/m, with faces of a sandwich that carry it.
+    /// Requirements of a force in the wall alone, N/m, with faces of a sandwich that carry it.
     pub fn of_force(carrier: &Carrier<S>, membrane_n_m: S) -> Self {
         let none = S::constant(0.0);
         Self {
@@ -346,7 +346,7 @@ pub(crate) mod tests {
 
     #[test]
     fn faces_grow_until_they_carry_the_force() {
-        // 2e5 N/m over 1e8 Pa: two faces of 1 mm; dimpling asks for ∛(2e5 · 0.91 · 9e-6 / 2.8e11) = 0.18 mm
+        // 2e5 N/m over 1e8 Pa: two faces of 1 mm; dimpling requires ∛(2e5 · 0.91 · 9e-6 / 2.8e11) = 0.18 mm
         let t_f = sandwich().face_thickness_m(2.0e5).unwrap();
         assert!((t_f - 0.001).abs() < 1e-15);
         let wide = Carrier {

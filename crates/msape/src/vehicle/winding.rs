@@ -1,4 +1,4 @@
-//! How often a closed curve of lines and arcs runs round a point.
+//! Winding number of a closed curve of lines and arcs about a point.
 //!
 //! ```text
 //! w = Σ ∠(start, p, end) / 2π  +  Σ sign(sweep) over arcs whose segment of the circle holds p

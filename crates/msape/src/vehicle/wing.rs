@@ -1,4 +1,4 @@
-//! Where the annulus around the lid may stand, so that the wing between it and the shoulder is neither too steep nor too shallow.
+//! Allowed places of the annulus around the lid, so that the wing between it and the shoulder is neither too steep nor too shallow.
 //!
 //! ```text
 //! (x_a − x_s) cos φ + (r_s − r_a) sin φ − R_s ≥ 0      no steeper than φ, where the wing touches the shoulder further aft
@@ -6,7 +6,7 @@
 //! R_s − (x_a − x_s) cos φ₀ − (r_s − r_a) sin φ₀ ≥ 0    no shallower than φ₀
 //! ```
 //!
-//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the centre of the shoulder arc in m, R_s its radius in m, φ and φ₀
+//! with (x_a, r_a) the outer edge of the annulus and (x_s, r_s) the center of the shoulder arc in m, R_s its radius in m, φ and φ₀
 //! the steepest and the least slope of the wing's aft side in rad.
 //!
 //! # Valid
@@ -21,13 +21,13 @@ use numerics::scalar::Single;
 /// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
 const WING_LENGTH_M: f64 = 1e-6;
 
-/// Where the outer edge of the annulus may stand: inwards of the steepest wing and of the shoulder's circle, ahead of the
+/// Allowed region of the outer edge of the annulus: inwards of the steepest wing and of the shoulder's circle, ahead of the
 /// shallowest wing.
 #[derive(Clone, Copy, Debug)]
 pub struct Wing<S = f64> {
-    /// Centre of the shoulder arc.
+    /// Center of the shoulder arc.
     pub center: Point<S>,
-    /// Its radius, m.
+    /// Radius of the shoulder arc, m.
     pub radius_m: S,
     /// Sine and cosine of the steepest slope.
     pub steepest: (S, S),
@@ -36,18 +36,18 @@ pub struct Wing<S = f64> {
 }
 
 impl<S: Single> Wing<S> {
-    /// How far an edge stands behind the steepest wing, m.
+    /// Distance of an edge behind the steepest wing, m.
     pub fn behind_steepest_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.steepest;
         (edge.x_m - self.center.x_m) * c + (self.center.r_m - edge.r_m) * s - self.radius_m
     }
 
-    /// Whether an edge stands aft of where the steepest wing touches the shoulder: the shoulder limits it there.
+    /// Whether an edge is aft of the point where the steepest wing touches the shoulder: the shoulder limits it there.
     pub fn is_aft_of_steepest(&self, edge: Point<S>) -> bool {
         (self.radius_m * self.steepest.1).less(edge.x_m - self.center.x_m)
     }
 
-    /// How far an edge stands ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
+    /// Distance of an edge ahead of the shallowest wing, inwards of where that touches the shoulder and inwards of the
     /// shoulder: the least of the three, m.
     pub fn room_m(&self, edge: Point<S>) -> S {
         let (s, c) = self.shallowest;
@@ -61,7 +61,7 @@ impl<S: Single> Wing<S> {
         ahead.min(along - self.radius_m * s).min(outside)
     }
 
-    /// Half the width of the shoulder's circle at a distance behind its centre, m; zero aft of it.
+    /// Half the width of the shoulder's circle at a distance behind its center, m; zero aft of it.
     fn circle_m(&self, behind_m: S) -> S {
         let square = self.radius_m * self.radius_m - behind_m * behind_m;
         square.max(S::constant(0.0)).sqrt()
@@ -79,7 +79,7 @@ impl<S: Single> Wing<S> {
         self.center.r_m - inwards
     }
 
-    /// How far inwards of the widest place an edge stands, m.
+    /// Distance of an edge inwards of the widest place, m.
     pub fn clearance_m(&self, edge: Point<S>) -> S {
         self.widest_r_m(edge.x_m) - edge.r_m
     }
@@ -99,13 +99,13 @@ mod tests {
             shallowest: sin_cos(PI / 36.0),
         };
         let edge = |x_m, r_m| Point { x_m, r_m };
-        // at the height of the centre the steepest wing is 0.5 / sin 30° inwards of it
+        // at the height of the center the steepest wing is 0.5 / sin 30° inwards of it
         assert!((wing.widest_r_m(1.0) - 1.0).abs() < 1e-15);
         assert!(wing.clearance_m(edge(1.0, 1.01)) < 0.0 && wing.clearance_m(edge(1.0, 0.99)) > 0.0);
         // 0.48 m aft of it the circle is √(0.5² − 0.48²) = 0.14 m inwards
         assert!((wing.widest_r_m(1.48) - 1.86).abs() < 2e-6);
         assert!(wing.room_m(edge(1.48, 1.87)) < 0.0 && wing.room_m(edge(1.48, 1.85)) > 0.0);
-        // 1 m inwards the shallowest wing stands at (0.5 − sin 5°) / cos 5° = 0.41442 m
+        // 1 m inwards the shallowest wing is at (0.5 − sin 5°) / cos 5° = 0.41442 m
         assert!(wing.room_m(edge(1.4145, 1.0)) < 0.0 && wing.room_m(edge(1.4143, 1.0)) > 0.0);
     }
 }

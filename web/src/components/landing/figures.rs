@@ -73,7 +73,7 @@ fn column(key: &str) -> Option<&'static LandingColumn> {
     columns().iter().find(|column| column.column.key == key)
 }
 
-/// One of the figures.
+/// A figure of the landing.
 pub fn figure(of: &Histories, what: Curves, units: UnitSystem) -> Figure {
     let [x, y] = what.keys();
     let (Some(x), Some(y)) = (column(x), column(y)) else {

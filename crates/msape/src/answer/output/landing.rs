@@ -10,7 +10,8 @@ use numerics::math::RADIANS_PER_DEGREE;
 
 const SECTION: &str = "NASA/TM-2014-218507, section 3.1.5";
 const DYNAMICS: &str = "crush dynamics in one dimension, after NASA/TM-2014-218507, section 3.1.5";
-/// Gravity on Earth is within 0.5 % of the standard one; a terminal speed further off has another weight.
+/// Relative deviation of the terminal speed from that of equation 2 up to which gravity is that of the Earth, where it is within
+/// 0.5 % of the standard value.
 const EARTH_TOLERANCE: f64 = 0.01;
 const FOAM: &str = "Gibson and Ashby, Cellular Solids; data sheets of Rohacell";
 

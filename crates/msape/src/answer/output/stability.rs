@@ -1,4 +1,4 @@
-//! Outputs of static stability: margin and trims of the designed outline about its own centre of gravity.
+//! Outputs of static stability: margin and trims of the designed outline about its own center of gravity.
 
 use super::Output;
 use crate::aero::stability::{RegimeStability, Stability};

@@ -1,4 +1,4 @@
-//! Files of one's own: what they may name, and what is said of those that name nothing.
+//! Files of the user: the names that they may use, and the faults of those that use an unknown name.
 
 use super::super::{Library, data_file};
 use crate::{Case, Outcome, Request, design, fly};

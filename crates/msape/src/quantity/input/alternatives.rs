@@ -2,9 +2,9 @@
 
 use super::Input;
 
-/// Ways to give one thing, of which a case takes one; each way is one input or several.
+/// Alternative ways to give a quantity, of which a case uses one; each way is one input or several.
 pub struct Alternatives {
-    /// The thing, as a heading: `Payload size`.
+    /// Name of the quantity as a heading, such as `Payload size`.
     pub label: &'static str,
     /// Whether a case must give one.
     pub required: bool,

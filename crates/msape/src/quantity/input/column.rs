@@ -7,14 +7,14 @@ use super::Range;
 pub struct Column {
     /// Name with unit, such as `altitude_m`.
     pub name: &'static str,
-    /// Whether every row must have it.
+    /// Whether every row must contain it.
     pub required: bool,
-    /// Range of its cells.
+    /// Allowed range of the values.
     pub allowed: Range,
 }
 
 impl Column {
-    /// The same, which rows may leave away.
+    /// This column as one that rows may omit.
     pub(super) const fn optional(self) -> Column {
         Column {
             required: false,
@@ -48,7 +48,7 @@ columns! {
     MACH = "mach", 0.0, 1e3;
     SPEED_M_S = "speed_m_s", 0.0, 1e5;
     TIME_S = "time_s", -1e7, 1e7;
-    // Zero stands for none, where the altitude is given in its place.
+    // Zero means none, if the altitude is given instead.
     KNUDSEN = "knudsen", 0.0, 1e12;
     ALPHA_DEG = "alpha_deg", -180.0, 180.0;
     BANK_DEG = "bank_deg", -36_000.0, 36_000.0;

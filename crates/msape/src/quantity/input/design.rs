@@ -30,7 +30,7 @@ const fn thickness(label: &'static str) -> Input {
         .help("Thickness found elsewhere, in place of that of the mass-estimating relation, which is told beside it.", GIVEN)
 }
 
-/// Declares of components that the case gives the density or the mass.
+/// Alternatives of components: the case gives density or mass.
 macro_rules! density_or_mass {
     ($($component:ident = $density:ident, $mass:ident;)+) => {
         $(static $component: Alternatives = Alternatives {

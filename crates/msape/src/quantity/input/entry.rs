@@ -8,7 +8,7 @@ use crate::quantity::Task;
 use crate::quantity::choice::{Choice, Frame};
 use crate::units::Dimension;
 
-/// Ways to say how high the flight begins.
+/// Ways to give the altitude at which the flight begins.
 pub static START: Alternatives = Alternatives {
     label: "Start",
     required: true,

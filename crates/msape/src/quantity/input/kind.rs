@@ -1,4 +1,4 @@
-//! What an input takes, who needs it, and where it stands in a form.
+//! Properties of an input: kind of value, commands that require it, and place in a form.
 
 use super::Column;
 use crate::units::Dimension;
@@ -10,7 +10,7 @@ pub enum Group {
     Mission,
     /// Size and shape.
     Vehicle,
-    /// What is carried.
+    /// Payload.
     Payload,
     /// Heat shield and its models.
     HeatShield,
@@ -43,21 +43,21 @@ impl Group {
     }
 }
 
-/// Who needs to see an input.
+/// Level of user to whom an input is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// Everybody: the report's run page.
+    /// All users: inputs of the report's run page.
     Basic,
-    /// Those who change models, assumptions and tolerances.
+    /// Users who change models, assumptions and tolerances.
     Expert,
 }
 
-/// Which command asks for an input, and which cannot do without it.
+/// Commands that ask for an input, and commands that require it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
     /// Has a default, or is one of several alternatives.
     Optional,
-    /// Neither `fly` nor `design` can do without it.
+    /// Required by `fly` and by `design`.
     Always,
     /// `fly` cannot do without it.
     Fly,
@@ -107,10 +107,10 @@ pub const OWN_OUTLINE: &str = "outline";
 /// Name, in a case, of the planet's own atmosphere.
 pub const OWN_ATMOSPHERE: &str = "planet";
 
-/// Where the choices of a nominal input come from.
+/// Source of the choices of a nominal input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choices {
-    /// Always the same: value and label.
+    /// Fixed choices: value and label.
     Fixed(&'static [(&'static str, &'static str)]),
     /// Planets of the library.
     Planets,
@@ -130,21 +130,21 @@ pub enum Choices {
     Outlines,
 }
 
-/// What kind of value an input takes.
+/// Kind of value that an input accepts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A number.
     Number {
-        /// What it measures.
+        /// Physical dimension.
         dimension: Dimension,
-        /// Outside of it the input is refused.
+        /// Allowed range; a value outside is a fault.
         allowed: Range,
-        /// Outside of it the answer carries a finding; the range of the report's run page, and of the slider.
+        /// Usual range, that of the report's run page and of the slider; a value outside gives a finding.
         usual: Option<(f64, f64)>,
-        /// Whether it counts something.
+        /// Whether the number must be an integer.
         whole: bool,
     },
-    /// One of several names.
+    /// A choice among names.
     Choice(Choices),
     /// Yes or no.
     Flag,
@@ -154,10 +154,10 @@ pub enum Kind {
     Rows(&'static [Column]),
 }
 
-/// What holds when the case says nothing.
+/// Default of an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Preset {
-    /// Nothing holds.
+    /// No default.
     Absent,
     /// A number in the canonical unit.
     Number(f64),

@@ -4,7 +4,7 @@ use super::{Alternatives, CONVENTION, Group, Input, REPORT_FLIGHT, Range};
 use crate::quantity::Task;
 use crate::units::Dimension;
 
-/// From an asteroid to a plane, m: altitudes keep two millimetres.
+/// Range of radii, from an asteroid to a flat surface, m: the resolution of altitudes remains two millimeters.
 const RADIUS: Range = Range::closed(100.0, 1e13);
 
 /// Ways to give the gravity of a planet.

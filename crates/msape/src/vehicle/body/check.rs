@@ -1,7 +1,7 @@
-//! What keeps an open chain of lines and arcs from being the outline of a body of revolution: what crosses what, and where.
+//! Faults that keep an open chain of lines and arcs from being the outline of a body of revolution, with their places.
 //!
 //! ```text
-//! r = 0 at both ends, r > 0 between them; no two segments share a point but neighbours their joint; V > 0
+//! r = 0 at both ends, r > 0 between them; no two segments share a point but neighbors their joint; V > 0
 //! ```
 //!
 //! with r the distance from the axis in m and V the volume in m³, zero being a billionth of the outline's size.
@@ -42,7 +42,7 @@ impl fmt::Display for At {
     }
 }
 
-/// One thing wrong with an outline. Points and segments are counted from 1; segment 3 runs from point 3 to point 4.
+/// A fault of an outline. Points and segments are counted from 1; segment 3 runs from point 3 to point 4.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum OutlineFault {
     /// Fewer than three points.
@@ -54,17 +54,17 @@ pub enum OutlineFault {
     /// A coordinate, or bulge, that is not finite.
     #[error("point {point}: got {value}, must be a finite number")]
     NotFinite {
-        /// Which point.
+        /// Number of the point.
         point: usize,
         /// The number.
         value: f64,
     },
-    /// It does not begin or end on the axis.
+    /// An outline that does not begin or end on the axis.
     #[error("point {point} ({at}) must be on the axis, r = 0: the outline {which} there")]
     OffAxis {
         /// First or last point.
         point: usize,
-        /// Where it is.
+        /// Place.
         at: At,
         /// Begins or ends.
         which: &'static str,
@@ -72,25 +72,25 @@ pub enum OutlineFault {
     /// A point on the wrong side of the axis.
     #[error("point {point} ({at}) is on the other side of the axis: r must not be negative")]
     BelowAxis {
-        /// Which point.
+        /// Number of the point.
         point: usize,
-        /// Where it is.
+        /// Place.
         at: At,
     },
     /// A point between the ends that lies on the axis.
     #[error("point {point} ({at}) touches the axis between the ends of the outline")]
     TouchesAxis {
-        /// Which point.
+        /// Number of the point.
         point: usize,
-        /// Where it is.
+        /// Place.
         at: At,
     },
     /// An arc that dips below the axis between its ends.
     #[error("segment {segment}, an arc, crosses the axis: it reaches r = {lowest_m:.6} m")]
     ArcCrossesAxis {
-        /// Which segment.
+        /// Number of the segment.
         segment: usize,
-        /// How far it reaches, m.
+        /// Lowest r of the arc, m.
         lowest_m: f64,
     },
     /// Two points that are the same.
@@ -98,28 +98,28 @@ pub enum OutlineFault {
     NoLength {
         /// The first of the two.
         point: usize,
-        /// Where they are.
+        /// Place.
         at: At,
     },
     /// Two segments that cross or touch.
     #[error("segment {one} crosses segment {other} at {at}")]
     Crossing {
-        /// The one.
+        /// Number of one segment.
         one: usize,
-        /// The other.
+        /// Number of the other segment.
         other: usize,
-        /// Where.
+        /// Place.
         at: At,
     },
     /// A segment that runs back over the one before it.
     #[error("segment {segment} folds back onto segment {} at {at}", segment - 1)]
     FoldsBack {
-        /// Which segment.
+        /// Number of the segment.
         segment: usize,
-        /// Where.
+        /// Place.
         at: At,
     },
-    /// More pairs of segments that come near each other than are looked at.
+    /// More pairs of segments near each other than are examined.
     #[error("more than {MOST_PAIRS} pairs of segments come near each other; give fewer points")]
     Tangled,
     /// The outline encloses nothing.
@@ -127,7 +127,7 @@ pub enum OutlineFault {
     NoVolume,
 }
 
-/// Everything wrong with an open outline, up to [`MOST_FAULTS`].
+/// All faults of an open outline, up to [`MOST_FAULTS`].
 pub fn faults(open: &Profile) -> Vec<OutlineFault> {
     let segments = &open.segments;
     let (Some(start), Some(end)) = (open.start(), open.end()) else {
@@ -213,7 +213,7 @@ fn crossing(first: &Numbered, second: &Numbered, near: f64) -> Option<OutlineFau
     let ((p, one, a), (q, other, b)) = (*first, *second);
     let joint = (q == p + 1).then(|| a.end());
     let mut points = meetings(a, b, near);
-    // neighbours share their joint
+    // neighbors share their joint
     let loose = 1e3 * near;
     points.retain(|p| joint.is_none_or(|joint| distance_m(*p, joint) > loose));
     let at = At(*points.first()?);

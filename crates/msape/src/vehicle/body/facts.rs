@@ -7,7 +7,7 @@
 //! with lengths in m, from the tip of the nose where the name says so; exact for lines and arcs.
 //!
 //! # Valid
-//! As [`crate::vehicle::body`].
+//! Same as [`crate::vehicle::body`].
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.4; the integrals are those of [`crate::vehicle::profile`].
@@ -60,7 +60,7 @@ pub struct Facts {
 }
 
 impl RigidBody {
-    /// Its facts.
+    /// Facts of the body.
     pub fn facts(&self) -> Facts {
         let tip_m = self.nose_tip_x_m();
         let first = self.outline.segments.first();

@@ -4,7 +4,7 @@
 //! runs apart by more than a tolerance, in x or in r, hold no such pair; else their halves are compared
 //! ```
 //!
-//! Lengths in m. Neighbours along a chain are neighbours in the plane, so that the work grows little faster than the number of pieces.
+//! Lengths in m. Neighbors along a chain are neighbors in the plane: the work grows little faster than the number of pieces.
 //!
 //! # Valid
 //! Any boxes; the search ends after [`MOST_PAIRS`].
@@ -12,7 +12,7 @@
 //! # References
 //! - Own arrangement of bounding boxes.
 
-/// Pairs that are looked at.
+/// Largest number of pairs examined.
 pub const MOST_PAIRS: usize = 5_000_000;
 
 /// Least and largest x, least and largest r, m.
@@ -56,7 +56,7 @@ impl Run {
 }
 
 /// Calls `visit` with each pair of boxes that are no more than `near_m` apart, the first before the second, until it says stop;
-/// false where there are more pairs than are looked at.
+/// false where there are more pairs than are examined.
 pub fn near_pairs(boxes: &[Box], near_m: f64, visit: impl FnMut(usize, usize) -> bool) -> bool {
     let mut tree = Tree {
         nodes: vec![[0.0; 4]; 4 * boxes.len().max(1)],

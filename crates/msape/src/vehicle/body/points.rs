@@ -1,7 +1,7 @@
 //! An outline from rows of points, with arcs where a row has a bulge.
 //!
 //! ```text
-//! bulge = tan(sweep / 4)      R = L (1 + b²) / (4 |b|)      distance of the centre from the chord = L (1 − b²) / (4 b)
+//! bulge = tan(sweep / 4)      R = L (1 + b²) / (4 |b|)      distance of the center from the chord = L (1 − b²) / (4 b)
 //! ```
 //!
 //! with L the chord to the next point in m, R the radius in m, the sweep in rad, positive from the x axis towards the r axis; a bulge of
@@ -76,7 +76,7 @@ pub fn rows(open: &Profile) -> Vec<Vec<f64>> {
     rows
 }
 
-/// A body from rows of points, or everything that is wrong with them.
+/// A body from rows of points, or all faults of these.
 pub fn from_rows(name: &str, rows: &[Vec<f64>]) -> Result<RigidBody, Vec<OutlineFault>> {
     let mut list: Vec<OutlineFault> = Vec::new();
     let curved = rows.iter().any(|row| row.get(2).is_some_and(|b| *b != 0.0));

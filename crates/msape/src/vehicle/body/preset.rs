@@ -7,7 +7,7 @@
 //! with lengths in m; angles stay.
 //!
 //! # Valid
-//! As [`crate::vehicle::body::shape`].
+//! Same as [`crate::vehicle::body::shape`].
 //!
 //! # References
 //! - Those of each file.
@@ -40,9 +40,9 @@ pub struct OutlineData {
     pub title: String,
     /// Key in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Aftbody.
     pub aft: AftKind,
@@ -61,7 +61,7 @@ impl OutlineData {
         Ok(data)
     }
 
-    /// Its shape.
+    /// Shape that the dimensions define.
     pub fn shape(&self) -> Result<Shape, String> {
         let mut read = 0;
         let mut get = |key: &str| {
@@ -106,12 +106,12 @@ impl OutlineData {
         Ok(shape)
     }
 
-    /// Its body, at the size of the file.
+    /// Body of the shape, at the size in the file.
     pub fn body(&self) -> Result<RigidBody, String> {
         self.scaled_body(None)
     }
 
-    /// Its body, at another diameter where one is given.
+    /// Body of the shape, scaled to another diameter if one is given.
     pub fn scaled_body(&self, diameter_m: Option<f64>) -> Result<RigidBody, String> {
         let shape = self.shape()?;
         let factor = diameter_m.map_or(1.0, |diameter| diameter / shape.diameter_m);
@@ -200,7 +200,7 @@ mod tests {
                 .unwrap()
                 .length_m()
         };
-        // Apollo 135 in; Genesis was divided so; Hayabusa 0.20 m, to the millimetres of its transcription
+        // Apollo 135 in; Genesis was divided so; Hayabusa 0.20 m, to the millimeters of its transcription
         assert!((height("apollo") - 135.0 * 0.0254).abs() < 0.01);
         assert!((height("genesis") - 1.31).abs() < 1e-3);
         assert!((height("hayabusa") - 0.20).abs() < 0.005);

@@ -6,7 +6,7 @@
 //! r_t = R_c cos φ                                                                         end of an aft cone at a cap
 //! ```
 //!
-//! with x_n and (x_s, r_s) the centres of nose and shoulder in m, θ the half-angle of the forebody's cone, φ that of an aft cone
+//! with x_n and (x_s, r_s) the centers of nose and shoulder in m, θ the half-angle of the forebody's cone, φ that of an aft cone
 //! against the axis in rad, R_c the radius of a cap that the last aft cone touches in m.
 //!
 //! # Valid
@@ -31,7 +31,7 @@ pub struct AftCone {
     pub end_radius_m: f64,
 }
 
-/// What is behind the shoulder.
+/// Shape behind the shoulder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Aft {
     /// A half-torus shoulder, then a disc.
@@ -64,7 +64,7 @@ pub struct Shape {
     pub aft: Aft,
 }
 
-/// What is wrong with a dimension: its name without the section, and the message.
+/// Fault of a dimension: its name without the section, and the message.
 pub type ShapeFault = (&'static str, String);
 
 /// Slope of the aft face of [`Aft::Mmeev`] against the plane normal to the axis, rad.
@@ -88,7 +88,7 @@ fn add(segments: &mut Vec<Segment>, segment: Segment) {
 }
 
 impl Shape {
-    /// Everything that keeps these dimensions from making an outline.
+    /// All faults that keep these dimensions from defining an outline.
     pub fn faults(&self) -> Vec<ShapeFault> {
         let radius = self.diameter_m / 2.0;
         let (nose, shoulder) = (self.nose_radius_m, self.shoulder_radius_m);
@@ -157,7 +157,7 @@ impl Shape {
         faults
     }
 
-    /// The body, or everything that keeps it from being one.
+    /// The body, or all faults of its dimensions.
     pub fn body(&self, name: &str) -> Result<RigidBody, Vec<ShapeFault>> {
         let faults = self.faults();
         if !faults.is_empty() {
@@ -174,7 +174,7 @@ impl Shape {
         })
     }
 
-    /// The same shape at another size.
+    /// The shape scaled by a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         let cones = |cones: &[AftCone]| {
             let scaled = |cone: &AftCone| AftCone {
@@ -203,7 +203,7 @@ impl Shape {
         }
     }
 
-    /// Centre of the shoulder, and the angle from its centre to where the forebody meets it, from the x axis.
+    /// Center of the shoulder, and the angle from its center to where the forebody meets it, from the x axis.
     fn shoulder(&self) -> (Point, f64) {
         let (nose, radius) = (self.nose_radius_m, self.shoulder_radius_m);
         let r_m = self.diameter_m / 2.0 - radius;
@@ -436,7 +436,7 @@ mod tests {
         };
         assert_eq!((lid(45.0), lid(60.0), lid(70.0)), (0, 1, 1));
         let body = sound(&sphere_cone(60.0, Aft::Mmeev));
-        // centre at 0.2 D, top a radius of 0.3 D behind
+        // center at 0.2 D, top a radius of 0.3 D behind
         assert!((body.nose_tip_x_m() + body.length_m() - 0.5).abs() < 1e-12);
     }
 

@@ -1,4 +1,4 @@
-//! Force of the impact foam against its crush, the energy that it takes, and the way back.
+//! Force of the impact foam against its crush, the energy that it absorbs, and its unloading.
 //!
 //! ```text
 //! F = A(s) σ(s/t)        A = A_p                    column under the payload (non-MSR)
@@ -30,18 +30,18 @@ use serde::{Deserialize, Serialize};
 
 /// Relative rounding.
 const ROUNDING: f64 = 1e-13;
-/// Crush over thickness beyond which nothing is looked for: far into the solid.
+/// Largest crush over thickness in searches: far into the solid.
 const MOST_CRUSH: f64 = 10.0;
 
-/// Where the foam stands.
+/// Shape of the foam.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape<S = f64> {
-    /// Under the payload, over this cross-section.
+    /// Column under the payload, with this cross-section.
     Column {
         /// Cross-section, m².
         area_m2: S,
     },
-    /// Around the payload.
+    /// Sphere around the payload.
     Sphere {
         /// Radius of the payload, m.
         payload_radius_m: S,
@@ -49,7 +49,7 @@ pub enum Shape<S = f64> {
 }
 
 impl<S: Single> Shape<S> {
-    /// That of the foam of a vehicle.
+    /// Shape of the foam of a vehicle.
     pub fn of(input: &VehicleInput<S>) -> Shape<S> {
         let payload_radius_m = input.payload_diameter_m() / 2.0;
         match input.concept {
@@ -64,7 +64,7 @@ impl<S: Single> Shape<S> {
 /// Foam that takes the landing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Absorber<S = f64> {
-    /// Where it stands.
+    /// Shape of the foam.
     pub shape: Shape<S>,
     /// Thickness, m.
     pub thickness_m: S,
@@ -90,7 +90,7 @@ impl<S: Single> Absorber<S> {
         self.area_m2(crush_m) * self.law.stress_pa(crush_m / self.thickness_m)
     }
 
-    /// Crushes at which the law bends: start and end of the plateau, closed cells, m; rising.
+    /// Crushes at which the law has a kink: start and end of the plateau, closed cells, m; rising.
     pub fn bends_m(&self) -> [S; 3] {
         let law = &self.law;
         [law.yield_strain(), law.plateau_strain(), law.last_strain()]
@@ -111,7 +111,7 @@ impl<S: Single> Absorber<S> {
             + self.area_m2(crush_m) * self.law.slope_pa(strain) / self.thickness_m
     }
 
-    /// Way over which the force goes to nought when the load is taken off, m.
+    /// Elastic recovery over which the force falls to zero on unloading, m.
     pub fn elastic_way_m(&self, crush_m: S) -> S {
         let law = &self.law;
         let yield_m = law.yield_strain() * self.thickness_m;
@@ -122,7 +122,7 @@ impl<S: Single> Absorber<S> {
         let denser = (stress_pa / law.plateau_pa).max(S::constant(1.0));
         let stiffest_pa = law.modulus_pa.max(S::constant(law.solid_modulus_pa));
         let modulus_pa = (law.modulus_pa * denser).min(stiffest_pa);
-        // with k = E A / t the way is that of the stress alone
+        // with k = E A / t the elastic recovery depends on the stress alone
         let soft_m = stress_pa * self.thickness_m / modulus_pa;
         let steepest_m = self.force_n(crush_m) / self.slope_n_m(crush_m);
         soft_m.min(steepest_m)
@@ -221,7 +221,7 @@ impl<S: Single> Absorber<S> {
         energy_j / self.taken_m3(self.plateau_crush_m())
     }
 
-    /// Thickness that takes an energy up to the end of the plateau, m; `None` beyond ten metres.
+    /// Thickness that takes an energy up to the end of the plateau, m; `None` beyond ten meters.
     pub fn thickness_needed_m(&self, energy_j: S) -> Option<S> {
         let left_j = |thickness_m: S| {
             let other = Absorber {
@@ -275,7 +275,7 @@ mod tests {
         // π 0.02 (0.4 − 0.02) = 0.0238761 m²
         assert!((sphere().force_n(0.02) - 47_752.2).abs() < 0.1);
         assert_eq!(sphere().force_n(0.0), 0.0);
-        // 2e6 / 1e9 · 0.1 m of elastic way on the plateau
+        // 2e6 / 1e9 · 0.1 m of elastic recovery on the plateau
         assert!((sphere().elastic_way_m(0.02) - 2e-4).abs() < 1e-15);
     }
 
@@ -324,7 +324,7 @@ mod tests {
     fn the_way_back_begins_as_the_elastic_branch_and_ends_at_the_law() {
         for foam in shapes() {
             let yield_m = foam.law.yield_strain() * foam.thickness_m;
-            // a little beyond the yield the way back is the law itself, a little later
+            // just beyond the yield, unloading still follows the law itself
             let beyond_m = yield_m * (1.0 + 1e-9);
             for share in [0.1, 0.5, 0.9] {
                 let crush_m = share * yield_m;

@@ -1,4 +1,4 @@
-//! The landing in one dimension: payload on foam in a vehicle on the ground, until the payload stands still.
+//! The landing in one dimension: payload on foam in a vehicle on the ground, until the payload is at rest.
 //!
 //! ```text
 //! m₁ ẍ = −F(s)      m₂ z̈ = F(s) − S(z)      s = x − z
@@ -12,7 +12,7 @@
 //! # Valid
 //! Vertical, without gravity (1 g among hundreds), rigid payload and rigid vehicle. On rigid ground the vehicle's side stops
 //! at once and its structure takes its energy. Nothing damps: on soft ground the payload rings on its foam, by 2 to 30 % of the
-//! load in the shipped cases, which is on the high side. Rebound after the payload's stop is not followed.
+//! load in the shipped cases, which is conservative. Rebound after the payload's stop is not followed.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5, whose equations 1, 4 and 6 are limits; \[hairer-norsett-wanner-1993\] section II.5.
@@ -29,16 +29,16 @@ use serde::{Deserialize, Serialize};
 pub(super) const STATES: usize = 6;
 /// Relative error of a step; the balance of energy then holds to better than 1e-9.
 const TOLERANCE: f64 = 1e-10;
-/// Points within a step at which events are looked for: the payload may ring.
+/// Points within a step at which events are searched for: the payload may ring.
 const INTERIOR: u32 = 3;
 const MAXIMUM_STEPS: u64 = 20_000;
-/// A landing that lasts longer is left, s.
+/// Largest duration of a landing, s; the integration is given up beyond it.
 const LONGEST_S: f64 = 10.0;
 
 /// A landing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touchdown {
-    /// Mass that crushes the foam: the payload and what moves with it, kg.
+    /// Mass that crushes the foam: the payload and the parts that move with it, kg.
     pub payload_side_kg: f64,
     /// The rest of the vehicle, kg.
     pub vehicle_side_kg: f64,
@@ -50,16 +50,16 @@ pub struct Touchdown {
     pub soil: Soil,
 }
 
-/// How a pulse ended.
+/// Event that ended a pulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PulseEnd {
-    /// The payload stands still.
+    /// The payload is at rest.
     Stopped,
     /// The integration gave up before; the numbers are those up to there.
     Unfinished,
 }
 
-/// What the payload feels, from first contact to its stop.
+/// Load history of the payload, from first contact to its stop.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pulse {
     /// Largest deceleration of the payload, Earth g.
@@ -74,9 +74,9 @@ pub struct Pulse {
     pub foam_energy_j: f64,
     /// Energy taken by the ground, or by the structure on rigid ground, J.
     pub ground_energy_j: f64,
-    /// Energy that is missing in the balance, over that at impact.
+    /// Residual of the energy balance over the energy at impact.
     pub energy_residual: f64,
-    /// How it ended.
+    /// Event that ended the pulse.
     pub end: PulseEnd,
     /// Time history.
     pub history: History,
@@ -103,7 +103,7 @@ pub(super) struct Motion {
     touchdown: Touchdown,
     foam: Foam,
     vehicle: Vehicle,
-    /// Bends of the foam's law that lie behind.
+    /// Number of kinks of the foam's law already passed.
     bends: usize,
 }
 
@@ -176,7 +176,7 @@ impl Motion {
         match self.foam {
             Foam::Crushing => {
                 if self.bends == 0 {
-                    // still elastic: the law itself is the way back
+                    // still elastic: unloading follows the law itself
                     let touches = |y: &[f64; STATES]| y[0] - y[2];
                     look(Event::FoamTouches, crosses(&touches, Direction::Either));
                 } else {
@@ -196,10 +196,10 @@ impl Motion {
         first
     }
 
-    /// The equations after an event; the state may lose what is left of a speed that has come to nought.
+    /// Equations of motion after an event; the remainder of a speed that has reached zero is removed from the state.
     fn after(mut self, event: Event, y: &mut [f64; STATES]) -> Motion {
         match event {
-            // ends of a step where the force bends, nothing else
+            // only the end of a step, at a kink of the force
             Event::PayloadStops | Event::FoamTouches => {}
             Event::VehicleStops => {
                 y[3] = 0.0;

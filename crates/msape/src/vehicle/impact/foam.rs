@@ -25,9 +25,9 @@ use serde::{Deserialize, Serialize};
 pub struct FoamKind {
     /// Keys of the sources in the list of references.
     pub source: String,
-    /// Where in the sources.
+    /// Places in the sources.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Density of the solid, kg/m³.
     pub solid_density_kg_m3: f64,
@@ -138,7 +138,7 @@ impl<S: Single> CrushLaw<S> {
         }
     }
 
-    /// Where the slope scale / (ε_D − ε)² is that of the solid: ε_D − ε.
+    /// Value of ε_D − ε at which the slope scale / (ε_D − ε)² is that of the solid.
     fn last_left(&self) -> S {
         (self.scale_pa() / self.solid_modulus_pa).sqrt()
     }

@@ -1,4 +1,4 @@
-//! The impact foam that a landing asks for: least thickness, and strength and density at a thickness.
+//! The impact foam that a landing requires: least thickness, and strength and density at a thickness.
 //!
 //! ```text
 //! t ≥ Stroke / η                     η ≤ ε_p, the end of the plateau of the foam in use        MSR
@@ -23,8 +23,9 @@
 //! in a sphere of the radius R, and less in thicker foam.
 //!
 //! # Valid
-//! As [`crate::vehicle::impact`]. The payload alone crushes the foam, as in equations 4 and 6; foam for the whole impact sphere would
-//! have to carry its own mass, which takes a foam that is no longer one. Foam weaker than the weakest grade is not on offer: there the load is above the limit.
+//! Same as [`crate::vehicle::impact`]. The payload alone crushes the foam, as in equations 4 and 6; foam for the whole impact
+//! sphere would have to carry its own mass, for which it would be too dense to be a foam. Foam weaker than the weakest grade is
+//! not available: there the load is above the limit.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5, equations 4 and 6.
@@ -38,9 +39,9 @@ use crate::vehicle::kinds::{Concept, Foam, FoamStrength};
 use numerics::root;
 use numerics::scalar::Single;
 
-/// Fraction from which a usable one is looked for, assumed: a foam as dense as its solid has 0.06.
+/// Lower end of the search for the usable fraction, assumed: a foam as dense as its solid has 0.06.
 const LEAST_EFFICIENCY: f64 = 0.01;
-/// Intervals in which the softest foam is looked for: assumed.
+/// Number of intervals in the search for the softest foam: assumed.
 const STEPS: u32 = 16;
 /// Distance kept from the foam of the least thickness, a root itself at its own, as part of the range searched: assumed, far above the
 /// resolution of the search.
@@ -48,7 +49,7 @@ const APART: f64 = 1e-6;
 /// Width of the last interval in the search for a usable fraction: that of rounding.
 const RESOLUTION: f64 = 1e-15;
 
-/// Impact foam as the landing asks for it.
+/// Impact foam that the landing requires.
 #[derive(Clone, Copy, Debug)]
 pub struct FoamRule<'a, S = f64> {
     /// Stroke of the payload on a rigid surface, m.
@@ -57,11 +58,11 @@ pub struct FoamRule<'a, S = f64> {
     pub stroke_efficiency: S,
     /// Thickness that gives this stroke, m.
     pub required_thickness_m: S,
-    /// The same or the least that the rules allow, m.
+    /// Thickness used, m: the required one, or the least that the rules allow.
     pub least_thickness_m: S,
     /// Strength of equation 6, Pa.
     pub equation_6_pa: S,
-    /// End of the plateau of the foam that the least thickness with the largest fraction asks for.
+    /// End of the plateau of the foam that the least thickness with the largest fraction requires.
     plateau_strain: S,
     shape: Shape<S>,
     input: &'a VehicleInput<S>,
@@ -142,7 +143,7 @@ impl<S: Single> FoamRule<'_, S> {
                 (FoamStrength::CrushLaw, Concept::Msr) if self.stroke_m.value() > 0.0 => {
                     self.needed_pa(self.stroke_m / efficiency, self.stroke_m)
                 }
-                // in a column the stroke of equation 4 asks for the strength of equation 6
+                // in a column the stroke of equation 4 requires the strength of equation 6
                 _ => self.equation_6_pa,
             };
             usable(supply.law(strength_pa)) - efficiency
@@ -153,7 +154,7 @@ impl<S: Single> FoamRule<'_, S> {
             .map_or(softest, |efficiency| S::implicit(efficiency, excess))
     }
 
-    /// Strength asked for at a thickness, Pa.
+    /// Requested strength at a thickness, Pa.
     fn strength_pa(&self, thickness_m: S) -> S {
         let at_rest = self.stroke_m.value() == 0.0;
         if self.input.impact.foam_strength == FoamStrength::Equation6 || at_rest {

@@ -21,7 +21,7 @@ use numerics::scalar::Single;
 /// Terms of the series: z / 2 Rₙ is below a half, and below 0.07 for a cone of 60 deg.
 const SERIES: u32 = 40;
 
-/// The part of a forebody that the ground sees.
+/// Cross-section of a forebody at the surface of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint<S = f64> {
     nose_radius_m: S,
@@ -34,7 +34,7 @@ pub struct Footprint<S = f64> {
 }
 
 impl<S: Single> Footprint<S> {
-    /// Of a forebody's outer mould line.
+    /// Footprint of the outer mold line of a forebody.
     pub fn new(forebody: &Forebody<S>) -> Footprint<S> {
         let (sin, cos) = forebody.sin_cos();
         let nose_radius_m = forebody.nose_radius_m;

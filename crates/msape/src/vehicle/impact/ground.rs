@@ -12,7 +12,7 @@
 //! # Valid
 //! Vertical fall. Equation 1 was measured with spherical penetrometers: a vehicle that goes deeper than its spherical nose
 //! shows the ground more than its nose diameter. Young's equation is for slender bodies; that the resistance at a depth is
-//! the mean of a body with the cross-section at that depth is an assumption of ours, which keeps his depth for a cylinder.
+//! the mean of a body with the cross-section at that depth is an assumption of this project, which keeps his depth for a cylinder.
 //!
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
@@ -24,15 +24,15 @@ use crate::vehicle::impact::young::{self, Penetrator};
 use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
 
-/// A ground and what resists in it; with neither of the two it is rigid.
+/// A ground and the law of its resistance; with neither of the two laws it is rigid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {
     /// Key of the source in the list of references.
     pub source: String,
-    /// Where in the source.
+    /// Place in the source.
     pub place: String,
-    /// What a reader must know.
+    /// Note for the reader.
     pub note: String,
     /// Name.
     pub name: String,
@@ -60,24 +60,24 @@ pub struct Penetration {
 pub struct Penetrability {
     /// Value used.
     pub s_number: f64,
-    /// Least value, of the hardest.
+    /// Least value, of the hardest soil.
     pub s_number_min: f64,
-    /// Largest value, of the softest.
+    /// Largest value, of the softest soil.
     pub s_number_max: f64,
 }
 
 /// Load of a rigid vehicle in the ground, Earth g.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RigidBodyLoad<S = f64> {
-    /// With the value used, Earth g.
+    /// Load with the value used, Earth g.
     pub load_earth_g: S,
-    /// Least of the range, Earth g.
+    /// Least load of the range, Earth g.
     pub least_earth_g: S,
-    /// Largest of the range, Earth g.
+    /// Largest load of the range, Earth g.
     pub largest_earth_g: S,
 }
 
-/// What resists.
+/// Law of the resistance of a ground.
 enum Law {
     Rigid,
     Equation1(Penetration),
@@ -105,7 +105,7 @@ impl Ground {
         }
     }
 
-    /// Where the law comes from, for a reader.
+    /// Source of the law, for a reader.
     pub fn law_source(&self) -> &'static str {
         match self.law() {
             Law::Rigid => "NASA/TM-2014-218507, section 3.1.5",
@@ -114,7 +114,7 @@ impl Ground {
         }
     }
 
-    /// What resists, for a vehicle.
+    /// Resistance of the ground to a vehicle.
     pub fn soil<S: Single>(&self, striker: &Striker<S>) -> Soil<S> {
         match self.law() {
             Law::Rigid => Soil::Rigid,
@@ -250,7 +250,7 @@ mod tests {
         assert_eq!(ground("rigid").rigid_body_load(&striker(30.0)), None);
     }
 
-    /// Two flight-like vehicles fell on the sandy clay of Utah at about 30 m/s: less than 600 g at the centre of gravity
+    /// Two flight-like vehicles fell on the sandy clay of Utah at about 30 m/s: less than 600 g at the center of gravity
     /// (abstract of \[kellas-2017\]; sizes and masses are not in it, those of Table 15 stand in for them).
     #[test]
     fn drops_of_2017_stay_below_600_g() {
@@ -267,7 +267,7 @@ mod tests {
             };
             clay.rigid_body_load(&striker).unwrap().load_earth_g
         };
-        // equation 1: 28 · 900 / 45.7 = 551.42 g for each metre; with the nose a quarter of that of the whole vehicle
+        // equation 1: 28 · 900 / 45.7 = 551.42 g for each meter; with the nose a quarter of that of the whole vehicle
         assert!((load(0.225) - 124.07).abs() < 0.01 && (load(0.9) - 496.28).abs() < 0.01);
     }
 

@@ -43,7 +43,7 @@ pub(super) struct Recorded {
 }
 
 impl History {
-    /// Of the steps of a landing; empty when there are none.
+    /// Time history from the steps of a landing; empty if there are none.
     pub(super) fn of(recorded: &[Recorded]) -> History {
         let mut history = History::default();
         let Some(last) = recorded.last() else {

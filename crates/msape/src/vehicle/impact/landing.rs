@@ -7,13 +7,13 @@
 //! ```
 //!
 //! with masses in kg, m₁ the mass that crushes the foam, m₂ the rest, M the entry mass. The plateau of the foam is what its grade
-//! offers, see [`super::supply`]. Of the MSR concept the load with the whole sphere as m₁ stands beside, whatever was asked for: on a
+//! offers, see [`super::supply`]. For the MSR concept the load with the whole sphere as m₁ is always given as well: on a
 //! rigid surface it is the force where the foam has taken its energy, see [`super::absorber`].
 //!
 //! # Valid
-//! As [`super::crush`]. With the payload alone the rest of the impact sphere is taken to carry itself: neither the mass of its foam
+//! As [`super::crush`]. With the payload alone the rest of the sphere is assumed to support itself: neither the mass of its foam
 //! and panels nor the strength of its panels counts. With the whole sphere its mass counts and the panels' strength does not,
-//! which is the severe side. Crush of carrier and heat shield, which would help, is left out.
+//! which is conservative. Crush of carrier and heat shield, which would help, is left out.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5.
@@ -60,14 +60,14 @@ pub struct Landing {
     pub ground: Pulse,
     /// Depth of a rigid vehicle in the chosen ground, m; zero on rigid ground.
     pub rigid_body_depth_m: f64,
-    /// Foam of this strength that would stay on its plateau on a rigid surface, m; absent beyond ten metres.
+    /// Foam of this strength that would stay on its plateau on a rigid surface, m; absent beyond ten meters.
     pub foam_needed_m: Option<f64>,
     /// Strength with which the foam would stay on its plateau on a rigid surface, Pa.
     pub strength_needed_pa: f64,
 }
 
 impl TouchdownVelocity {
-    /// Of a flight that ends with a speed, m/s, at an angle against the horizon, rad.
+    /// Velocity at the end of a flight with a speed, m/s, at an angle against the horizon, rad.
     pub fn new(speed_m_s: f64, flight_path_angle_rad: f64) -> TouchdownVelocity {
         TouchdownVelocity {
             speed_m_s,
@@ -137,7 +137,7 @@ impl Landing {
     }
 }
 
-/// Payload and what moves with it in the MSR concept, kg; the payload alone in the other.
+/// Mass of the payload and of the parts that move with it in the MSR concept, kg; of the payload alone in the other.
 fn sphere_kg(vehicle: &Vehicle) -> f64 {
     let sphere: &[ComponentKind] = match vehicle.concept {
         Concept::Msr => &[

@@ -1,4 +1,4 @@
-//! What is said beside a landing.
+//! Findings on a landing.
 //!
 //! ```text
 //! sin² δ > 1 %       share of the kinetic energy that is not vertical, δ between velocity and vertical
@@ -9,7 +9,7 @@
 //! with z the depth of a rigid vehicle, Rₙ, θ, D nose radius, cone half-angle and diameter; lengths in m.
 //!
 //! # Valid
-//! One per cent of the energy is an assumption of ours: about 6 deg.
+//! The limit of 1 % of the energy is an assumption of this project: about 6 deg.
 //!
 //! # References
 //! - \[samareh-2014\] section 3.1.5; \[young-1997\].
@@ -27,15 +27,15 @@ use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::FoamStrength;
 use numerics::math::{PI, RADIANS_PER_DEGREE};
 
-/// Loads up to this part over the limit are rounding and elastic ringing.
+/// Relative excess over the load limit that is attributed to rounding and elastic ringing.
 const LOAD_TOLERANCE: f64 = 0.01;
-/// Crush beyond the plateau up to this part is that of a landing a little faster than the pass before had it.
+/// Relative crush beyond the plateau that is attributed to a landing slightly faster than in the pass before.
 const PLATEAU_TOLERANCE: f64 = 1e-3;
-/// Share of the kinetic energy that may be sideways.
+/// Largest share of the kinetic energy in horizontal motion.
 const SIDEWAYS_SHARE: f64 = 0.01;
 /// Depth in diameters from which Young's equation holds.
 const YOUNG_DIAMETERS: f64 = 3.0;
-/// The input that sets the limit.
+/// Input that sets the load limit.
 const LIMIT: &str = input::design::CRUSH_LOAD_LIMIT_EARTH_G.key;
 const REPORT: &str = "NASA/TM-2014-218507, section 3.1.5";
 
@@ -64,7 +64,7 @@ pub fn findings(vehicle: &Vehicle, landing: &Landing, ground: &Ground) -> Vec<Fi
     list
 }
 
-/// Where the strength of the foam comes from, and a strength that no grade has.
+/// Findings on the law that gives the strength of the foam, and on a strength that no grade has.
 pub fn strength(input: &VehicleInput, impact: &Impact) -> Vec<Finding> {
     let asked_pa = impact.foam_strength_pa;
     let note = |severity, valid, message, field: &str| Finding {

@@ -8,8 +8,8 @@
 //! with F in N, z in m, α the constant of equation 1, g = 9.80665 m/s², Dₙ in m, V in m/s, M in kg, A in m².
 //!
 //! # Valid
-//! Equation 1 gives a peak and no history: a resistance in proportion to the depth is the simplest with that peak, and an assumption of
-//! ours; its depth is M / (α g Dₙ). The ground does not push back: where the vehicle stops, it stays.
+//! Equation 1 gives a peak and no history: a resistance proportional to the depth is the simplest with that peak, an assumption of
+//! this project; its depth is M / (α g Dₙ). The ground does not push back: where the vehicle stops, it stays.
 //!
 //! # References
 //! - \[samareh-2014\] equation 1; \[young-1997\].
@@ -27,14 +27,14 @@ const DEPTH_TOLERANCE: f64 = 1e-13;
 /// Resistance of the ground to one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Soil<S = f64> {
-    /// Does not give way.
+    /// Rigid ground.
     Rigid,
-    /// In proportion to the depth.
+    /// Force proportional to the depth.
     Linear {
         /// Force over depth, N/m.
         stiffness_n_m: S,
     },
-    /// With the cross-section at the surface to the power 0.7.
+    /// Force proportional to the cross-section at the surface to the power 0.7.
     Growing {
         /// Force over that power of the area, N/m^1.4.
         coefficient: S,

@@ -1,4 +1,4 @@
-//! A vehicle as the ground meets it.
+//! A vehicle at impact on the ground.
 //!
 //! ```text
 //! Dₙ = 2 Rₙ
@@ -16,7 +16,7 @@ use crate::vehicle::forebody::Forebody;
 use crate::vehicle::impact::footprint::Footprint;
 use numerics::scalar::Single;
 
-/// A vehicle that meets the ground.
+/// A vehicle at impact on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Striker<S = f64> {
     /// Mass, kg.

@@ -1,8 +1,8 @@
-//! The foam that is used where a landing asks for a strength: between two grades, the weakest, beyond the strongest, or that of the case.
+//! The foam used for a required strength: between two grades, the weakest, beyond the strongest, or that of the case.
 //!
 //! ```text
 //! ρ = ρ₁ + (σ − σ₁) (ρ₂ − ρ₁) / (σ₂ − σ₁)        σ₁ ≤ σ ≤ σ₂, and on from the last two beyond the strongest
-//! ρ = ρ₀, σ = σ₀                                 weakest grade, where less is asked for
+//! ρ = ρ₀, σ = σ₀                                 weakest grade, where less is requested
 //! ```
 //!
 //! with densities ρ in kg/m³ and compressive strengths σ in Pa, which are the plateaus of the crush law.
@@ -28,7 +28,7 @@ pub struct Supply<'a, S = f64> {
 }
 
 impl<S: Single> Supply<'_, S> {
-    /// Those of an input.
+    /// Foam supply of an input.
     pub fn new(input: &VehicleInput<S>) -> Supply<'_, S> {
         Supply {
             kind: &input.impact.foam,
@@ -43,7 +43,7 @@ impl<S: Single> Supply<'_, S> {
             .unwrap_or_else(|| foam_density_kg_m3(self.grades, asked_pa))
     }
 
-    /// Crush law of the foam in use for a strength asked for, Pa; a density of the case has the strength of its grades.
+    /// Crush law of the foam in use for a requested strength, Pa; a density of the case has the strength of its grades.
     pub fn law(&self, asked_pa: S) -> CrushLaw<S> {
         if let Some(density) = self.given_kg_m3
             && let Some(strength_pa) = foam_strength_at_pa(self.grades, density)
@@ -132,7 +132,7 @@ mod tests {
         };
         assert_eq!(supply(None), kind.law(50.0, 1.0e6));
         assert_eq!(supply(Some(75.0)), kind.law(75.0, 1.5e6));
-        // denser than any grade: what is asked for
+        // denser than any grade: the requested strength
         assert_eq!(supply(Some(500.0)), kind.law(50.0, 1.0e6));
     }
 }

@@ -25,7 +25,7 @@ const LIGHT_KG: f64 = 27.0;
 /// Exponent of the mass over the cross-section.
 pub const AREA_EXPONENT: f64 = 0.7;
 
-/// What goes in.
+/// Penetrator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penetrator<S = f64> {
     /// Mass, kg.

@@ -1,4 +1,4 @@
-//! Capacities of walls, each the reverse of the thickness that it asks for.
+//! Capacities of walls, each the reverse of the thickness that it requires.
 //!
 //! ```text
 //! cone under pressure      p_cr = 0.92 γ E t^{5/2} / (L ρ^{3/2}), γ = 0.75, ρ = r̄ / cos θ
@@ -49,7 +49,7 @@ const HONEYCOMB_WRINKLING: f64 = 0.33;
 pub struct Cap<S = f64> {
     /// Radius, m.
     pub radius_m: S,
-    /// Half the angle that it spans from its centre, rad.
+    /// Half the angle that it spans from its center, rad.
     pub half_angle_rad: S,
 }
 
@@ -251,7 +251,7 @@ impl<S: Single> Carrier<S> {
         pressure_pa * (rho_m / d_m.max(S::constant(1e-9))).sqrt() / plane.sqrt().sqrt()
     }
 
-    /// Height at which the core carries that stress, m; nought for a laminate.
+    /// Height at which the core carries that stress, m; zero for a laminate.
     pub fn ring_shear_thickness_m(&self, pressure_pa: S, rho_m: S, face_m: Option<S>) -> S {
         match (self.construction, face_m) {
             (
@@ -288,7 +288,7 @@ mod tests {
         half_angle_rad: PI / 3.0,
     };
 
-    /// Each rule at the thickness that it asks for carries exactly its demand.
+    /// Each rule at the thickness that it requires carries exactly its demand.
     fn reversed(
         thickness: impl Fn(&Carrier) -> f64,
         capacity: impl Fn(&Carrier, (f64, f64)) -> f64,

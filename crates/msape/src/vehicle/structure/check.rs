@@ -1,4 +1,4 @@
-//! What every rule says of the walls as built: demand, capacity, margin, and the thickness that it alone asks for.
+//! Results of every rule for the walls as built: demand, capacity, margin, and the thickness that this rule alone requires.
 //!
 //! ```text
 //! margin = capacity / demand − 1
@@ -7,7 +7,7 @@
 //! with demand and capacity in the unit that the check names; the safety factor is in the demand.
 //!
 //! # Valid
-//! As [`super::capacity`].
+//! Same as [`super::capacity`].
 //!
 //! # References
 //! - Those of [`super::capacity`] and [`super::size`].
@@ -65,7 +65,7 @@ impl Rule {
         }
     }
 
-    /// Where it comes from.
+    /// Source of the rule.
     pub fn source(self) -> &'static str {
         match self {
             Self::MinimumGauge => "data of the wall's material",
@@ -82,11 +82,11 @@ impl Rule {
     }
 }
 
-/// When a load acts.
+/// Load case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LoadCase {
-    /// While the wall is made.
+    /// Making of the wall.
     Making,
     /// Stagnation pressure at entry.
     EntryPressure,
@@ -111,7 +111,7 @@ impl LoadCase {
     }
 }
 
-/// One rule in one load case.
+/// Result of a rule in a load case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
     /// Wall.
@@ -122,16 +122,16 @@ pub struct Check {
     pub load_case: LoadCase,
     /// Unit of demand and capacity.
     pub unit: String,
-    /// What is asked, safety factor included.
+    /// Demand, safety factor included.
     pub demand: f64,
-    /// What the wall as built can do.
+    /// Capacity of the wall as built.
     pub capacity: f64,
     /// Capacity over demand less one.
     pub margin: f64,
-    /// Thickness that this rule alone asks for, m, of a rule for faces that of both together; absent where a thicker wall
+    /// Thickness that this rule alone requires, m, of a rule for faces that of both together; absent where a thicker wall
     /// does not help.
     pub required_thickness_m: Option<f64>,
-    /// Where the rule comes from.
+    /// Source of the rule.
     pub source: String,
 }
 
@@ -143,7 +143,7 @@ struct Built<'a> {
     list: Vec<Check>,
 }
 
-/// What a rule asks and gets: unit, demand, capacity, required thickness.
+/// Numbers of a rule: unit, demand, capacity, required thickness.
 type Figures = (&'static str, f64, f64, Option<f64>);
 
 impl Built<'_> {
@@ -153,7 +153,7 @@ impl Built<'_> {
         load_case: LoadCase,
         (unit, demand, capacity, thickness): Figures,
     ) {
-        // a rule that asks for nothing is no check
+        // a rule without a requirement gives no check
         if demand > 0.0 && capacity.is_finite() {
             self.list.push(Check {
                 wall: self.place,
@@ -169,7 +169,7 @@ impl Built<'_> {
         }
     }
 
-    /// Of the force N in the wall: strength, and the faces of a sandwich.
+    /// Checks of the force N in the wall: strength, and the faces of a sandwich.
     fn membrane(&mut self, load_case: LoadCase, n_m: f64) {
         let (carrier, h, t_f) = (
             self.carrier,

@@ -8,9 +8,9 @@
 //! ```
 //!
 //! with pressures in Pa, forces in N, N in N/m; f the safety factor, p₀ the peak stagnation pressure, M a the entry mass
-//! times its deceleration, A the frontal area, h the distance of the centre of gravity from the attached structure, R the
-//! radius of the primary structure, m. On the primary structure lateral bending is counted as if its largest force went
-//! round the whole circle: it buckles at a smaller stress under axial load than in bending, so that this is safe.
+//! times its deceleration, A the frontal area, h the distance of the center of gravity from the attached structure, R the
+//! radius of the primary structure, m. On the primary structure lateral bending is treated as if its largest force acted
+//! round the whole circle: it buckles at a smaller stress under axial load than in bending, so that this is conservative.
 //!
 //! # Valid
 //! The aft side of the wing is a dish that the wing's filling backs: it follows the lid.
@@ -55,7 +55,7 @@ pub struct PressureShell<S = f64> {
 pub struct AxialLoads<S = f64> {
     /// Radius, m.
     pub radius_m: S,
-    /// At entry, N.
+    /// Axial load at entry, N.
     pub entry_n: S,
     /// Corners at launch, and the axial load that makes the same largest force, N.
     pub launch: [(LaunchLoad<S>, S); 4],
@@ -120,7 +120,7 @@ impl<S: Single> Carrier<S> {
     }
 }
 
-/// Loads that these masses make.
+/// Loads from these masses.
 pub fn loads(
     input: &VehicleInput,
     layout: &Layout,
@@ -131,7 +131,7 @@ pub fn loads(
     loads_of(input, layout, &Masses::of(parts, mass))
 }
 
-/// The same from masses alone.
+/// Loads of the three walls from the masses alone.
 pub fn loads_of<S: Single>(
     input: &VehicleInput<S>,
     layout: &Layout<S>,

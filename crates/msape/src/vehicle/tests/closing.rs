@@ -1,4 +1,4 @@
-//! The diameter found is the smallest that closes, from wherever it is looked for, and nothing jumps where a loop once did not settle.
+//! The diameter found is the smallest that closes, wherever the search starts; no result jumps where a loop once did not converge.
 
 use super::trade_space::{Sequence, sampled};
 use super::*;
@@ -72,7 +72,7 @@ fn what_stands_about_the_centre_of_gravity_stands_about_it() {
         let layout = &vehicle.layout;
         let off = layout.outline.lid_center_x_m - vehicle.mass.cg_x_m;
         assert!(off.abs() < 1e-7, "{off}");
-        // the payload in its place: on the foam that its stroke asks for, on the forebody's layers
+        // the payload in its place: on the foam that its stroke requires, on the forebody's layers
         let foam = FoamRule::new(&input).least_thickness_m;
         assert_eq!(layout.foam_thickness_m, foam);
         let rest = layout
@@ -80,7 +80,7 @@ fn what_stands_about_the_centre_of_gravity_stands_about_it() {
             .forebody
             .resting_ball_x_m(layout.depths.fore_m(), layout.payload_radius_m + foam);
         assert_eq!(layout.payload_x_m, rest);
-        // under a lid 50 mm above it or, told, higher
+        // under a lid 50 mm above it or, with a remark, higher
         let top = layout.outline.lid_top_x_m() - layout.depths.aft_m();
         let gap = top - layout.payload_x_m - layout.payload_radius_m;
         assert!((gap - layout.lid_insulation_thickness_m).abs() < 1e-12 && gap > 0.05 - 1e-9);

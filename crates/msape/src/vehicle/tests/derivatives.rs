@@ -21,7 +21,7 @@ const BEND: f64 = 0.01;
 /// Difference of the crush load over itself where the payload stops at the end of the plateau: there the law bends.
 const AT_PLATEAU: f64 = 2e-3;
 
-/// Of the inputs of a random vehicle one in so many is compared, another for each vehicle: all together take a minute.
+/// Stride over the inputs compared for a random vehicle, with another offset for each vehicle: all inputs together take a minute.
 const EVERY: usize = 4;
 
 const NAMES: [&str; 20] = [

@@ -107,7 +107,7 @@ fn foam_of_equation_6_over_a_small_payload_is_a_finding() {
     assert_eq!(one.severity, Severity::Exceeded);
     assert_eq!((one.value, one.valid), (Some(load), (None, Some(3500.0))));
     assert_eq!(one.field.as_deref(), Some("design.foam_strength"));
-    // from one per cent over the limit
+    // from 1 % over the limit
     for (limit, expected) in [(load / 1.009, false), (load / 1.011, true)] {
         let mut vehicle = vehicle.clone();
         vehicle.impact.crush_load_limit_earth_g = limit;
@@ -231,7 +231,7 @@ fn the_whole_impact_sphere_crushes_further_than_the_payload() {
     let mass_kg = 12.5 + foam.mass_with_margin_kg + shell.mass_with_margin_kg;
     assert!((sphere.payload_side_kg - mass_kg).abs() < 1e-12);
     assert!(sphere.rigid_surface.stroke_m > payload.rigid_surface.stroke_m);
-    // which stands beside the load of the payload alone, whatever was asked for
+    // which is given with the load of the payload alone in every case
     let load = sphere.rigid_surface.peak_load_earth_g;
     assert!(load > payload.rigid_surface.peak_load_earth_g);
     for landing in [payload, sphere] {

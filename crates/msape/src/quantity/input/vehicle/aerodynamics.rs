@@ -1,4 +1,4 @@
-//! Inputs of coefficients over angle of attack: a table of one's own, damping, rarefied flow.
+//! Inputs of coefficients over angle of attack: a table of the user, damping, rarefied flow.
 
 use super::DRAG;
 use crate::quantity::Task;
