@@ -116,7 +116,8 @@ impl SoakCorrelation {
     pub fn peak_temperature_k<S: Single>(&self, input: &SoakInput<S>) -> S {
         let Self { a, b, c, .. } = *self;
         // below the vertex the parabola would rise again
-        let x = self.x(input).max(S::constant(self.vertex()));
+        // in this order, so that no flux at all, whose powers are not numbers, stands at the vertex, too
+        let x = S::constant(self.vertex()).max(self.x(input));
         // T = a X² + b X + c
         (x * a + b) * x + c + ZERO_CELSIUS_K
     }
