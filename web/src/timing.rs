@@ -65,7 +65,7 @@ impl Timing {
     pub fn median(&self) -> Option<Measured> {
         let median = |of: fn(&Measured) -> f64| {
             let mut sorted: Vec<f64> = self.batches.iter().map(of).collect();
-            sorted.sort_by(f64::total_cmp);
+            sorted.sort_unstable_by(f64::total_cmp);
             sorted.get(sorted.len() / 2).copied()
         };
         Some(Measured {

@@ -84,10 +84,6 @@ jobs! {
         let mission = &bench.msr.input.mission;
         black_box(flight::fly(mission, &bench.msr_body, Request::Nothing));
     },
-    "its fall below 250 m/s" => |bench| {
-        let FlightProblem { mission, body, .. } = &bench.constant;
-        black_box(three_dof::extremes(mission, body, bench.fall));
-    },
     "vehicle: closing, mass, structure (MSR)" => |bench| drop(black_box(vehicle::build(&bench.msr.input.vehicle))),
     "vehicle: closing, mass, structure (Galahad)" => |bench| drop(black_box(vehicle::build(&bench.galahad.input.vehicle))),
     "half-section: profiles, volumes, moments (MSR)" => |bench| {

@@ -1,11 +1,9 @@
-//! Linear algebra of structures: symmetric matrices, and their lowest eigenvalue; a few equations.
+//! Linear algebra of structures: symmetric matrices, and their lowest eigenvalue. Small matrices are nalgebra's.
 //!
-//! - [`dense`]: a few equations with several right-hand sides.
 //! - [`skyline`]: storage by columns, LDLᵀ, solutions.
 //! - [`sparse`]: a symmetric matrix of few entries.
 //! - [`lanczos`]: the lowest eigenvalue of K x = λ M x.
 
-pub mod dense;
 pub mod lanczos;
 pub mod skyline;
 pub mod sparse;

@@ -57,7 +57,7 @@ impl Rule {
         };
         for &[xi, w] in pairs {
             let d = half * xi;
-            sum = sum + (f(m - d) + f(m + d)) * w;
+            sum += (f(m - d) + f(m + d)) * w;
         }
         sum * half
     }

@@ -22,9 +22,51 @@ mod lanes;
 
 use crate::math;
 use core::fmt::Debug;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 pub use dual::Dual;
 pub use lanes::{Lanes, LanesMask};
+use num_traits::Zero;
+
+/// The operations of a number that vectors of it need besides: in place, and its zero.
+macro_rules! in_place {
+    ($number:ident) => {
+        impl<const N: usize> core::ops::AddAssign for $number<N> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl<const N: usize> core::ops::SubAssign for $number<N> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+
+        impl<const N: usize> core::ops::MulAssign for $number<N> {
+            #[inline(always)]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+
+        impl<const N: usize> num_traits::Zero for $number<N> {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::constant(0.0)
+            }
+
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == Self::zero()
+            }
+        }
+    };
+}
+
+in_place!(Dual);
+in_place!(Lanes);
 
 /// Added to a number between 0 and 2³¹, leaves the nearest whole number in the low bits.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
@@ -32,7 +74,11 @@ const WHOLE: f64 = 4_503_599_627_370_496.0;
 /// A real number as physics sees it.
 pub trait Scalar:
     Copy
-    + Debug
+    + nalgebra::Scalar
+    + Zero
+    + AddAssign
+    + SubAssign
+    + MulAssign
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>

@@ -51,7 +51,7 @@ pub fn maximum(sample: &[f64]) -> Option<f64> {
 /// - \[hyndman-fan-1996\] definition 7.
 pub fn percentile(sample: &[f64], percent: f64) -> Option<f64> {
     let mut sorted = sample.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     percentile_of_sorted(&sorted, percent)
 }
 

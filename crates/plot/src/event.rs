@@ -58,7 +58,7 @@ pub(crate) fn place(lines: &[(usize, f64, &str)], room: &Room) -> Vec<Placed> {
 /// line extends up to its own row only. `None` if not all labels fit.
 fn place_all(lines: &[(usize, f64, &str)], room: &Room) -> Option<Vec<Placed>> {
     let mut order: Vec<&(usize, f64, &str)> = lines.iter().collect();
-    order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    order.sort_unstable_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let mut placed: Vec<Placed> = Vec::new();
     for &(index, line_px, label) in order {
         let width = width_px(label, room.size_px, Weight::Normal);

@@ -19,13 +19,13 @@ struct Part {
 const PARTS: [Part; 2] = [
     Part {
         name: "until the first interactive design",
-        budget_bytes: 1_350_000,
+        budget_bytes: 1_340_000,
         files: &[],
     },
     // readers and writers of files, aerodynamics, six degrees of freedom, flights of an outline, the benchmark
     Part {
         name: "the toolbox, on first use",
-        budget_bytes: 840_000,
+        budget_bytes: 800_000,
         files: &["tools"],
     },
 ];

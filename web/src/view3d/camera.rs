@@ -2,7 +2,7 @@
 //!
 //! The axis of the vehicle is vertical, nose down. Azimuth rotates about it, elevation tilts it.
 
-use nalgebra::{Matrix4, Rotation3, Vector3};
+use nalgebra::{Matrix4, Rotation3, Vector3, Vector4};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// Half the field of view, rad.
@@ -105,7 +105,13 @@ impl Camera {
         let distance = self.distance_m(ball, aspect);
         let near = (distance - 1.1 * reach_m).max(0.02 * distance);
         let far = distance + 1.1 * reach_m;
-        Matrix4::new_perspective(aspect, 2.0 * HALF_VIEW_RAD, near, far)
+        let f = 1.0 / HALF_VIEW_RAD.tan();
+        // by its elements: the constructor of the library panics where near and far are one, as in a scene without size
+        let mut projection = Matrix4::from_diagonal(&Vector4::new(f / aspect, f, 0.0, 0.0));
+        projection.m33 = (far + near) / (near - far);
+        projection.m34 = 2.0 * far * near / (near - far);
+        projection.m43 = -1.0;
+        projection
     }
 
     /// Line of sight through a position of the view, each coordinate from −1 to 1, upward positive.
@@ -130,7 +136,6 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Vector4;
 
     const BALL: Ball = Ball {
         center_m: 0.2,
@@ -188,6 +193,14 @@ mod tests {
                 (met - f64::from(wanted)).abs() < 1e-5,
                 "{met} against {wanted}"
             );
+        }
+    }
+
+    #[test]
+    fn a_scene_without_size_is_projected_without_a_fault() {
+        for (ball, reach_m) in [(Ball::default(), 0.0), (BALL, 0.0)] {
+            let projection = Camera::START.projection(ball, 1.0, reach_m);
+            assert_eq!(projection.m43, -1.0);
         }
     }
 

@@ -7,19 +7,30 @@ mod measure;
 
 use benchmark::{Bench, JOBS, NAMES, extremes, kernel};
 use measure::Measurement;
-use msape::flight::{self, Request};
+use msape::flight::{self, Request, three_dof};
 
-/// Jobs that the page has not: the exact kernel, and flights in lanes.
-const NATIVE: [(&str, fn(&Bench)); 4] = [
+/// Name of a job, and what does it once.
+type Job = (&'static str, fn(&Bench));
+
+/// Jobs that the page has not, each a copy of the integrator: the exact kernel, a fall, and flights in lanes.
+const NATIVE: [Job; 5] = [
     (
         "bare kernel, exact: right-hand side of m2 at 1e-6",
         |bench| {
             std::hint::black_box(kernel::exact_flight(&bench.constant, 1e-6));
         },
     ),
-    ("100 such entries, alone: peaks, loads, end", extremes::<1>),
-    ("100 such entries, 8 lanes", extremes::<8>),
-    ("100 such entries, 16 lanes", extremes::<16>),
+    ("fall of m2 below 250 m/s", |bench| {
+        let constant = &bench.constant;
+        let (mission, body) = (&constant.mission, &constant.body);
+        std::hint::black_box(three_dof::extremes(mission, body, bench.fall));
+    }),
+    (
+        "100 entries like m2, alone: peaks, loads, end",
+        extremes::<1>,
+    ),
+    ("the same in 8 lanes", extremes::<8>),
+    ("the same in 16 lanes", extremes::<16>),
 ];
 
 fn main() {

@@ -277,13 +277,13 @@ fn at_axis(from: Point, to: Point, bulge: f64, one_m: f64, pieces: &mut Vec<(Poi
 fn difference(one: &Path, other: &Path, near_m: f64) -> Option<(Point, f64)> {
     let [mut one, mut other] = [one, other].map(Walk::new);
     let mut parts: Vec<f64> = one.parts().chain(other.parts()).collect();
-    parts.sort_by(f64::total_cmp);
+    parts.sort_unstable_by(f64::total_cmp);
     let middles: Vec<f64> = parts
         .windows(2)
         .map(|pair| 0.5 * (pair[0] + pair[1]))
         .collect();
     parts.extend(middles);
-    parts.sort_by(f64::total_cmp);
+    parts.sort_unstable_by(f64::total_cmp);
     parts.into_iter().find_map(|part| {
         let [a, b] = [one.at(part), other.at(part)];
         let apart_m = distance_m(a, b);

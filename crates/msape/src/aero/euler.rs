@@ -149,7 +149,7 @@ pub fn axial_force(
         .filter(|mach| *mach < BASE_MACH_MIN)
         .chain([0.0, 0.5, 1.5])
         .collect();
-    mach.sort_by(f64::total_cmp);
+    mach.sort_unstable_by(f64::total_cmp);
     mach.dedup();
     let low = mach.iter().map(|&mach| {
         let value = trend(mach).unwrap_or_else(|| computed(mach));

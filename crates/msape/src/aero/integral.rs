@@ -297,7 +297,7 @@ fn molecular(
             *place = cos;
         }
     }
-    cuts.sort_by(f64::total_cmp);
+    cuts.sort_unstable_by(f64::total_cmp);
     for pair in cuts.windows(2) {
         let &[a, b] = pair else { continue };
         if b <= a {

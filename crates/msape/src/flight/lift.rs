@@ -23,6 +23,7 @@ use super::equations::{Equations, Surroundings};
 use super::trim::Trim;
 use crate::aero::table::Extrapolation;
 use crate::planet::horizon::Horizon;
+use nalgebra::Vector3;
 use numerics::interp::Table1;
 use numerics::scalar::{Mask, Scalar};
 
@@ -141,23 +142,25 @@ fn direction<S: Scalar>(
     [bank_rad, lift]: [S; 2],
     held: impl Fn() -> [S; 3],
 ) -> [S; 3] {
-    let speed = length(velocity_m_s).max(S::constant(f64::MIN_POSITIVE));
+    let [velocity_m_s, up] = [velocity_m_s, up].map(|vector| Vector3::from(*vector));
+    let length = |vector: &Vector3<S>| vector.dot(vector).sqrt();
+    let speed = length(&velocity_m_s).max(S::constant(f64::MIN_POSITIVE));
     let u = velocity_m_s.map(|v| v / speed);
-    let right = cross(&u, up);
+    let right = u.cross(&up);
     let one = S::constant(1.0);
     let upright = length(&right);
     let scale = one / upright.max(S::constant(UPRIGHT));
     let mut right = right.map(|r| r * scale);
     let vertical = upright.less(S::constant(UPRIGHT));
     if vertical.any() {
-        let held = held();
-        right = core::array::from_fn(|i| S::select(vertical, held[i], right[i]));
+        let held: Vector3<S> = held().into();
+        right = right.zip_map(&held, |right, held| S::select(vertical, held, right));
     }
     let (sin, cos) = (bank_rad.sin(), bank_rad.cos());
     let near = upright.less(S::constant(FADING));
     if near.any() {
         let zero = S::constant(0.0);
-        let climbs = zero.less(u[0] * up[0] + u[1] * up[1] + u[2] * up[2]);
+        let climbs = zero.less(u.dot(&up));
         let away = S::select(climbs, -cos, cos);
         let away = S::select(lift.less(zero), -away, away);
         let width = ((one - away) * (0.5 * FADING)).max(S::constant(f64::MIN_POSITIVE));
@@ -166,20 +169,10 @@ fn direction<S: Scalar>(
         let fading = S::select(near, fading, one);
         right = right.map(|r| r * fading);
     }
-    let above = cross(&right, &u);
-    core::array::from_fn(|i| cos * above[i] + sin * right[i])
-}
-
-fn length<S: Scalar>([x, y, z]: &[S; 3]) -> S {
-    (*x * *x + *y * *y + *z * *z).sqrt()
-}
-
-fn cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> [S; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    let above = right.cross(&u);
+    above
+        .zip_map(&right, |above, right| cos * above + sin * right)
+        .into()
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ pub(super) fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
             let flow = flow(&motion, &y);
             for ((_, table), load) in body.points.iter().zip(&mut loads) {
                 let nominal = with_factors(&motion, heating.heat_flux_of(table, &flow));
-                *load = *load + heating.margined(&nominal).total_w_m2() * duration_s * weight;
+                *load += heating.margined(&nominal).total_w_m2() * duration_s * weight;
             }
         }
     }

@@ -186,7 +186,7 @@ impl WallGas {
         let mut sum = t * self.gas.rigid_heat_capacity_ratio;
         for mode in &self.gas.vibration {
             let theta = S::constant(mode.temperature_k);
-            sum = sum + theta * mode.fraction / ((theta / t).exp() - 1.0);
+            sum += theta * mode.fraction / ((theta / t).exp() - 1.0);
         }
         sum * self.gas.gas_constant_j_kg_k
     }

@@ -18,6 +18,7 @@
 //! - \[vinh-1980\] chapter 2; the horizon is geodetic as in \[samareh-2014\] section 3.2.
 
 use super::Planet;
+use nalgebra::Vector3;
 use numerics::math::PI;
 use numerics::scalar::Scalar;
 use serde::{Deserialize, Serialize};
@@ -68,11 +69,8 @@ impl<S: Scalar> Horizon<S> {
     /// North, east and up parts of a planet-fixed vector, in its unit.
     #[inline]
     pub fn parts(&self, vector: [S; 3]) -> [S; 3] {
-        [
-            dot(self.north, vector),
-            dot(self.east, vector),
-            dot(self.up, vector),
-        ]
+        let vector = Vector3::from(vector);
+        [self.north, self.east, self.up].map(|axis| Vector3::from(axis).dot(&vector))
     }
 
     /// Planet-fixed vector of its north, east and up parts, in their unit.
@@ -104,11 +102,6 @@ impl<S: Scalar> Horizon<S> {
             azimuth_rad: S::select(psi.less(S::constant(0.0)), psi + 2.0 * PI, psi),
         }
     }
-}
-
-#[inline]
-fn dot<S: Scalar>(a: [S; 3], b: [S; 3]) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Planet {

@@ -151,9 +151,9 @@ pub fn masses<S: Single>(
         let mass_kg = density_kg_m3(kind, input, found, volume_m3) * volume_m3;
         let with_margin_kg = margin_factor(kind, input) * mass_kg;
         if volume_m3.value() > 0.0 {
-            moment = moment + with_margin_kg * (volume_moment_m4 / volume_m3);
+            moment += with_margin_kg * (volume_moment_m4 / volume_m3);
         }
-        sum_kg = sum_kg + with_margin_kg;
+        sum_kg += with_margin_kg;
         parts_kg[kind as usize] = with_margin_kg;
     }
     let cg_x_m = if sum_kg.value() > 0.0 {
@@ -335,12 +335,12 @@ pub fn total<S: Single>(
     ] = [none; 4];
     let [mut moment, mut about_apex] = [none; 2];
     for (_, c) in parts {
-        mass_kg = mass_kg + c.mass_with_margin_kg;
-        without_margin_kg = without_margin_kg + c.mass_kg;
-        volume_m3 = volume_m3 + c.volume_m3;
-        ixx_kg_m2 = ixx_kg_m2 + c.ixx_kg_m2;
-        moment = moment + c.mass_with_margin_kg * c.cg_x_m;
-        about_apex = about_apex + (c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m);
+        mass_kg += c.mass_with_margin_kg;
+        without_margin_kg += c.mass_kg;
+        volume_m3 += c.volume_m3;
+        ixx_kg_m2 += c.ixx_kg_m2;
+        moment += c.mass_with_margin_kg * c.cg_x_m;
+        about_apex += c.iyy_kg_m2 + c.mass_with_margin_kg * c.cg_x_m * c.cg_x_m;
     }
     let cg_x_m = if mass_kg.value() > 0.0 {
         moment / mass_kg

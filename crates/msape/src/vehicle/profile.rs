@@ -169,9 +169,9 @@ impl<S: Single> Profile<S> {
         let (mut r_dx, mut r2_dx, mut x_r2_dx) = (zero, zero, zero);
         for segment in &self.segments {
             let i = segment.integrals();
-            r_dx = r_dx + i.r_dx;
-            r2_dx = r2_dx + i.r2_dx;
-            x_r2_dx = x_r2_dx + i.x_r2_dx;
+            r_dx += i.r_dx;
+            r2_dx += i.r2_dx;
+            x_r2_dx += i.x_r2_dx;
         }
         let sign = if r_dx.value() > 0.0 { 1.0 } else { -1.0 };
         (r2_dx * (sign * PI), x_r2_dx * (sign * PI))

@@ -49,7 +49,7 @@ pub(super) fn mean_square<const N: usize, V: Scalar>(e: &[V; N], scale: &[V; N])
     let mut sum = V::constant(0.0);
     for i in 0..N {
         let part = e[i] / scale[i];
-        sum = sum + part * part;
+        sum += part * part;
     }
     sum / N as f64
 }

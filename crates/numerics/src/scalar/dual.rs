@@ -11,9 +11,9 @@
 //! - \[griewank-walther-2008\] chapter 3.
 
 use super::{Scalar, Single};
-use crate::linear::dense;
 use crate::math;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use nalgebra::SMatrix;
 
 /// A number with its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -255,12 +255,16 @@ impl<const N: usize> Single for Dual<N> {
         residual: impl FnOnce() -> [Self; K],
         rates: impl FnOnce() -> [[f64; K]; K],
     ) -> [Self; K] {
-        let slopes = dense::solve(rates(), residual().map(|r| r.slope));
-        let mut roots = at.map(Self::constant);
-        for (root, slope) in roots.iter_mut().zip(slopes) {
-            root.slope = slope.map(|s| -s);
-        }
-        roots
+        let (rates, residual) = (rates(), residual());
+        let rates = SMatrix::<f64, K, K>::from_fn(|i, j| rates[i][j]);
+        let slopes = SMatrix::<f64, K, N>::from_fn(|i, j| residual[i].slope[j]);
+        let inverse = rates.try_inverse();
+        // without an inverse nothing tells how the roots move
+        let moved = inverse.map(|inverse| inverse * -slopes);
+        core::array::from_fn(|i| Self {
+            value: at[i],
+            slope: core::array::from_fn(|j| moved.map_or(f64::NAN, |moved| moved[(i, j)])),
+        })
     }
 }
 

@@ -196,7 +196,7 @@ struct Axes {
 
 fn axis(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut axis: Vec<f64> = values.collect();
-    axis.sort_by(f64::total_cmp);
+    axis.sort_unstable_by(f64::total_cmp);
     axis.dedup();
     axis
 }

@@ -34,7 +34,7 @@ impl Ladder {
     /// A ladder of ends in any order.
     pub fn new(ends: impl IntoIterator<Item = f64>) -> Self {
         let mut ends: Vec<f64> = ends.into_iter().collect();
-        ends.sort_by(f64::total_cmp);
+        ends.sort_unstable_by(f64::total_cmp);
         ends.dedup();
         Self(ends)
     }

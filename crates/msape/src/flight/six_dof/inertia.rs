@@ -13,7 +13,7 @@
 //! # References
 //! - \[goldstein-2002\] sections 5.3 and 5.5.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 /// Part of the largest element by which a tensor may be unsymmetric, or its moments may break the triangle inequality:
 /// what rounding to four figures does.
@@ -44,13 +44,15 @@ impl Inertia {
         }
         for (i, axis) in axes.iter().enumerate() {
             let moment = rows[i][i];
-            if moment <= 0.0 || moment.is_nan() {
+            if moment <= 0.0 || !moment.is_finite() {
                 let message = format!("got {moment} kg-m^2 about {axis}, must be above 0 kg-m^2");
                 faults.push(message);
             }
             for j in 0..i {
                 let (a, b) = (rows[i][j], rows[j][i]);
-                if (a - b).abs() > ROUNDING * largest {
+                // an infinite or missing number is not within the bound either
+                let same = (a - b).abs() <= ROUNDING * largest;
+                if !same {
                     let other = axes[j];
                     faults.push(format!("got {a} kg-m^2 in row {axis}, column {other} and {b} kg-m^2 in row {other}, column {axis}; both must be the same"));
                 }
@@ -61,20 +63,32 @@ impl Inertia {
         }
         let tensor = Matrix3::from(rows);
         let tensor = (tensor + tensor.transpose()) * 0.5;
-        let [low, middle, high] = principal_moments(&tensor);
+        let Some([low, middle, high]) = principal_moments(&tensor) else {
+            return Err(vec![UNKNOWN.to_string()]);
+        };
         let moments = format!("principal moments {low:.6}, {middle:.6} and {high:.6} kg-m^2");
         if low <= 0.0 || low.is_nan() {
-            faults.push(format!("has the {moments}; all must be above 0 kg-m^2"));
-        } else if high > (low + middle) * (1.0 + ROUNDING) {
-            faults.push(format!("has the {moments}; the largest must be at most {:.6} kg-m^2, the sum of the others, or no mass has them", low + middle));
+            return Err(vec![format!(
+                "has the {moments}; all must be above 0 kg-m^2"
+            )]);
         }
-        match tensor.try_inverse() {
-            Some(inverse) if faults.is_empty() => Ok(Inertia {
-                inverse,
-                tensor_kg_m2: tensor,
-            }),
-            _ => Err(faults),
+        if high > (low + middle) * (1.0 + ROUNDING) {
+            return Err(vec![format!(
+                "has the {moments}; the largest must be at most {:.6} kg-m^2, the sum of the others, or no mass has them",
+                low + middle
+            )]);
         }
+        let inverse = tensor.try_inverse();
+        let inverse = inverse.filter(|inverse| inverse.iter().all(|part| part.is_finite()));
+        inverse.map_or_else(
+            || Err(vec![UNKNOWN.to_string()]),
+            |inverse| {
+                Ok(Inertia {
+                    inverse,
+                    tensor_kg_m2: tensor,
+                })
+            },
+        )
     }
 
     /// ω̇ under a moment, N·m, in rad/s².
@@ -89,11 +103,17 @@ impl Inertia {
     }
 }
 
-/// Eigenvalues of a symmetric matrix, ascending.
-fn principal_moments(tensor: &Matrix3<f64>) -> [f64; 3] {
-    let mut moments: [f64; 3] = tensor.symmetric_eigenvalues().into();
-    moments.sort_by(f64::total_cmp);
-    moments
+/// Fault of a tensor so large or small that its moments or its inverse are not numbers.
+const UNKNOWN: &str = "is too small or too large to be computed with; give the moments in kg-m^2";
+/// Iterations of the search for eigenvalues; three by three take fewer than ten.
+const ITERATIONS: usize = 100;
+
+/// Eigenvalues of a symmetric matrix, ascending; `None` where they are not found.
+fn principal_moments(tensor: &Matrix3<f64>) -> Option<[f64; 3]> {
+    let found = SymmetricEigen::try_new(*tensor, f64::EPSILON, ITERATIONS)?;
+    let mut moments: [f64; 3] = found.eigenvalues.into();
+    moments.sort_unstable_by(f64::total_cmp);
+    Some(moments)
 }
 
 #[cfg(test)]
@@ -127,7 +147,7 @@ mod tests {
     fn principal_moments_of_a_turned_body() {
         // In the plane x, y: 4 ± 1 with equal diagonal and off-diagonal 1.
         let [low, middle, high] =
-            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]].into());
+            principal_moments(&[[4.0, 1.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 4.5]].into()).unwrap();
         assert!(
             (low - 3.0).abs() < 1e-14 && (middle - 4.5).abs() < 1e-14 && (high - 5.0).abs() < 1e-14
         );
@@ -146,7 +166,16 @@ mod tests {
         let mut too_large = diagonal(1.0, 1.0, 1.0);
         (too_large[0][1], too_large[1][0]) = (1.5, 1.5);
         assert!(said(too_large).contains("must be above 0"));
-        assert!(Inertia::try_new(diagonal(1.0, 1.0, f64::NAN)).is_err());
+        for wild in [f64::NAN, f64::INFINITY] {
+            assert!(said(diagonal(1.0, 1.0, wild)).contains("about z"));
+            let mut beside = diagonal(1.0, 1.0, 1.0);
+            (beside[0][1], beside[1][0]) = (wild, wild);
+            assert!(said(beside).contains("both must be the same"));
+        }
+        // determinants of 1e-600 and 1e600 are not numbers
+        for size in [1e-200, 1e200] {
+            assert!(said(diagonal(size, size, size)).contains("too small or too large"));
+        }
         // A flat disc is at the limit.
         assert!(Inertia::try_new(diagonal(2.0, 1.0, 1.0)).is_ok());
     }

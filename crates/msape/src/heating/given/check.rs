@@ -47,7 +47,7 @@ impl GivenHeating {
         let column = |i: usize| rows.iter().filter_map(move |(_, row)| row.get(i).copied());
         let axis = |i: usize| {
             let mut axis: Vec<f64> = column(i).collect();
-            axis.sort_by(f64::total_cmp);
+            axis.sort_unstable_by(f64::total_cmp);
             axis.dedup();
             axis
         };
@@ -131,7 +131,7 @@ fn hole(rows: &[Numbered], speeds: &[f64], densities: &[f64]) -> Option<String> 
         .iter()
         .filter_map(|(_, row)| Some([*row.first()?, *row.get(1)?]))
         .collect();
-    pairs.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    pairs.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     pairs.dedup();
     let mut grid = speeds
         .iter()

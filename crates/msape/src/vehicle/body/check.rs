@@ -202,7 +202,7 @@ fn crossings(segments: &[Segment], near: f64, list: &mut Vec<OutlineFault>) {
         }
         found.len() < room
     });
-    found.sort_by_key(|(i, j, _)| (*i, *j));
+    found.sort_unstable_by_key(|(i, j, _)| (*i, *j));
     list.extend(found.into_iter().map(|(_, _, fault)| fault));
     if !whole {
         list.push(OutlineFault::Tangled);

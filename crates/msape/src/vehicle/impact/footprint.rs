@@ -110,8 +110,8 @@ impl<S: Single> Footprint<S> {
         let (mut sum, mut coefficient) = (S::constant(0.0), S::constant(1.0));
         for k in 0..SERIES {
             let k = f64::from(k);
-            sum = sum + coefficient / (n + k + 1.0);
-            coefficient = coefficient * (ratio * ((k - n) / (k + 1.0)));
+            sum += coefficient / (n + k + 1.0);
+            coefficient *= ratio * ((k - n) / (k + 1.0));
         }
         let scale = self.nose_radius_m * (2.0 * PI) * depth_m;
         sum * depth_m * scale.pow(S::constant(n))

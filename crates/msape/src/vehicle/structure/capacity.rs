@@ -161,7 +161,7 @@ impl<S: Single> Carrier<S> {
                     let f = (rise * t + large) * t * t - q / e;
                     let slope = (rise * 3.0 * t + 2.0 * large) * t;
                     if slope.value() > 0.0 {
-                        t = t - f / slope;
+                        t -= f / slope;
                     }
                 }
                 t.max((q / (e * most)).sqrt())
