@@ -85,7 +85,12 @@ impl Ends {
             })
             .map(|end| (cell(end.at, tolerance_m), end))
             .collect();
-        sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.0[1].total_cmp(&b.0[1])));
+        sorted.sort_unstable_by(|a, b| {
+            let [x, y] = [0, 1].map(|i| a.0[i].total_cmp(&b.0[i]));
+            // within a cell in the order of the paths
+            let ends = (a.1.path, a.1.second).cmp(&(b.1.path, b.1.second));
+            x.then(y).then(ends)
+        });
         Self {
             sorted,
             tolerance_m,

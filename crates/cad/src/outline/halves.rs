@@ -256,7 +256,7 @@ fn at_axis(from: Point, to: Point, bulge: f64, one_m: f64, pieces: &mut Vec<(Poi
             };
             let mut cuts: Vec<f64> = [up, PI - up].map(turned).to_vec();
             cuts.retain(|turn| turn.abs() < sweep_rad.abs());
-            cuts.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+            cuts.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
             let mut before = (from, 0.0);
             for turn in cuts {
                 let x_m = center.x_m + radius_m * numerics::math::cos(start_angle_rad + turn);

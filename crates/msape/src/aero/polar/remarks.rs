@@ -45,7 +45,7 @@ pub fn remarks(polar: &Polar, theory: &Theory, database: &Database) -> Vec<Findi
                 .regime
         })
         .collect();
-    regimes.sort();
+    regimes.sort_unstable();
     regimes.dedup();
     for regime in regimes {
         let message = format!(
