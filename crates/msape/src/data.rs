@@ -4,6 +4,9 @@
 //! program reads fastest. TOML and CSV of the user are read with the feature `own-data` only, which the page, where nobody can
 //! add such a file, is built without.
 
+mod ordered;
+
+use ordered::Ordered;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use std::collections::BTreeMap;
 
@@ -40,7 +43,9 @@ impl Data<'_> {
         match self {
             #[cfg(feature = "own-data")]
             Self::Own(text) => toml::from_str(text).map_err(|error| error.to_string()),
-            Self::Shipped(text) => serde_json::from_str(text).map_err(|error| error.to_string()),
+            Self::Shipped(text) => serde_json::from_str(text)
+                .and_then(|file| T::deserialize(Ordered(Some(&file))))
+                .map_err(|error| error.to_string()),
         }
     }
 
