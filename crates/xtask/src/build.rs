@@ -19,8 +19,11 @@ use crate::{
     setup, sizes,
 };
 
-/// Binaries of the package `msape-web`.
+/// Binaries of [`PACKAGES`].
 const BINARIES: [&str; 3] = ["app", "worker", "tools"];
+
+/// Packages that the browser runs.
+pub const PACKAGES: [&str; 2] = ["msape-app", "msape-worker"];
 
 /// Builds `dist/` and prints the sizes of its files; returns those of its parts.
 pub fn dist(project: &Project) -> Result<sizes::Sizes> {
@@ -71,8 +74,11 @@ fn compile(project: &Project) -> Result<()> {
         "--locked",
         "--profile",
         "web",
+        "--bins",
         "--package",
-        "msape-web",
+        PACKAGES[0],
+        "--package",
+        PACKAGES[1],
         "--target",
         setup::WASM,
     ];

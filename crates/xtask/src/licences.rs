@@ -1,6 +1,6 @@
 //! License texts of the crates linked into the app, as one file beside it.
 //!
-//! Crates: all dependencies of `msape-web` when compiled for the browser, except those used only for building (build
+//! Crates: all dependencies of the browser packages when compiled for the browser, except those used only for building (build
 //! scripts, procedural macros and their dependencies). Texts: the files in each crate's source with a usual license
 //! name. Equal texts are printed once.
 
@@ -14,6 +14,7 @@ use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
 use crate::{
+    build,
     project::{Project, announce, files_below},
     setup,
 };
@@ -96,7 +97,7 @@ fn linked(metadata: &Value) -> Result<Vec<&Value>> {
         .collect::<Result<_>>()?;
     let mut waiting: Vec<&str> = packages
         .iter()
-        .filter(|(_, package)| package["name"] == "msape-web")
+        .filter(|(_, package)| build::PACKAGES.iter().any(|name| package["name"] == *name))
         .map(|(id, _)| *id)
         .collect();
     let mut seen = BTreeSet::new();
@@ -181,14 +182,14 @@ mod tests {
         let on = |id: &str, kind: Value| json!({"pkg": id, "dep_kinds": [{"kind": kind}]});
         let metadata = json!({
             "packages": [
-                package("msape-web", "bin", Value::Null),
+                package("msape-app", "bin", Value::Null),
                 package("math", "lib", json!("registry")),
                 package("derive", "proc-macro", json!("registry")),
                 package("parser", "lib", json!("registry")),
                 package("script", "lib", json!("registry")),
             ],
             "resolve": {"nodes": [
-                needs("msape-web", json!([on("math", Value::Null), on("derive", Value::Null), on("script", json!("build"))])),
+                needs("msape-app", json!([on("math", Value::Null), on("derive", Value::Null), on("script", json!("build"))])),
                 needs("math", json!([])),
                 needs("derive", json!([on("parser", Value::Null)])),
                 needs("parser", json!([])),

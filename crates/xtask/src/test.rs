@@ -114,7 +114,8 @@ fn lints(project: &Project) -> Result<()> {
     };
     // web-tools is two lines around a large crate
     clippy(&["--workspace", "--exclude", "msape-web-tools"])?;
-    clippy(&["--package", "msape-web", "--target", WASM])
+    let [app, worker] = build::PACKAGES;
+    clippy(&["--package", app, "--package", worker, "--target", WASM])
 }
 
 /// Checks the crates against `deny.toml`, without cargo-deny, which takes minutes to build.

@@ -5,8 +5,8 @@ use super::samples::cases;
 use super::{Tally, hold};
 use msape::Case;
 use msape::case::{Value, Version};
-use msape_web::link::{fragment, read};
-use msape_web::presets::{Start, starts};
+use msape_app::link::{fragment, read};
+use msape_app::presets::{Start, starts};
 use proptest::prelude::*;
 use proptest::sample::Index;
 

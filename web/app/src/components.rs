@@ -1,0 +1,34 @@
+//! Components of the pages. They read signals and call [`crate::state::State::edit`].
+
+pub mod aerodynamics;
+pub mod alternatives;
+pub mod attitude;
+pub mod cad;
+pub mod chart;
+pub mod chart_panel;
+pub mod choice;
+pub mod coupling;
+pub mod drawing;
+pub mod export;
+pub mod field;
+pub mod figure_panel;
+pub mod file_import;
+pub mod form;
+pub mod header;
+pub mod headline;
+pub mod kept;
+pub mod landing;
+pub mod library_tabs;
+pub mod mass_tree;
+pub mod notes;
+pub mod number;
+pub mod open;
+pub mod outline;
+pub mod residuals;
+pub mod results;
+pub mod rows;
+pub mod runs;
+pub mod share;
+pub mod structure;
+pub mod vehicle;
+pub mod view3d;

@@ -1,0 +1,5 @@
+//! App of the page.
+
+fn main() {
+    msape_app::start();
+}

@@ -1,5 +1,0 @@
-//! App of the page.
-
-fn main() {
-    msape_web::start();
-}
