@@ -36,7 +36,6 @@ pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     }
     fs::create_dir_all(&code)?;
     bind(project, &code)?;
-    shrink(project, &code)?;
     copy(&project.root.join("web/page"), &code)?;
     let named = format!("code-{:016x}", digest(&code)?);
     let page = fs::read_to_string(project.root.join("index.html"))?;
@@ -99,24 +98,6 @@ fn bind(project: &Project, code: &Path) -> Result<()> {
         .args(modules))
 }
 
-/// Optimizes the WebAssembly for size if wasm-opt is installed.
-fn shrink(project: &Project, code: &Path) -> Result<()> {
-    let Some(wasm_opt) = project.locate("wasm-opt") else {
-        return Ok(());
-    };
-    announce("Making the WebAssembly smaller with wasm-opt");
-    for binary in BINARIES {
-        let module = code.join(format!("{binary}_bg.wasm"));
-        run(project
-            .command(&wasm_opt)
-            .arg("-Oz")
-            .arg(&module)
-            .arg("-o")
-            .arg(&module))?;
-    }
-    Ok(())
-}
-
 /// Copies all files of a folder into another, recursively.
 pub fn copy(from: &Path, to: &Path) -> Result<()> {
     for file in files_below(from)? {
@@ -137,8 +118,10 @@ fn digest(folder: &Path) -> Result<u64> {
     Ok(hasher.finish())
 }
 
-/// The page with every `"./name"` replaced by its path in the folder `named`; a name that is not in `code` is an error.
+/// The page without what is for Trunk, with every `"./name"` replaced by its path in the folder `named`; a name that is not in `code` is an error.
 fn with_code_in(named: &str, page: &str, code: &Path) -> Result<String> {
+    let lines = page.lines().filter(|line| !line.contains("data-trunk"));
+    let page = lines.flat_map(|line| [line, "\n"]).collect::<String>();
     for name in page
         .split("\"./")
         .skip(1)
@@ -171,8 +154,10 @@ mod tests {
         );
         assert_eq!(
             moved.unwrap(),
-            r#"<a href="./code-1/Cargo.toml"> <b c="./code-1/src/main.rs">"#
+            "<a href=\"./code-1/Cargo.toml\"> <b c=\"./code-1/src/main.rs\">\n"
         );
         assert!(with_code_in("code-1", r#"<a href="./none.js">"#, code).is_err());
+        let trunk = "<a>\n<link data-trunk href=\"./none.js\">\n<b>\n";
+        assert_eq!(with_code_in("code-1", trunk, code).unwrap(), "<a>\n<b>\n");
     }
 }

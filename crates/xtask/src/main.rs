@@ -24,12 +24,13 @@ Usage: cargo xtask COMMAND
   serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
   test [STAGE...]    sets up what is missing, runs all checks or the stages named:
-                     fmt clippy deny native counts cad browser e2e
+                     fmt clippy deny native counts cad browser e2e trunk
   fuzz [--seed N] [--seconds S] [KIND]
                      hostile and random input of tests/properties/hostile for S seconds of each kind (60), from seed N (1) on;
                      KIND is a part of the name of its test
   release            builds app and command and packs them with their hashes (needs git, GNU tar, sha256sum)
   setup              sets up everything that the above need, and nothing else
+  setup trunk        sets up Trunk and the wasm-bindgen that it calls, in target/trunk/bin: see Trunk.toml
 ";
 
 fn main() -> ExitCode {
@@ -59,6 +60,14 @@ fn run() -> Result<()> {
         ["fuzz", arguments @ ..] => fuzz::run_kinds(&project, arguments),
         ["release"] => release::run_all(&project),
         ["setup"] => test::set_up(&project, &[]),
+        ["setup", "trunk"] => {
+            let programs = setup::for_trunk(&project)?;
+            println!(
+                "\nTrunk builds and serves the app now:\n\n    PATH={}:$PATH trunk serve\n",
+                programs.display()
+            );
+            Ok(())
+        }
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

@@ -6,7 +6,7 @@ use std::{
     net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream},
     path::{Component, Path, PathBuf},
     thread,
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 use anyhow::{Context, Result};
@@ -15,6 +15,10 @@ use crate::{build, project::Project};
 
 /// Default port.
 pub const DEFAULT_PORT: u16 = 8080;
+/// Largest number of connections at a time: a browser opens six, some of them before it needs them.
+const CONNECTIONS: usize = 32;
+/// Longest time for one request and its answer.
+const LONGEST: Duration = Duration::from_secs(10);
 
 /// Builds the app and serves it until the program is interrupted.
 pub fn run(project: &Project, port: u16) -> Result<()> {
@@ -45,19 +49,61 @@ fn listen(port: u16) -> Result<TcpListener> {
         .context("no port is free on 127.0.0.1")
 }
 
+/// Answers connections, so many at a time and no more.
 fn accept(listener: &TcpListener, folder: &Path) {
-    for stream in listener.incoming().flatten() {
-        let folder = folder.to_owned();
-        // a browser that disconnects is not our error
-        thread::spawn(move || answer(&stream, &folder).ok());
+    thread::scope(|scope| {
+        for _ in 0..CONNECTIONS {
+            scope.spawn(|| {
+                for stream in listener.incoming().flatten() {
+                    // a browser that disconnects, or is slow, is not our error
+                    answer(&stream, folder).ok();
+                }
+            });
+        }
+    });
+}
+
+/// Connection that ends at a time.
+struct Bounded<'s> {
+    stream: &'s TcpStream,
+    end: Instant,
+}
+
+impl Bounded<'_> {
+    /// Time that is left; never zero, which would be no bound.
+    fn left(&self) -> io::Result<Option<Duration>> {
+        let left = self.end.saturating_duration_since(Instant::now());
+        match left.is_zero() {
+            true => Err(io::ErrorKind::TimedOut.into()),
+            false => Ok(Some(left)),
+        }
+    }
+}
+
+impl Read for Bounded<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.stream.set_read_timeout(self.left()?)?;
+        self.stream.read(buffer)
+    }
+}
+
+impl Write for Bounded<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.stream.set_write_timeout(self.left()?)?;
+        self.stream.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
     }
 }
 
 /// Answers one request and closes the connection.
-fn answer(mut stream: &TcpStream, folder: &Path) -> io::Result<()> {
-    stream.set_read_timeout(Some(Duration::from_secs(10)))?;
+fn answer(stream: &TcpStream, folder: &Path) -> io::Result<()> {
+    let end = Instant::now() + LONGEST;
+    let mut stream = Bounded { stream, end };
     let mut request = String::new();
-    let mut lines = BufReader::new(stream.take(16_384));
+    let mut lines = BufReader::new((&mut stream).take(16_384));
     lines.read_line(&mut request)?;
     let mut header = String::new();
     while lines.read_line(&mut header)? > 2 {

@@ -1,6 +1,6 @@
 //! Installs missing tools and says which and why; where it must not, it prints the command to run instead.
 
-use std::{fs, path::PathBuf, process::Command};
+use std::{env, fs, path::PathBuf, process::Command};
 
 use anyhow::{Context, Result, bail};
 
@@ -9,6 +9,8 @@ use crate::project::{Project, announce, line, output, run};
 
 /// Compilation target for the browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
+/// Version of Trunk: the newest that Rust 1.95 compiles.
+const TRUNK: &str = "0.21.14";
 
 /// Tools for building the app; a computer with rustup and a C linker is sufficient to start.
 pub fn for_build(project: &Project) -> Result<()> {
@@ -35,9 +37,54 @@ pub fn for_browser(project: &Project) -> Result<()> {
     web_tool(
         project,
         "wasm-bindgen-test-runner",
-        &["--features", "test-runner"],
+        &["--features", "commands"],
         reason,
     )
+}
+
+/// Trunk in the version of `Trunk.toml`, if there is none, and our wasm-bindgen, which it would otherwise download, in one
+/// folder; returns that.
+pub fn for_trunk(project: &Project) -> Result<PathBuf> {
+    wasm_target(project)?;
+    let folder = project.target.join("trunk");
+    let programs = folder.join("bin");
+    let ours = programs.join(format!("trunk{}", env::consts::EXE_SUFFIX));
+    if !ours.is_file() && project.locate("trunk").is_none() {
+        announce(
+            "Installing Trunk, unoptimized, so that it is soon compiled: it builds the app, too",
+        );
+        let version = ["--version", TRUNK, "--locked", "--profile", "dev"];
+        run(project
+            .command("cargo")
+            .args(["install", "trunk"])
+            .args(version)
+            .arg("--root")
+            .arg(&folder)
+            .arg("--target-dir")
+            .arg(folder.join("build"))
+            .env("CARGO_PROFILE_DEV_DEBUG", "false"))?;
+        fs::remove_dir_all(folder.join("build"))
+            .context("cannot remove what Trunk was built from")?;
+    }
+    let reason = "Trunk calls it";
+    web_tool(
+        project,
+        "trunk-bindgen",
+        &["--features", "commands"],
+        reason,
+    )?;
+    fs::create_dir_all(&programs)?;
+    let file = |name: &str| format!("{name}{}", env::consts::EXE_SUFFIX);
+    let bindgen = project.tools.join(file("trunk-bindgen"));
+    fs::copy(bindgen, programs.join(file("wasm-bindgen"))).context("cannot copy wasm-bindgen")?;
+    Ok(programs)
+}
+
+/// Tools for the test of what Trunk builds.
+pub fn for_trunk_tests(project: &Project) -> Result<()> {
+    for_trunk(project)?;
+    debian_packages(project, &[CHROMIUM, NODE, NPM])?;
+    node_packages(project)
 }
 
 /// Tools for the end-to-end tests.
@@ -99,7 +146,7 @@ const NPM: Needed = Needed {
 
 /// Path of a program used by tests: from `CHROMIUM`, `CHROMEDRIVER` ... in the environment, or from the search path.
 pub fn program_of_tests(project: &Project, program: &str) -> Option<PathBuf> {
-    std::env::var_os(program.to_uppercase())
+    env::var_os(program.to_uppercase())
         .map(PathBuf::from)
         .or_else(|| project.locate(program))
 }

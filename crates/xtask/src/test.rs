@@ -1,6 +1,6 @@
 //! All checks, fastest to fail first.
 
-use std::time::Instant;
+use std::{env, path::Path, time::Instant};
 
 use anyhow::{Context, Result, bail};
 
@@ -20,7 +20,7 @@ struct Stage {
 
 type Step = fn(&Project) -> Result<()>;
 
-const STAGES: [Stage; 8] = [
+const STAGES: [Stage; 9] = [
     Stage {
         name: "fmt",
         set_up: setup::for_lints,
@@ -60,6 +60,11 @@ const STAGES: [Stage; 8] = [
         name: "e2e",
         set_up: setup::for_end_to_end,
         check: end_to_end,
+    },
+    Stage {
+        name: "trunk",
+        set_up: setup::for_trunk_tests,
+        check: trunk,
     },
 ];
 
@@ -163,9 +168,26 @@ fn browser(project: &Project) -> Result<()> {
 /// Tests of `tests/e2e`, against the app as it would be deployed.
 fn end_to_end(project: &Project) -> Result<()> {
     sizes::check(build::dist(project)?)?;
-    let address = serve::in_background(&project.dist)?;
+    in_chromium(project, &project.dist, "tests/e2e")
+}
+
+/// The test of `tests/trunk`, against the app as Trunk builds it.
+fn trunk(project: &Project) -> Result<()> {
+    let programs = setup::for_trunk(project)?;
+    let path = env::var_os("PATH").unwrap_or_default();
+    let path = env::join_paths(std::iter::once(programs).chain(env::split_paths(&path)))?;
+    run(project
+        .command("trunk")
+        .args(["build", "--release"])
+        .env("PATH", path))?;
+    in_chromium(project, &project.root.join("dist-trunk"), "tests/trunk")
+}
+
+/// Runs the tests of a folder with Node, against a served folder.
+fn in_chromium(project: &Project, served: &Path, tests: &str) -> Result<()> {
+    let address = serve::in_background(served)?;
     let chromium = setup::program_of_tests(project, "chromium").context("chromium is missing")?;
-    let tests = files_below(&project.root.join("tests/e2e"))?
+    let tests = files_below(&project.root.join(tests))?
         .into_iter()
         .filter(|file| {
             file.extension().is_some_and(|extension| extension == "mjs")

@@ -3,8 +3,8 @@
 use crate::clock::now_ms;
 use crate::desk::Desk;
 use crate::protocol::{Fault, Question, faults};
-use msape::progress::Progress;
 use msape::problem::design_watched;
+use msape::progress::Progress;
 use msape::{Answer, Case, Request};
 use serde::{Deserialize, Serialize};
 
