@@ -24,7 +24,7 @@ Usage: cargo xtask COMMAND
   serve [--port N]   sets up what is missing, builds the app, serves it on 127.0.0.1 (port 8080, or a free one)
   build              sets up what is missing, builds the deployable folder dist/, prints the sizes
   test [STAGE...]    sets up what is missing, runs all checks or the stages named:
-                     fmt clippy deny native counts cad browser e2e trunk
+                     fmt clippy deny native counts cad sizes browser e2e trunk
   fuzz [--seed N] [--seconds S] [KIND]
                      hostile and random input of tests/properties/hostile for S seconds of each kind (60), from seed N (1) on;
                      KIND is a part of the name of its test

@@ -1,6 +1,13 @@
-//! All checks, fastest to fail first.
+//! All checks. Stages that need different parts of the build folder run side by side; those with a browser alone, because
+//! their tests have time limits.
 
-use std::{env, path::Path, time::Instant};
+use std::{
+    env,
+    fs::{self, File},
+    path::Path,
+    process::Command,
+    time::Instant,
+};
 
 use anyhow::{Context, Result, bail};
 
@@ -20,7 +27,7 @@ struct Stage {
 
 type Step = fn(&Project) -> Result<()>;
 
-const STAGES: [Stage; 9] = [
+const STAGES: [Stage; 10] = [
     Stage {
         name: "fmt",
         set_up: setup::for_lints,
@@ -52,6 +59,11 @@ const STAGES: [Stage; 9] = [
         check: cad::check,
     },
     Stage {
+        name: "sizes",
+        set_up: setup::for_build,
+        check: |project| sizes::check(build::dist(project)?),
+    },
+    Stage {
         name: "browser",
         set_up: setup::for_browser,
         check: browser,
@@ -68,6 +80,14 @@ const STAGES: [Stage; 9] = [
     },
 ];
 
+/// Stages that run side by side: the second list in a process of its own, whose output is printed when it ends.
+const SIDE_BY_SIDE: [&[&str]; 2] = [
+    &["fmt", "clippy", "deny", "native", "counts"],
+    &["sizes", "browser", "cad"],
+];
+/// Stages that run alone, after those.
+const ALONE: [&str; 2] = ["e2e", "trunk"];
+
 /// Sets up the tools of the named stages, or of all; a tool that may not be installed is reported before the first
 /// check.
 pub fn set_up(project: &Project, names: &[&str]) -> Result<()> {
@@ -81,9 +101,38 @@ pub fn set_up(project: &Project, names: &[&str]) -> Result<()> {
     chosen(names).try_for_each(|stage| (stage.set_up)(project))
 }
 
-/// Runs the named stages, or all, and stops at the first failure.
+/// Runs the named stages one after the other, or all, and stops at the first failure.
 pub fn run_stages(project: &Project, names: &[&str]) -> Result<()> {
     set_up(project, names)?;
+    if !names.is_empty() {
+        return run_in_turn(project, names);
+    }
+    let [here, beside] = SIDE_BY_SIDE;
+    let log = project.target.join("test.log");
+    let output = File::create(&log).context("cannot write into the build folder")?;
+    announce(format_args!(
+        "Beside this, with output in {}: {}",
+        log.display(),
+        beside.join(" ")
+    ));
+    let mut other = Command::new(env::current_exe()?)
+        .arg("test")
+        .args(beside)
+        .stdout(output.try_clone()?)
+        .stderr(output)
+        .spawn()
+        .context("cannot start this program again")?;
+    let passed = run_in_turn(project, here);
+    let status = other.wait()?;
+    println!("\n{}", fs::read_to_string(&log)?);
+    passed?;
+    if !status.success() {
+        bail!("one of {} failed: see above", beside.join(" "));
+    }
+    run_in_turn(project, &ALONE)
+}
+
+fn run_in_turn(project: &Project, names: &[&str]) -> Result<()> {
     let mut times = Vec::new();
     for stage in chosen(names) {
         announce(format_args!("Test stage {}", stage.name));
@@ -120,7 +169,16 @@ fn lints(project: &Project) -> Result<()> {
     // web-tools is two lines around a large crate
     clippy(&["--workspace", "--exclude", "msape-web-tools"])?;
     let [app, worker] = build::PACKAGES;
-    clippy(&["--package", app, "--package", worker, "--target", WASM])
+    clippy(&[
+        "--package",
+        app,
+        "--package",
+        worker,
+        "--package",
+        "msape-kit",
+        "--target",
+        WASM,
+    ])
 }
 
 /// Checks the crates against `deny.toml`, without cargo-deny, which takes minutes to build.
@@ -141,28 +199,24 @@ fn native(project: &Project) -> Result<()> {
     run(project.command("cargo").arg("test").args(everything))
 }
 
-/// Parity tests, compiled for WebAssembly and run in Chromium.
+/// Parity tests and those of the kit, compiled for WebAssembly and run in Chromium.
 fn browser(project: &Project) -> Result<()> {
     let driver =
         setup::program_of_tests(project, "chromedriver").context("chromedriver is missing")?;
-    let tests = [
-        "--locked",
-        "--package",
-        "msape-tests",
-        "--test",
-        "parity",
-        "--target",
-        WASM,
-    ];
-    run(project
-        .command("cargo")
-        .arg("test")
-        .args(tests)
-        .env(
-            "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER",
-            project.tools.join("wasm-bindgen-test-runner"),
-        )
-        .env("CHROMEDRIVER", driver))
+    for [package, test] in [["msape-tests", "parity"], ["msape-kit", "plain"]] {
+        let tests = ["--locked", "--package", package, "--test", test];
+        run(project
+            .command("cargo")
+            .arg("test")
+            .args(tests)
+            .args(["--target", WASM])
+            .env(
+                "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER",
+                project.tools.join("wasm-bindgen-test-runner"),
+            )
+            .env("CHROMEDRIVER", &driver))?;
+    }
+    Ok(())
 }
 
 /// Tests of `tests/e2e`, against the app as it would be deployed.
@@ -199,4 +253,18 @@ fn in_chromium(project: &Project, served: &Path, tests: &str) -> Result<()> {
         .args(tests)
         .env("MSAPE_URL", format!("http://{address}/"))
         .env("CHROMIUM", chromium))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_stage_runs_once() {
+        let mut run: Vec<&str> = [SIDE_BY_SIDE.concat(), ALONE.to_vec()].concat();
+        let mut all: Vec<&str> = STAGES.iter().map(|stage| stage.name).collect();
+        run.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(run, all);
+    }
 }

@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn links_of_the_first_version_keep_its_shipped_cases_and_defaults() {
-        let links = include_str!("../../tests/data/e134449/links.txt");
+        let links = include_str!("../../../tests/data/e134449/links.txt");
         for link in links.lines().filter(|line| !line.is_empty()) {
             let old = case(link, &starts()).unwrap_or_else(|| panic!("{link}"));
             let id = &link["#/design?p=".len()..].split('&').next().unwrap();

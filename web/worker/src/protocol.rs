@@ -125,8 +125,11 @@ pub fn decode<Q: Question>(bytes: &[u8]) -> Result<Result<Q::Answer, Q::Refusal>
 /// One kind of question as a worker knows it.
 pub struct Kind {
     name: &'static str,
-    answer: fn(&[u8], &Desk, &mut dyn Progress) -> Result<Vec<u8>, postcard::Error>,
+    answer: Answering,
 }
+
+/// Bytes of the answer or refusal to the bytes of a question.
+type Answering = fn(&[u8], &Desk, &mut dyn Progress) -> Result<Vec<u8>, postcard::Error>;
 
 impl Kind {
     /// Kind of a question.

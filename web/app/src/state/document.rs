@@ -245,7 +245,7 @@ mod tests {
 
     #[test]
     fn what_the_first_version_kept_is_read_with_its_defaults() {
-        let text = include_str!("../../../tests/data/e134449/run.json");
+        let text = include_str!("../../../../tests/data/e134449/run.json");
         let run: Run = serde_json::from_str(text).unwrap();
         assert_eq!((run.version, run.headline.len()), (None, 4));
         let BroughtUp { case, remarks } = recorded(&run.case, run.version).unwrap();
