@@ -47,15 +47,15 @@ function pixels(page, png) {
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     const ground = data.slice(4 * (10 * canvas.width + 10), 4 * (10 * canvas.width + 10) + 3);
-    const colours = new Set();
+    const colors = new Set();
     let [drawn, sum] = [0, 0];
     for (let i = 0; i < data.length; i += 4) {
       const far = [0, 1, 2].some((k) => Math.abs(data[i + k] - ground[k]) > 12);
       drawn += far;
       sum = (sum * 31 + data[i] + 3 * data[i + 1] + 7 * data[i + 2]) % 1_000_003;
-      colours.add(`${data[i] >> 4} ${data[i + 1] >> 4} ${data[i + 2] >> 4}`);
+      colors.add(`${data[i] >> 4} ${data[i + 1] >> 4} ${data[i + 2] >> 4}`);
     }
-    return { drawn: drawn / (canvas.width * canvas.height), colours: colours.size, sum };
+    return { drawn: drawn / (canvas.width * canvas.height), colors: colors.size, sum };
   }, png);
 }
 
@@ -76,7 +76,7 @@ pageTest("the tabs are moved along by arrow keys", async (page) => {
 pageTest("the view in three dimensions follows the inputs, turns, and is cut open", async (page) => {
   await open3d(page);
   const first = await picture(page);
-  assert.ok(first.drawn > 0.1 && first.colours > 12, `a vehicle is seen: ${JSON.stringify(first)}`);
+  assert.ok(first.drawn > 0.1 && first.colors > 12, `a vehicle is seen: ${JSON.stringify(first)}`);
 
   const before = await loads(page);
   await page.getByLabel("Nose Radius / Vehicle Radius", { exact: true }).fill("0.6");
@@ -99,7 +99,7 @@ pageTest("the view in three dimensions follows the inputs, turns, and is cut ope
   const whole = await picture(page);
   await cut(page).fill("180");
   const half = await picture(page);
-  assert.ok(half.colours > whole.colours, `inside there are more colours: ${whole.colours}, then ${half.colours}`);
+  assert.ok(half.colors > whole.colors, `inside there are more colors: ${whole.colors}, then ${half.colors}`);
   await page.getByRole("textbox", { name: "Cut open, degrees" }).fill("400");
   await page.keyboard.press("Tab");
   assert.equal(await cut(page).inputValue(), "270", "no further than it goes");
@@ -127,7 +127,7 @@ pageTest("heat flux has a scale with its unit, materials have their names", asyn
   const panel = page.getByRole("tabpanel", { name: "3-D" });
   const by_component = await picture(page);
   await panel.getByRole("radio", { name: "Heat flux" }).check();
-  await panel.getByRole("img", { name: /^Scale of colours from 0 to [\d.]+ W\/cm²/ }).waitFor();
+  await panel.getByRole("img", { name: /^Scale of colors from 0 to [\d.]+ W\/cm²/ }).waitFor();
   const by_flux = await picture(page);
   assert.notEqual(by_flux.sum, by_component.sum);
   await panel.getByRole("radio", { name: "Material" }).check();
