@@ -4,20 +4,24 @@
 
 mod queue;
 mod start;
+mod unanswered;
 mod watch;
 
 use crate::clock::now_ms;
-use crate::protocol::{BEGUN, Question, Refusal, Role, decode, encode};
+use crate::protocol::{BEGUN, Question, Role, decode, encode};
 use gloo::timers::callback::Interval;
 use js_sys::{Function, Promise};
 use queue::{Queue, Waiting};
 use start::Listening;
 use std::cell::RefCell;
 use std::rc::Rc;
+use unanswered::{OUTDATED, STOPPED};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use watch::{Phase, Verdict, Watch};
 use web_sys::{MessageEvent, Worker};
+
+pub use unanswered::Unanswered;
 
 /// News of a connection, apart from answers.
 pub enum News {
@@ -32,20 +36,6 @@ pub type OnProgress = Rc<dyn Fn(f64)>;
 
 /// Interval between checks of the worker, ms.
 const LOOK_MS: u32 = 250;
-
-/// Reason for which a question that the user ended has no answer.
-const STOPPED: &str = "stopped";
-/// Reason for which a question has no answer that was replaced by a newer one of its asker.
-const OUTDATED: &str = "a newer question came";
-
-/// Reason for which there is no answer.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Unanswered {
-    /// A newer question of the same asker came.
-    Outdated,
-    /// The worker failed or was stopped; words for the user.
-    Failed(String),
-}
 
 /// Connection to a worker, with its pending work.
 #[derive(Clone)]
@@ -198,10 +188,7 @@ impl WorkerLink {
         let told = JsFuture::from(promise).await.unwrap_or_else(|error| error);
         match told.dyn_into::<js_sys::Uint8Array>() {
             Ok(bytes) => Ok(bytes.to_vec()),
-            Err(reason) => Err(match reason.as_string() {
-                Some(reason) if reason == OUTDATED => Unanswered::Outdated,
-                reason => Unanswered::Failed(reason.unwrap_or_default()),
-            }),
+            Err(reason) => Err(Unanswered::of(reason.as_string().unwrap_or_default())),
         }
     }
 
@@ -375,19 +362,6 @@ impl WorkerLink {
     fn news(&self, news: News) {
         let on_news = self.0.borrow().on_news.clone();
         on_news(news);
-    }
-}
-
-impl Unanswered {
-    /// The same as a refusal of a question.
-    ///
-    /// # Errors
-    /// Always: the refusal.
-    pub fn refuse<Q: Question>(self) -> Result<Q::Answer, Q::Refusal> {
-        Err(Q::Refusal::of_worker(match self {
-            Unanswered::Outdated => OUTDATED.to_string(),
-            Unanswered::Failed(words) => words,
-        }))
     }
 }
 

@@ -163,7 +163,7 @@ pub fn answer(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::questions::{SOLVER, Solve, TOOLBOX};
+    use crate::questions::{Fly, SOLVER, TOOLBOX};
     use msape::progress::Unwatched;
     use msape::{Case, Library};
 
@@ -171,13 +171,21 @@ mod tests {
     fn a_question_is_answered_by_the_worker_of_its_role_and_by_no_other() {
         let desk = Desk::new(Library::builtin().unwrap());
         let mut case = Case::run_page();
-        case.set("design.diameter_m", "-1");
-        let message = encode(&Solve(case)).unwrap();
-        let told = answer(SOLVER, &message, &desk, &mut Unwatched).unwrap();
-        let faults = decode::<Solve>(&told).unwrap().err().unwrap();
-        assert_eq!(faults[0].key, "design.diameter_m");
-        assert!(answer(TOOLBOX, &message, &desk, &mut Unwatched).is_err());
-        assert!(answer(SOLVER, &message[..message.len() / 2], &desk, &mut Unwatched).is_err());
+        case.set("entry.speed_m_s", "-1");
+        let message = encode(&Fly(case)).unwrap();
+        let told = answer(TOOLBOX, &message, &desk, &mut Unwatched).unwrap();
+        let faults = decode::<Fly>(&told).unwrap().err().unwrap();
+        assert!(faults.iter().any(|fault| fault.key == "entry.speed_m_s"));
+        assert!(answer(SOLVER, &message, &desk, &mut Unwatched).is_err());
+        assert!(
+            answer(
+                TOOLBOX,
+                &message[..message.len() / 2],
+                &desk,
+                &mut Unwatched
+            )
+            .is_err()
+        );
     }
 
     #[test]
