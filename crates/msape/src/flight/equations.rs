@@ -301,22 +301,29 @@ impl<'a, S: Scalar> Equations<'a, S> {
         ]
     }
 
-    /// Heat fluxes at the stagnation point without margins.
+    /// The flow that heats, with rows and branches of heating chosen by the rows that hold.
     #[inline]
-    pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
-        let flow = Flow {
+    pub fn flow(&self, around: &Surroundings<S>) -> Flow<S> {
+        Flow {
             chosen_by_m_s: S::from_value(self.held.speed_m_s),
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,
             nose_radius_m: self.numbers.nose_radius_m,
-        };
-        let HeatFlux {
-            convective_w_m2,
-            radiative_w_m2,
-        } = self.mission.heating.heat_flux(&flow);
+        }
+    }
+
+    /// Heat fluxes at the stagnation point without margins.
+    #[inline]
+    pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
+        self.with_factors(self.mission.heating.heat_flux(&self.flow(around)))
+    }
+
+    /// Heat fluxes with the factors of the flight.
+    #[inline]
+    pub fn with_factors(&self, flux: HeatFlux<S>) -> HeatFlux<S> {
         HeatFlux {
-            convective_w_m2: convective_w_m2 * self.numbers.convective_factor,
-            radiative_w_m2: radiative_w_m2 * self.numbers.radiative_factor,
+            convective_w_m2: flux.convective_w_m2 * self.numbers.convective_factor,
+            radiative_w_m2: flux.radiative_w_m2 * self.numbers.radiative_factor,
         }
     }
 

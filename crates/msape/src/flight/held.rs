@@ -4,8 +4,8 @@
 //! ρ, a, w of one piece of altitude,   C_D of one line of Mach number,   q̇ of one row of speed
 //! ```
 //!
-//! A step that ends where a row ends has a smooth right-hand side, stages and derivatives included, and looks up only
-//! the cells of the atmosphere.
+//! A step that ends where a row ends meets no kink of these tables, stages and derivatives included. Other kinks, at which
+//! no step ends, are listed in [`super::numbers`].
 //!
 //! # Valid
 //! Within a step, and as far beyond the ends of its rows as a step reaches before it is cut.

@@ -7,7 +7,8 @@
 //! with g an altitude less a level, m, or the argument of a row over its end, less one.
 //!
 //! # Valid
-//! Steps in which the vertical speed changes its sign at most once.
+//! Steps in which the vertical speed changes its sign at most once. A row of speed or Mach number is left where the end of a step
+//! is beyond it; one that is left and entered again within a step goes on.
 //!
 //! # References
 //! - [`numerics::ode::event`].
