@@ -26,6 +26,21 @@ fn the_gases_that_the_build_integrated_are_those_of_the_definition() {
     assert_eq!(shipped.1, us_1976());
 }
 
+#[cfg(feature = "prepared-air")]
+#[test]
+fn gases_of_the_build_are_of_no_other_definition() {
+    use super::prepared_gases;
+    use crate::data::Data;
+    let prepared = |definition: &serde_json::Value| {
+        let text = definition.to_string();
+        prepared_gases(Data::Shipped(&text)).is_some()
+    };
+    let mut shipped: serde_json::Value = toml::from_str(DEFINITION).unwrap();
+    assert!(prepared(&shipped));
+    shipped["constants"]["gas_constant_j_kmol_k"] = 8314.0.into();
+    assert!(!prepared(&shipped));
+}
+
 fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
     air.density_in(&air.piece(layer), altitude_m)
 }
