@@ -1,6 +1,8 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Coefficients, Medium, OwnTable, fitted_in_air, table_drag};
+use super::aerodynamics::{
+    Coefficients, Medium, OwnTable, fitted_in_air, noted_database, table_drag,
+};
 use super::entering::{above_end, altitude_at, descends, goes_on};
 use super::forms::{beyond, names, together};
 use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
@@ -274,7 +276,7 @@ fn of_outline(
             let diameter_m = body.surface.diameter_m();
             let drag = Some(drag?);
             let read = Coefficients::read(reader, library, medium?, diameter_m, drag)?;
-            read.of(&body).ok()
+            read.noted(reader, &body)
         }
         Outline::Faulty => None,
         Outline::Absent if reader.given(&input::vehicle::AERODYNAMICS_TABLE) => {
@@ -288,7 +290,7 @@ fn of_outline(
             }
             let diameter_m = diameter_m?;
             let table = OwnTable::read(reader, library, medium?, diameter_m)?;
-            table.database(diameter_m).ok()
+            noted_database(reader, table.database(diameter_m))
         }
         Outline::Absent => {
             let (named, dof) = (&input::vehicle::AERODYNAMICS, &input::vehicle::DOF);

@@ -59,9 +59,8 @@ pub(super) fn outline(reader: &mut Reader, library: &Library) -> Outline {
 }
 
 fn given_body(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
-    let file = &input::outline::FILE;
-    if reader.given(file) {
-        reader.not_read(file);
+    if reader.given(&input::outline::FILE) {
+        // a fault that the reader has noted
         return None;
     }
     let ways = reader.ways(&input::outline::OUTLINE);

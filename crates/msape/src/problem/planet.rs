@@ -187,7 +187,7 @@ pub(super) fn atmosphere(
         return None;
     }
     if *way == input::atmosphere::FILE {
-        reader.not_read(way);
+        // a fault that the reader has noted
         return None;
     }
     // The rows of a case whose planet is at fault are checked all the same.

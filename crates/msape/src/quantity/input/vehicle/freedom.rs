@@ -58,24 +58,23 @@ inputs! {
         .help("Centre of gravity, m: x aft of the virtual apex, y to the right, z down.", "NASA/TM-2014-218507, section 3.3.1");
     AERODYNAMICS_CA: "vehicle.aerodynamics.ca" = coefficient("Axial Force Coefficient")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
         .help("Axial force coefficient at every Mach number and angle of attack.", CONVENTION);
     AERODYNAMICS_CN_ALPHA_PER_RAD: "vehicle.aerodynamics.cn_alpha_per_rad" = coefficient("Normal Force Slope")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody])
         .help("Normal force coefficient over the total angle of attack in rad.", CONVENTION);
     AERODYNAMICS_CM_ALPHA_PER_RAD: "vehicle.aerodynamics.cm_alpha_per_rad" = coefficient("Pitching Moment Slope")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody])
         .help("Pitching moment coefficient about the centre of gravity over the total angle of attack in rad; negative is stable.", CONVENTION);
     AERODYNAMICS_CLP: "vehicle.aerodynamics.clp" = coefficient("Roll Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Rolling moment coefficient over roll rate times span over twice the speed.", REPORT_DAMPING);
     AERODYNAMICS_CMQ: "vehicle.aerodynamics.cmq" = coefficient("Pitch Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Pitching moment coefficient over pitch rate times length over twice the speed.", REPORT_DAMPING);
     AERODYNAMICS_CNR: "vehicle.aerodynamics.cnr" = coefficient("Yaw Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Yawing moment coefficient over yaw rate times span over twice the speed.", REPORT_DAMPING);
     LIFT_TO_DRAG: "vehicle.lift_to_drag" = Input::number("Lift to Drag", Group::Vehicle, Dimension::One, Range::closed(-10.0, 10.0))
         .one_way_of(&LIFT)
