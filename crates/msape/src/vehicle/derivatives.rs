@@ -20,7 +20,7 @@ use crate::vehicle::close::lay_out;
 use crate::vehicle::draft::Memory;
 use crate::vehicle::figures::Figures;
 use crate::vehicle::forebody::Forebody;
-use crate::vehicle::grow::NotClosed;
+use crate::vehicle::grow::{NotClosed, largest_growth};
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
@@ -34,7 +34,9 @@ use numerics::scalar::{Dual, Scalar, Single};
 const UNKNOWNS: usize = 11;
 
 /// Room that the smallest diameter at most leaves where room limits it, m.
-const NO_ROOM_M: f64 = 1e-6;
+fn no_room_m(input: &VehicleInput) -> f64 {
+    largest_growth(input) * input.rules.diameter_resolution_m + input.rules.convergence_m
+}
 
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;
@@ -97,7 +99,7 @@ pub fn figures<S: Single>(input: &VehicleInput<S>) -> Result<(Figures<S>, Branch
     ];
     let rule = FoamRule::new(&plain);
     let room_m = system.trial(&plain, &rule, &at).room_m;
-    if system.by == DiameterBy::Room && room_m.abs() > NO_ROOM_M {
+    if system.by == DiameterBy::Room && room_m.abs() > no_room_m(&plain) {
         system.by = DiameterBy::Jump;
     }
     let rule = FoamRule::new(input);

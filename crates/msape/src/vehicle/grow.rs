@@ -36,7 +36,7 @@ pub struct NotClosed {
 
 /// Bound of the growth of the room with the diameter: 1/2 at the shoulder's center, that times cot θ along the axis; and as much
 /// again for the motion of the filling.
-fn largest_growth(input: &VehicleInput) -> f64 {
+pub fn largest_growth(input: &VehicleInput) -> f64 {
     let (s, c) = sin_cos(input.cone_half_angle_rad);
     (c / s).max(1.0)
 }

@@ -105,6 +105,12 @@ impl<S: Single> Point<S> {
         let r_m = S::constant(0.0);
         Self { x_m, r_m }
     }
+
+    /// Whether it is at the same place as another, however both move.
+    pub fn is_at(&self, other: &Self) -> bool {
+        let places = [self, other].map(|point| (point.x_m.value(), point.r_m.value()));
+        places[0] == places[1]
+    }
 }
 
 impl<S: Single> Segment<S> {
@@ -129,6 +135,17 @@ impl<S: Single> Segment<S> {
             start_angle_rad,
             sweep_rad,
         }
+    }
+
+    /// Whether it lies where another does and in its direction, however both move.
+    pub fn is_along(&self, other: &Self) -> bool {
+        let sweep_rad = |segment: &Self| match segment {
+            Self::Line { .. } => 0.0,
+            Self::Arc { sweep_rad, .. } => sweep_rad.value(),
+        };
+        self.start().is_at(&other.start())
+            && self.end().is_at(&other.end())
+            && sweep_rad(self) == sweep_rad(other)
     }
 
     /// Start.
