@@ -23,7 +23,8 @@ Examples:
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
-1 for a fault of the program, when standard output is closed, and for validate when a value is beyond its tolerance.";
+1 for a fault of the program, when standard output is closed, and for validate when a value is beyond its tolerance;
+130 when it was stopped by Ctrl-C: design, reorientation and validate write the part that was done, the others nothing.";
 
 /// Systems analysis of planetary entry vehicles, after NASA/TM-2014-218507.
 #[derive(Parser)]

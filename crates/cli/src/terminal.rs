@@ -1,5 +1,6 @@
 //! Terminal formatting: bold, color, and progress.
 
+use msape::progress::Progress;
 use std::io::{IsTerminal, Write, stderr, stdout};
 
 /// Use of color on standard output.
@@ -53,6 +54,23 @@ impl Paint {
     /// Secondary information.
     pub fn faint(self, text: &str) -> String {
         self.with("2", text)
+    }
+}
+
+/// Observer of work in `count` equal parts that shows the part under way, and passes the progress on.
+pub fn counted<'a>(
+    whole: &'a mut dyn Progress,
+    count: usize,
+    text: impl Fn(usize) -> String + 'a,
+) -> impl Progress + 'a {
+    let mut shown = None;
+    move |done: f64| {
+        let part = (done * count as f64) as usize;
+        if shown < Some(part) && part < count {
+            shown = Some(part);
+            progress(&format!("{} of {count}: {}", part + 1, text(part)));
+        }
+        whole.advance(done)
     }
 }
 
