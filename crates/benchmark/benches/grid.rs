@@ -199,8 +199,9 @@ fn main() {
     let row = (0..=30).map(|n| {
         let diameter_m = format!("{:.2}", 1.0 + 0.01 * f64::from(n));
         let mut case = galahad.clone();
-        case.set(input::design::DIAMETER_M.key, &diameter_m);
-        (format!("design.diameter_m={diameter_m}"), case)
+        let input = &input::design::DIAMETER_M;
+        case.set(input.key, &diameter_m);
+        (format!("{input}={diameter_m}"), case)
     });
     slowest("Galahad, 1.00 to 1.30 m", &library, row);
     slowest("about the run page", &library, about_the_run_page(200));

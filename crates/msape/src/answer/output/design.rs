@@ -284,7 +284,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .help("Heat load on the shoulder with margins, taken with the factor of the heat flux.", "NASA/TM-2014-218507, section 3.4.3"),
     Output::new("forebody_judged_heat_flux_w_m2", "Forebody TPS Judged Heat Rate", Module::Heating, |a| design(a, |d| d.forebody_judged.peak_heat_flux_w_m2))
         .unit(Dimension::HeatFlux, "W/cm^2")
-        .help("Heat flux with margins that is held against the limits of the forebody's heat shield: that of the point of heating.judged_at, which a finding names.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
+        .help("Heat flux with margins that is held against the limits of the forebody's heat shield: that of the point chosen by the case, which a finding names.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
     Output::new("forebody_judged_heat_load_j_m2", "Forebody TPS Judged Heat Load", Module::Heating, |a| design(a, |d| d.forebody_judged.heat_load_j_m2))
         .unit(Dimension::HeatLoad, "J/cm^2")
         .help("Heat load with margins for which the forebody's heat shield is sized, at the same point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
