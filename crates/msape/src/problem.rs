@@ -35,7 +35,7 @@ use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aero::{AeroProblem, BodyCoefficients, aero};
+pub use aero::{AeroProblem, BodyCoefficients};
 pub use attitude_of_design::{
     add_turning, asks_for_attitude, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };

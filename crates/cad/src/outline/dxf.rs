@@ -26,7 +26,7 @@ pub mod spline;
 
 use super::chain::{MOST_POINTS, Path};
 use super::halves::rows;
-use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, metres, shown};
+use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, meters, shown};
 use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
@@ -58,7 +58,7 @@ pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<Impo
         (None, Some(Err(fault))) => Err(fault),
         (None, _) => Err(ImportFault::NoUnitInDrawing),
     };
-    let scale = unit.as_ref().map_or(1.0, |unit| metres(*unit));
+    let scale = unit.as_ref().map_or(1.0, |unit| meters(*unit));
     let (found, left_out) = drawn(&drawing, scale).counted();
     remarks.extend(left_out);
     if !groups.last().is_some_and(|group| group.is(0, "EOF")) {

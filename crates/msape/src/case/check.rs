@@ -1,6 +1,6 @@
 //! Checks keys and values against the list of inputs and reports every fault at once.
 
-use super::fault::{InputError, remark};
+use super::fault::InputError;
 use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key, with_unit};
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
 
     /// Notes a remark at an input.
     pub fn remark(&mut self, key: &dyn fmt::Display, message: impl Into<String>) {
-        self.findings.push(remark("input", key, message));
+        self.findings.push(Finding::note("input", key, message));
     }
 
     /// All faults, each once: a key may be read more than once. A refusal has one at least.

@@ -16,7 +16,7 @@ use super::start::Start;
 use super::{Design, Pass, Solution, misfit};
 use crate::finding::Finding;
 use crate::flight::mission::Model;
-use crate::flight::{self, Flight, Request};
+use crate::flight::{self, Request};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::tps::limits;
@@ -81,16 +81,6 @@ impl Coupled<'_> {
     /// The vehicle of the last pass.
     pub fn vehicle(&self) -> Option<&Vehicle> {
         self.made().map(|made| &made.vehicle)
-    }
-
-    /// The flight of the last pass.
-    pub fn flight(&self) -> Option<&Flight> {
-        self.made().map(|made| &made.flown.flight)
-    }
-
-    /// Peak temperature of the payload container, K.
-    pub fn payload_temperature_k(&self) -> Option<f64> {
-        self.made().map(|made| made.sized.payload_temperature_k)
     }
 
     /// The passes.

@@ -16,11 +16,12 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
-use super::held::{Held, Within};
+use super::held::Held;
 use super::mission::{Body, Mission};
 use super::numbers::Numbers;
 use super::phase::{Change, Changed};
 use super::reach::Arguments;
+use super::within::Within;
 use crate::aero::{Drag, DragTable};
 use crate::heating::{Flow, HeatFlux};
 use crate::planet::atmosphere::Air;
@@ -82,11 +83,21 @@ impl<'a> Equations<'a> {
 impl<'a, S: Scalar> Equations<'a, S> {
     /// The equations with the given numbers, by the rows at rest on the ground.
     pub fn with_numbers(mission: &'a Mission, body: &'a Body, numbers: Numbers<S>) -> Self {
+        let at_rest = Held::of(mission, body, &Within::REST);
+        Self::with_rows(mission, body, numbers, &at_rest)
+    }
+
+    fn with_rows(
+        mission: &'a Mission,
+        body: &'a Body,
+        numbers: Numbers<S>,
+        held: &Held<f64>,
+    ) -> Self {
         Equations {
             mission,
             body,
             ellipsoid: mission.planet.ellipsoid(),
-            held: Held::everywhere(&Held::of(mission, body, &Within::REST)),
+            held: Held::everywhere(held),
             half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
             changed: Changed::nothing(),
             phase: 0,
@@ -97,8 +108,8 @@ impl<'a, S: Scalar> Equations<'a, S> {
     /// The equations of one lane in every lane.
     pub fn everywhere(of: &Equations<'a, S::Lane>) -> Self {
         let numbers = Numbers::everywhere(&of.numbers);
-        let mut all = Self::with_numbers(of.mission, of.body, numbers);
-        (0..S::LANES).for_each(|lane| all.set_lane(lane, of));
+        let mut all = Self::with_rows(of.mission, of.body, numbers, &of.held.lane(0));
+        (0..S::LANES).for_each(|lane| all.set_lane_numbers(lane, of));
         all
     }
 

@@ -15,8 +15,8 @@
 //! # References
 //! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
 
-use super::held::Within;
 use super::mission::Mission;
+use super::within::Within;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 pub use crate::quantity::choice::Direction;

@@ -140,14 +140,6 @@ fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<Body>
     }
 }
 
-/// A body and its database, from a case with an outline or from a design.
-///
-/// # Errors
-/// Every fault of the case at once, or why there is no vehicle.
-pub fn aero(case: &Case, library: &Library) -> Result<BodyCoefficients, Vec<InputError>> {
-    AeroProblem::check(case, library)?.solve()
-}
-
 #[cfg(test)]
 mod tests {
     use super::AeroProblem;

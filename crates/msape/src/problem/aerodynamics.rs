@@ -1,6 +1,6 @@
 //! Checks the coefficients over the angle of attack of a case.
 
-use super::forms::{beyond, names};
+use super::forms::beyond;
 use super::planet::{atmosphere, planet};
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
@@ -12,7 +12,7 @@ use crate::case::Reader;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::flight::mission::Mission;
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
 use crate::quantity::choice::DampingModel;

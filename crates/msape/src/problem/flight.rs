@@ -4,7 +4,7 @@ use super::aerodynamics::{
     Coefficients, Medium, OwnTable, fitted_in_air, noted_database, table_drag,
 };
 use super::entering::{above_end, altitude_at, descends, goes_on};
-use super::forms::{beyond, names, together};
+use super::forms::{beyond, together};
 use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::heating;
 use super::outline::Outline;
@@ -14,7 +14,7 @@ use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
 use crate::flight::mission::{Beyond, Body, DEFAULT_TOLERANCE, Mission, Solver, Start, Stop};
 use crate::flight::six_dof::aerodynamics::OfOutline;
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;

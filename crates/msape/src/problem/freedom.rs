@@ -5,7 +5,8 @@ use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
 use crate::aero::table::Extrapolation;
-use crate::case::{Reader, remark};
+use crate::case::Reader;
+use crate::finding::Finding;
 use crate::flight::freedom::Freedom;
 use crate::flight::lift::{Bank, Lift, Source};
 use crate::flight::mission::{Mission, Model, Solver};
@@ -272,7 +273,7 @@ fn bank_table(reader: &mut Reader, input: &'static Input) -> Option<Table1> {
     }
     if pairs(&rows) != given {
         let message = "Between rows more than 180 deg apart the bank goes the shorter way, through 180 deg. For the other way write angles beyond 180 deg, or a row between.";
-        reader.findings.push(remark("bank", input, message));
+        reader.findings.push(Finding::note("bank", input, message));
     }
     let column = |i: usize, factor: f64| -> Vec<f64> {
         let cells = rows.iter().filter_map(|row| row.get(i));
@@ -350,7 +351,7 @@ pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
 
 #[cfg(test)]
 mod tests {
-    use crate::finding::Finding;
+    use super::Finding;
     use crate::problem::{FlightProblem, attitude_of_design};
     use crate::{Case, Library};
 

@@ -1,8 +1,7 @@
 //! Checks the outline of a rigid body: a preset, dimensions of a sphere-cone, or points.
 
-use super::forms::names;
 use crate::case::{Case, InputError, Reader};
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::quantity::choice::AftOfCone;
 use crate::quantity::input;
 use crate::vehicle::body::shape::Aft;

@@ -1,7 +1,8 @@
 //! Checks the phases of a flight.
 
 use super::forms::one_row;
-use crate::case::{Reader, remark};
+use crate::case::Reader;
+use crate::finding::Finding;
 use crate::finding::range::short;
 use crate::flight::phase::{Begin, Canopy, Change, Direction, Mark, Phase};
 use crate::quantity::input::{self, Input, phase};
@@ -211,7 +212,7 @@ pub(super) fn not_flown(reader: &mut Reader, by: &str) {
 }
 
 fn note(reader: &mut Reader, input: &'static Input, number: usize, message: impl Into<String>) {
-    let note = remark("phases", &input.of_phase(number), message);
+    let note = Finding::note("phases", &input.of_phase(number), message);
     reader.findings.push(note);
 }
 

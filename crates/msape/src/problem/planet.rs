@@ -1,8 +1,8 @@
 //! Checks planet, atmosphere and wind: by name, or given in the case itself.
 
-use super::forms::{names, together};
+use super::forms::together;
 use crate::case::Reader;
-use crate::library::{Library, World, named};
+use crate::library::{Library, World, named, names};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::exponential::Exponential;
 use crate::planet::atmosphere::table::Table;

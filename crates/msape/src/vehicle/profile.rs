@@ -35,7 +35,7 @@ impl<S> Default for Profile<S> {
 }
 
 /// Properties of the solid that a closed profile encloses when revolved about the axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SolidProperties<S = f64> {
     /// Area of the half-section, m².
     pub section_area_m2: S,

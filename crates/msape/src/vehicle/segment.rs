@@ -99,6 +99,12 @@ impl<S: Single> Integrals<S> {
     }
 }
 
+/// Half the chord of a circle at a distance from its center, m; zero outside of it.
+pub fn half_chord_m<S: Single>(radius_m: S, distance_m: S) -> S {
+    let square = radius_m * radius_m - distance_m * distance_m;
+    square.max(S::constant(0.0)).sqrt()
+}
+
 impl<S: Single> Point<S> {
     /// A point on the axis.
     pub fn on_axis(x_m: S) -> Self {

@@ -4,8 +4,8 @@ mod flights;
 
 use super::*;
 use crate::flight::freedom::Freedom;
-use crate::flight::held::Within;
 use crate::flight::motion::Motion;
+use crate::flight::within::Within;
 use crate::problem::FlightProblem;
 use crate::{Case, Library};
 use nalgebra::{UnitQuaternion, Vector3};

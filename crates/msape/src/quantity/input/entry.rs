@@ -10,8 +10,7 @@ use crate::units::Dimension;
 
 /// Ways to give the altitude at which the flight begins.
 pub static START: Alternatives = Alternatives {
-    label: "Start",
-    required: true,
+    asked_as: Some("Start"),
     ways: &[&[&ALTITUDE_M], &[&RADIUS_M]],
 };
 

@@ -9,8 +9,7 @@ const RADIUS: Range = Range::closed(100.0, 1e13);
 
 /// Ways to give the gravity of a planet.
 pub static GRAVITY: Alternatives = Alternatives {
-    label: "Gravity",
-    required: false,
+    asked_as: None,
     ways: &[&[&MU_M3_S2], &[&UNIFORM_GRAVITY_M_S2]],
 };
 

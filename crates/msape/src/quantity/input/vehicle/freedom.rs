@@ -24,15 +24,13 @@ const fn coefficient(label: &'static str) -> Input {
 
 /// Ways to give the lift.
 pub static LIFT: Alternatives = Alternatives {
-    label: "Lift",
-    required: false,
+    asked_as: None,
     ways: &[&[&LIFT_TO_DRAG], &[&LIFT_COEFFICIENT], &[&LIFT_TABLE]],
 };
 
 /// Ways to give the angle of bank.
 pub static BANK: Alternatives = Alternatives {
-    label: "Bank",
-    required: false,
+    asked_as: None,
     ways: &[&[&BANK_DEG], &[&BANK_TABLE_DEG], &[&BANK_SPEED_TABLE_DEG]],
 };
 
