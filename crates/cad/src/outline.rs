@@ -41,7 +41,7 @@ fn meters(unit: LengthUnit) -> f64 {
 /// Unit with a symbol.
 pub fn unit_of(symbol: &str) -> Option<LengthUnit> {
     match symbol.to_lowercase().as_str() {
-        "meter" | "metre" | "meters" | "metres" => Some(LengthUnit::Metre),
+        "meter" | "metre" | "meters" | "metres" => Some(LengthUnit::Meter),
         "inch" | "inches" | "\"" => Some(LengthUnit::Inch),
         "feet" | "foot" => Some(LengthUnit::Foot),
         name => LengthUnit::named(name),

@@ -42,7 +42,7 @@ pub struct Arguments {
 /// Subcommand.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, centre of gravity and inertia
+    /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, center of gravity and inertia
     #[command(after_help = EXAMPLES)]
     Fly(Run),
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
@@ -138,7 +138,7 @@ pub struct Form {
     /// The time history as KML, for viewers of the globe
     #[arg(long)]
     pub kml: bool,
-    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
+    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, center of gravity, inertias
     #[arg(long)]
     pub mass_tree: bool,
 }

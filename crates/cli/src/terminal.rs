@@ -7,7 +7,7 @@ use std::io::{IsTerminal, Write, stderr, stdout};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
     /// A terminal with color.
-    Colour,
+    Color,
     /// A file, a pipe, or a terminal without color.
     Plain,
 }
@@ -18,7 +18,7 @@ impl Paint {
         let unwanted = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
             || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
         if stdout().is_terminal() && !unwanted {
-            Paint::Colour
+            Paint::Color
         } else {
             Paint::Plain
         }
@@ -26,7 +26,7 @@ impl Paint {
 
     fn with(self, code: &str, text: &str) -> String {
         match self {
-            Paint::Colour => format!("\u{1b}[{code}m{text}\u{1b}[0m"),
+            Paint::Color => format!("\u{1b}[{code}m{text}\u{1b}[0m"),
             Paint::Plain => text.to_string(),
         }
     }

@@ -296,7 +296,9 @@ impl AxialForce {
             Data::Own(text) => File::of_csv(text)?,
             shipped => shipped.read()?,
         };
-        let rows: Vec<_> = { file.rows.iter() }
+        let rows: Vec<_> = file
+            .rows
+            .iter()
             .map(|row| (row.mach, row.axial_force_coefficient))
             .collect();
         Ok(AxialForce {
@@ -326,7 +328,8 @@ impl File {
             _source: None,
             _place: None,
             _note: None,
-            cone_half_angle_deg: { header("cone_half_angle_deg")?.parse() }
+            cone_half_angle_deg: header("cone_half_angle_deg")?
+                .parse()
                 .map_err(|e| format!("cone_half_angle_deg: {e}"))?,
             rows: rows.map_err(|e| e.to_string())?,
         })

@@ -9,6 +9,7 @@ mod attitude_of_design;
 mod center;
 mod design;
 mod entering;
+mod fitted_in_air;
 mod flight;
 mod forms;
 mod freedom;

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn german_file_in_millimetres_with_r_before_x() {
+    fn german_file_in_millimeters_with_r_before_x() {
         let rows = rows("# cone\nr [mm];x [mm]\n0;0\n250,5;100\n0;100;\n", None);
         assert_eq!(rows[1], [0.1, 0.2505, 0.0]);
         assert_eq!(rows.len(), 3);
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn a_loop_is_closed_once_along_the_axis() {
-        let unit = Some(LengthUnit::Metre);
+        let unit = Some(LengthUnit::Meter);
         let loose = "0 0 0\n1 1 0\n2 0 0\n";
         for more in ["", "0 0 0\n", "0 0 0\n0 0 0\n"] {
             assert_eq!(rows(&format!("{loose}{more}"), unit).len(), 3, "{more}");
@@ -155,7 +155,7 @@ mod tests {
     fn the_unit_of_the_case_wins_and_is_told() {
         let points = read(
             "x_m,r_m\n0,0\n1000,500\n1000,0\n",
-            Some(LengthUnit::Millimetre),
+            Some(LengthUnit::Millimeter),
         )
         .unwrap();
         assert_eq!(points.rows[1], [1.0, 0.5, 0.0]);

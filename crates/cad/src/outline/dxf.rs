@@ -89,9 +89,9 @@ fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
         Some(0) => Ok(None),
         Some(1) => Ok(Some(LengthUnit::Inch)),
         Some(2) => Ok(Some(LengthUnit::Foot)),
-        Some(4) => Ok(Some(LengthUnit::Millimetre)),
-        Some(5) => Ok(Some(LengthUnit::Centimetre)),
-        Some(6) => Ok(Some(LengthUnit::Metre)),
+        Some(4) => Ok(Some(LengthUnit::Millimeter)),
+        Some(5) => Ok(Some(LengthUnit::Centimeter)),
+        Some(6) => Ok(Some(LengthUnit::Meter)),
         _ => Err(ImportFault::Drawing {
             place: group.place,
             reason: format!(

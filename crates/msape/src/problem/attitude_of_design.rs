@@ -186,7 +186,7 @@ fn flown(outcome: Outcome, design: &Design) -> Finding {
         value: None,
         valid: (None, None),
         message: format!(
-            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, centre of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
+            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, center of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
             mass.mass_kg,
             vehicle.dimensions.diameter_m,
             vehicle.dimensions.cg_from_apex_m,

@@ -1,6 +1,6 @@
 //! Checks a design.
 
-use super::aerodynamics::fitted_in_air;
+use super::fitted_in_air::fitted_in_air;
 use super::flight::{Angle, mission};
 use super::forms::together;
 use super::materials::materials;

@@ -1,9 +1,8 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{
-    Coefficients, Medium, OwnTable, fitted_in_air, noted_database, table_drag,
-};
+use super::aerodynamics::{Coefficients, Medium, OwnTable, noted_database, table_drag};
 use super::entering::{above_end, altitude_at, descends, goes_on};
+use super::fitted_in_air::fitted_in_air;
 use super::forms::{beyond, together};
 use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::heating;

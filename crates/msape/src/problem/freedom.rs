@@ -483,7 +483,7 @@ flight_model = 'allen-eggers'
     }
 
     #[test]
-    fn a_centre_of_gravity_outside_the_outline_is_refused_with_the_range() {
+    fn a_center_of_gravity_outside_the_outline_is_refused_with_the_range() {
         let outline = "[outline]\npreset = 'stardust'\n";
         let with = |cg: &str| said(&format!("{SOUND}cg_m = {cg}\n{outline}"));
         assert_eq!(with("[0.3, 0.0, 0.01]"), "");

@@ -179,7 +179,7 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
                 reader.fault(&attachment_key, "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
             }
             if mass_kg.is_some() {
-                let message = "The inertia of the vehicle is scaled with its mass, and its centre of gravity stays, when the phase begins.";
+                let message = "The inertia of the vehicle is scaled with its mass, and its center of gravity stays, when the phase begins.";
                 note(reader, &phase::MASS_KG, number, message);
             }
         }
@@ -255,7 +255,7 @@ direction = 'rising'
 [[phase]]
 name = 'last'
 time_s = 10.0
-colour = 3
+color = 3
 ",
         );
         for part in [
@@ -266,7 +266,7 @@ colour = 3
             "phase.2.inflation_s: given without drag_area_m2",
             "phase.3.direction: given together with time_s",
             "phase.4.time_s: got 10 s, must be at least 20 s",
-            "phase.4.colour: unknown key",
+            "phase.4.color: unknown key",
         ] {
             assert!(said.contains(part), "{part}\nnot in\n{said}");
         }

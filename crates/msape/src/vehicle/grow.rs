@@ -124,7 +124,7 @@ pub fn smallest_that_closes(
     })
 }
 
-/// Halvings in the search for the widest payload: to a few micrometres.
+/// Halvings in the search for the widest payload: to a few micrometers.
 const PAYLOAD_HALVINGS: usize = 18;
 
 /// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.

@@ -155,7 +155,7 @@ impl Misfit {
                 mm(shoulder_r_m)
             ),
             Self::LidWiderThanShoulder { annulus_r_m, shoulder_r_m } => format!(
-                "the lid's annulus crosses the shoulder: payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's centre stands at {:.0} mm",
+                "the lid's annulus crosses the shoulder: payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's center stands at {:.0} mm",
                 mm(annulus_r_m),
                 mm(shoulder_r_m)
             ),

@@ -43,10 +43,12 @@ fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
     let (definition, spans) = SHIPPED;
     let knot = |value, slope_per_m| us1976::Knot { value, slope_per_m };
     let of_span = |knots: &&[[f64; 4]]| SpanKnots {
-        density: { knots.iter() }
+        density: knots
+            .iter()
             .map(|[rho, slope, ..]| knot(*rho, *slope))
             .collect(),
-        molar_mass: { knots.iter() }
+        molar_mass: knots
+            .iter()
             .map(|[.., m, slope]| knot(*m, *slope))
             .collect(),
     };

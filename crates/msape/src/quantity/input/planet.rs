@@ -46,5 +46,5 @@ inputs! {
         .unit("m/s^2")
         .aliases(&["planet.gravity_m_s2", "planet.g_m_s2"])
         .one_way_of(&GRAVITY)
-        .help("Gravity of constant magnitude towards the centre, instead of the gravitational parameter.", CONVENTION);
+        .help("Gravity of constant magnitude towards the center, instead of the gravitational parameter.", CONVENTION);
 }

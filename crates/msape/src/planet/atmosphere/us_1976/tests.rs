@@ -58,7 +58,7 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn every_kilometre_to_200_km() {
+fn every_kilometer_to_200_km() {
     // The reference integrates across the step of the molar mass at 100 km (9e-6), takes that of N2 for the gases that
     // Ar and He diffuse through (2e-5), and leaves out hydrogen above 150 km (3e-5 in pressure and mean free path).
     let air = us_1976();
