@@ -110,7 +110,7 @@ pub struct Reorientation {
     /// The case.
     #[command(flatten)]
     pub source: Source,
-    /// One JSON object: name, outcome, reason, reorientation
+    /// One JSON object: name, outcome, reason, stopped, reorientation
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
     /// One row an entry as CSV, in SI units and degrees

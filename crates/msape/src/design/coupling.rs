@@ -35,7 +35,8 @@ pub struct Coupled<'a> {
 /// Designs a vehicle, from the numbers of another design where they are given.
 ///
 /// With a start the passes end at the same vehicle to within the criterion; where they do not converge from it, they restart from
-/// the guesses of the input, unless they were stopped or have used up the work. The observer is called after each pass and may stop the passes there.
+/// the guesses of the input, unless they were stopped or have used up the work. The observer is called after each pass and may stop
+/// the passes there.
 pub fn solve<'a>(
     input: &'a DesignInput,
     start: Option<&Start>,
