@@ -45,7 +45,9 @@ fn main() -> io::Result<()> {
     if env::var_os("CARGO_FEATURE_VALIDATION").is_none() {
         validation.clear();
     }
-    write_gases(&here.join("data/atmospheres/us-1976.toml"))?;
+    if env::var_os("CARGO_FEATURE_PREPARED_AIR").is_some() {
+        write_gases(&here.join("data/atmospheres/us-1976.toml"))?;
+    }
     let included = |file: &str| Ok(format!("include_str!({file:?})"));
     write("shipped_files.rs", &library, |file| {
         Ok(format!("{:?}", shipped(file)?.to_string()))
@@ -81,14 +83,16 @@ fn shipped(file: &str) -> io::Result<Value> {
     Ok(Value::Object(keys))
 }
 
-/// Integrates the gases of the U.S. Standard Atmosphere 1976 above 86 km: density, molar mass and their slopes at the knots of each span.
+/// Integrates the gases of the U.S. Standard Atmosphere 1976 above 86 km: density, molar mass and their slopes at the knots of each
+/// span, behind the definition as it is embedded.
 fn write_gases(file: &Path) -> io::Result<()> {
     let fault = |message: String| io::Error::other(format!("{}: {message}", file.display()));
+    let embedded = shipped(&file.display().to_string())?.to_string();
     let text = fs::read_to_string(file)?;
     let definition: Definition = toml::from_str(&text).map_err(|error| fault(error.to_string()))?;
     let definition = definition.checked().map_err(fault)?;
     let upper = Upper::new(&definition);
-    let mut text = String::from("&[\n");
+    let mut text = format!("({embedded:?}, &[\n");
     for span in Heterosphere::new(&definition, &upper).knots() {
         let knots = span.density.iter().zip(&span.molar_mass);
         let rows: Vec<[f64; 4]> = knots
@@ -96,7 +100,7 @@ fn write_gases(file: &Path) -> io::Result<()> {
             .collect();
         writeln!(text, "    &{rows:?},").map_err(io::Error::other)?;
     }
-    text.push_str("]\n");
+    text.push_str("])\n");
     write_out("us_1976.rs", &text)
 }
 

@@ -147,7 +147,7 @@ fn least(name: &str) -> f64 {
 fn derivatives_of_all_outputs_are_those_of_differences() {
     let mut random = Random(2);
     let mut faults = Vec::new();
-    for case in 0..50 {
+    for case in 0..4 * PARAMETERS {
         let problem = exact(case);
         let mut parameters = drawn(&mut random);
         parameters[0] = 125e3;
@@ -157,8 +157,8 @@ fn derivatives_of_all_outputs_are_those_of_differences() {
         for ((name, value), (_, dual)) in plain.iter().zip(&derivatives) {
             assert_eq!(*value, dual.value, "{name}");
         }
-        // One of the parameters by turns: all are met over the flights.
-        let i = case % PARAMETERS;
+        // One of the parameters by turns, each in two flights of either kind of air.
+        let i = case / 2 % PARAMETERS;
         let scale = parameters[i].abs().max(0.1);
         let moved = |part: f64| {
             let mut moved = parameters;
@@ -184,7 +184,7 @@ fn derivatives_of_all_outputs_are_those_of_differences() {
             let size = size.max(f64::MIN_POSITIVE);
             let known = gap(&best) / size;
             let error = (dual.slope[i] - 0.5 * (best[0] + best[1])).abs() / size;
-            if !(known < SETTLED && error < allowed(name) + 2.0 * known) {
+            if !(known < SETTLED && error < allowed(name)) {
                 faults.push(format!(
                     "flight {case}, {name} by {i}: {} {best:?}, {error:.1e}, known to {known:.1e}",
                     dual.slope[i]

@@ -117,7 +117,11 @@ const CASES: [((&str, &str), Job, Right); 24] = [
     (
         file!("odd-key-dotted.json"),
         Job::Fly,
-        Refused(&["entry.{peed_m_s: unknown key", "entry.speed_m_s: missing"]),
+        Refused(&[
+            "entry.{peed_m_s: unknown key",
+            "entry.speed_m_s: missing",
+            "vehicle.aerodynamics.file: was not read",
+        ]),
     ),
     (
         file!("odd-key-hash.json"),

@@ -30,7 +30,7 @@ fn words(list: &toml::Value) -> Vec<&str> {
 struct Package {
     name: String,
     version: String,
-    licence: Option<String>,
+    license: Option<String>,
     source: Option<String>,
     /// Names of registry dependencies that accept any version.
     wildcards: Vec<String>,
@@ -48,7 +48,7 @@ fn package(value: &Value) -> Package {
     Package {
         name: text(&value["name"]).unwrap(),
         version: text(&value["version"]).unwrap(),
-        licence: text(&value["license"]),
+        license: text(&value["license"]),
         source: text(&value["source"]),
         wildcards: wild.filter_map(|needed| text(&needed["name"])).collect(),
     }
@@ -89,9 +89,9 @@ static PACKAGES: LazyLock<BTreeMap<String, Package>> = LazyLock::new(|| {
 });
 
 /// Fault of the license of a package.
-fn licence_fault(licence: Option<&str>, allowed: &[&str]) -> Option<String> {
-    let Some(stated) = licence else {
-        return Some("states no licence".to_string());
+fn license_fault(license: Option<&str>, allowed: &[&str]) -> Option<String> {
+    let Some(stated) = license else {
+        return Some("states no license".to_string());
     };
     // a slash is an old notation for OR
     let mode = spdx::ParseMode {
@@ -150,10 +150,10 @@ fn deny_toml_holds_nothing_that_is_not_checked() {
 }
 
 #[test]
-fn deny_licences_that_are_not_allowed() {
+fn deny_licenses_that_are_not_allowed() {
     let allowed = words(&section("licenses")["allow"]);
     let faults = PACKAGES.values().filter_map(|package| {
-        let fault = licence_fault(package.licence.as_deref(), &allowed)?;
+        let fault = license_fault(package.license.as_deref(), &allowed)?;
         Some(format!("{} {} {fault}", package.name, package.version))
     });
     assert_none(&faults.collect::<Vec<_>>());
@@ -161,7 +161,7 @@ fn deny_licences_that_are_not_allowed() {
 }
 
 #[test]
-fn deny_licences_of_other_kinds() {
+fn deny_licenses_of_other_kinds() {
     let allowed = ["MIT", "Apache-2.0"];
     for (stated, fits) in [
         (Some("MIT OR GPL-3.0-only"), true),
@@ -173,7 +173,7 @@ fn deny_licences_of_other_kinds() {
         (None, false),
     ] {
         assert_eq!(
-            licence_fault(stated, &allowed).is_none(),
+            license_fault(stated, &allowed).is_none(),
             fits,
             "{stated:?}"
         );

@@ -193,12 +193,12 @@ fn pressure_center(body: &RigidBody, theory: Theory) -> f64 {
 }
 
 #[test]
-fn stardust_has_the_published_centres_of_pressure() {
+fn stardust_has_the_published_centers_of_pressure() {
     // \[mitcheltree-1997\]: 0.26 diameters in free-molecular flow, 0.72 in a continuum, printed to 0.01
     let body = stardust(&Library::builtin().unwrap());
     let free = pressure_center(&body, Theory::FreeMolecular(Gas::diffuse(25.0)));
     let continuum = pressure_center(&body, Theory::newtonian(Some(25.0), GAMMA));
-    println!("Stardust: centre of pressure {free:.4} and {continuum:.4} diameters from the nose");
+    println!("Stardust: center of pressure {free:.4} and {continuum:.4} diameters from the nose");
     assert!((free - 0.26).abs() < 0.01 && (continuum - 0.72).abs() < 0.01);
     // \[wilmoth-1999\]: with its center of gravity at 0.35 diameters it is unstable in free-molecular flow
     assert!(free < 0.35 && continuum > 0.35);

@@ -5,6 +5,14 @@ use msape::validation::{self, Row};
 use msape::{Case, Library};
 use msape_tests::entry::{flown, output};
 
+/// Every row of every comparison.
+fn compared() -> Vec<Row> {
+    let files = validation::files().unwrap();
+    let library = Library::builtin().unwrap();
+    let rows = validation::run(&library, &files, &mut Unwatched).unwrap();
+    rows.into_iter().flatten().collect()
+}
+
 fn table(rows: &[&Row]) -> String {
     let line = |row: &&Row| {
         let number = |x: Option<f64>| x.map_or("-".to_string(), |x| format!("{x:.7}"));
@@ -29,7 +37,7 @@ fn table(rows: &[&Row]) -> String {
 /// all.
 #[test]
 fn every_judged_row_is_within_its_tolerance() {
-    let rows = validation::run(&Library::builtin().unwrap(), &mut Unwatched).unwrap();
+    let rows = compared();
     let misses: Vec<&Row> = rows.iter().filter(|row| row.verdict.is_miss()).collect();
     assert!(misses.is_empty(), "\n{}", table(&misses));
     let judged = rows.iter().filter(|row| row.tolerance.is_some()).count();
@@ -42,7 +50,7 @@ fn every_judged_row_is_within_its_tolerance() {
 
 #[test]
 fn a_row_is_not_judged_only_where_a_note_says_why() {
-    let rows = validation::run(&Library::builtin().unwrap(), &mut Unwatched).unwrap();
+    let rows = compared();
     for row in rows.iter().filter(|row| row.tolerance.is_none()) {
         assert!(!row.reason.is_empty(), "{} {}", row.case, row.quantity);
         assert!(row.ours.is_some(), "{} {}", row.case, row.quantity);

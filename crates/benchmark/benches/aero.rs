@@ -11,6 +11,7 @@ use benchmark::kernel;
 use measure::Measurement;
 use msape::Library;
 use msape::aero::standard::AeroBody;
+use msape::problem::AeroProblem;
 use std::hint::black_box;
 
 fn main() {
@@ -26,7 +27,10 @@ fn main() {
     let stardust = of("stardust");
     let case = msape::library::data_file("cases/msr-eev-cp.toml").unwrap();
     let case = msape::Case::from_text(case).unwrap();
-    let (design, _) = msape::problem::aero(&case, &library).unwrap();
+    let (design, _) = AeroProblem::check(&case, &library)
+        .unwrap()
+        .solve()
+        .unwrap();
     let database = stardust.database(&library.aero_standard(), None);
     let mut alpha = 0.0;
     let mut look_up = |mach: f64, knudsen: f64| {

@@ -1,5 +1,5 @@
 //! `cargo bench --package msape-benchmark --bench grid`: designs over a grid, each from the guesses of its case and from the numbers on
-//! which its neighbour settled: seconds of the thread's clock, passes, and how far the entry masses are apart. Then designs drawn about
+//! which its neighbor settled: seconds of the thread's clock, passes, and how far the entry masses are apart. Then designs drawn about
 //! the run page and a row of Galahad: the slowest by name.
 #![allow(missing_docs, reason = "nothing uses a benchmark")]
 
@@ -20,7 +20,7 @@ type Row = (Outcome, Option<f64>, usize);
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Begin {
     Guesses,
-    Neighbour,
+    Neighbor,
 }
 
 /// Values of a key, evenly spread.
@@ -47,7 +47,7 @@ fn grid(library: &Library, case: &Case, sides: Sides, begin: Begin) -> (f64, Vec
                 case.set(input::entry::FLIGHT_PATH_ANGLE_DEG.key, angle_deg);
                 let problem = DesignProblem::check(&case, library).unwrap();
                 let coupled = coupling::solve(&problem.input, from.as_ref(), &mut Unwatched);
-                if begin == Begin::Neighbour {
+                if begin == Begin::Neighbor {
                     from = coupled.start().or(from.take());
                 }
                 let mass_kg = coupled.vehicle().map(|vehicle| vehicle.mass.mass_kg);
@@ -166,7 +166,7 @@ fn main() {
     let (diameters, speeds, angles) = ([0.9, 1.3], [11e3, 13e3], [-10.0, -25.0]);
     let sides = [diameters, speeds, angles].map(|ends| spread(10, ends));
     let mut guessed = Vec::new();
-    for begin in [Begin::Guesses, Begin::Neighbour] {
+    for begin in [Begin::Guesses, Begin::Neighbor] {
         let (seconds, rows) = grid(&library, &case, sides.each_ref().map(Vec::as_slice), begin);
         if begin == Begin::Guesses {
             guessed.clone_from(&rows);
@@ -180,7 +180,7 @@ fn main() {
     );
     let halves = speeds.split_at(11);
     let mut guessed: [Vec<Row>; 2] = Default::default();
-    for begin in [Begin::Guesses, Begin::Neighbour] {
+    for begin in [Begin::Guesses, Begin::Neighbor] {
         let half = |speeds| grid(&library, &case, [&three, speeds, &angles], begin);
         let (first, second) = std::thread::scope(|scope| {
             let other = scope.spawn(|| half(halves.1));
@@ -199,8 +199,9 @@ fn main() {
     let row = (0..=30).map(|n| {
         let diameter_m = format!("{:.2}", 1.0 + 0.01 * f64::from(n));
         let mut case = galahad.clone();
-        case.set(input::design::DIAMETER_M.key, &diameter_m);
-        (format!("design.diameter_m={diameter_m}"), case)
+        let input = &input::design::DIAMETER_M;
+        case.set(input.key, &diameter_m);
+        (format!("{input}={diameter_m}"), case)
     });
     slowest("Galahad, 1.00 to 1.30 m", &library, row);
     slowest("about the run page", &library, about_the_run_page(200));

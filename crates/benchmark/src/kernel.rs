@@ -2,10 +2,10 @@
 //! exponential atmosphere, constant drag, no heating, no events except the ground, no results. And the same method over
 //! the right-hand side of a flight.
 
-use msape::flight::held::Within;
 use msape::flight::integration::point_tolerance;
 use msape::flight::motion::Motion;
 use msape::flight::three_dof;
+use msape::flight::within::Within;
 use msape::problem::FlightProblem;
 use numerics::math;
 use numerics::ode::{Integrator, Method, Tolerance};

@@ -23,6 +23,7 @@ use crate::text::{Decoded, decode};
 use dxf::group::Place;
 use msape::quantity::choice::Choice;
 use msape::quantity::input;
+use msape::units::Unit;
 use thiserror::Error;
 
 pub use msape::quantity::choice::LengthUnit;
@@ -33,20 +34,14 @@ pub const MOST_FAULTS: usize = 100;
 const MOST_SHOWN: usize = 40;
 
 /// Length of one unit, m.
-fn metres(unit: LengthUnit) -> f64 {
-    match unit {
-        LengthUnit::Metre => 1.0,
-        LengthUnit::Centimetre => 0.01,
-        LengthUnit::Millimetre => 0.001,
-        LengthUnit::Inch => 0.0254,
-        LengthUnit::Foot => 0.3048,
-    }
+fn meters(unit: LengthUnit) -> f64 {
+    Unit::find(unit.name()).map_or(1.0, |unit| unit.to_canonical(1.0))
 }
 
 /// Unit with a symbol.
 pub fn unit_of(symbol: &str) -> Option<LengthUnit> {
     match symbol.to_lowercase().as_str() {
-        "meter" | "metre" | "meters" | "metres" => Some(LengthUnit::Metre),
+        "meter" | "metre" | "meters" | "metres" => Some(LengthUnit::Meter),
         "inch" | "inches" | "\"" => Some(LengthUnit::Inch),
         "feet" | "foot" => Some(LengthUnit::Foot),
         name => LengthUnit::named(name),

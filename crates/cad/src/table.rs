@@ -26,7 +26,7 @@ mod wind;
 
 use crate::text::decode;
 use msape::case::Reader;
-use msape::library::named;
+use msape::library::{named, names};
 use msape::planet::atmosphere::Atmosphere;
 use msape::quantity::input::{self, Input};
 use msape::{Case, Library};
@@ -60,9 +60,8 @@ impl Ground {
     /// its mean radius and the gas of the planet that it names. Faults of the case are left to that check.
     pub fn of(case: &Case, library: &Library) -> Ground {
         let mut reader = Reader::new(case);
-        let names: Vec<&str> = library.planets.iter().map(|(name, _)| &**name).collect();
         let name = reader
-            .name(&input::entry::PLANET, &names)
+            .name(&input::entry::PLANET, &names(&library.planets))
             .unwrap_or_default();
         let world = named(&library.planets, name);
         let planet = world.map(|world| &world.planet);

@@ -275,7 +275,7 @@ fn table(name: &str, body: &AeroBody, polar: &Polar, findings: &[Finding]) -> St
     text.push('\n');
     if let Some(center) = polar.pressure_center {
         text.push_str(&format!(
-            "Centre of pressure nose first: {center:.4} diameters aft of the virtual apex\n"
+            "Center of pressure nose first: {center:.4} diameters aft of the virtual apex\n"
         ));
     }
     if let Some(margin) = polar.static_margin {

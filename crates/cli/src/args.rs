@@ -23,7 +23,8 @@ Examples:
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
-1 for a fault of the program, when standard output is closed, and for validate when a value is beyond its tolerance.";
+1 for a fault of the program, when standard output is closed, and for validate when a value is beyond its tolerance;
+130 when it was stopped by Ctrl-C: design, reorientation and validate write the part that was done, the others nothing.";
 
 /// Systems analysis of planetary entry vehicles, after NASA/TM-2014-218507.
 #[derive(Parser)]
@@ -41,7 +42,7 @@ pub struct Arguments {
 /// Subcommand.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, centre of gravity and inertia
+    /// Fly a vehicle as it is; with vehicle.dof = 6 also the vehicle of a [design], with its outline, center of gravity and inertia
     #[command(after_help = EXAMPLES)]
     Fly(Run),
     /// Design a vehicle: geometry, mass, flight, heating, heat shield, soak, structure and impact, coupled
@@ -109,7 +110,7 @@ pub struct Reorientation {
     /// The case.
     #[command(flatten)]
     pub source: Source,
-    /// One JSON object: name, outcome, reason, reorientation
+    /// One JSON object: name, outcome, reason, stopped, reorientation
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
     /// One row an entry as CSV, in SI units and degrees
@@ -137,7 +138,7 @@ pub struct Form {
     /// The time history as KML, for viewers of the globe
     #[arg(long)]
     pub kml: bool,
-    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, centre of gravity, inertias
+    /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, center of gravity, inertias
     #[arg(long)]
     pub mass_tree: bool,
 }

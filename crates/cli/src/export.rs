@@ -3,8 +3,9 @@
 use crate::args::{Export, formats};
 use crate::failure::Failure;
 use crate::read::Data;
-use crate::{Done, output, read};
+use crate::{Done, output, read, signal};
 use cad::export::{Format, Info, Model};
+use msape::progress::Progress;
 use msape::quantity::input;
 use msape::{Case, InputError, Library, Request, problem};
 use std::path::Path;
@@ -21,8 +22,11 @@ pub fn export(arguments: &Export, data: &Data) -> Done {
         )));
     }
     let mut loaded = read::asked(&arguments.source, path, data)?;
-    let model = model(&loaded.case, &data.library);
+    let model = signal::stoppable(|progress| model(&loaded.case, &data.library, progress));
     let model = loaded.unless_at_fault(model)??;
+    if signal::is_stopped() {
+        return Err(Failure::Stopped);
+    }
     loaded.tell();
     output::write(format.write(&model, &Info::default()), path)?;
     Ok(ExitCode::SUCCESS)
@@ -50,12 +54,16 @@ fn ending(path: &Path) -> Option<Format> {
 }
 
 /// The model to export; inner error if there is no vehicle, outer error for faults of the case.
-fn model(case: &Case, library: &Library) -> Result<Result<Model, Failure>, Vec<InputError>> {
+fn model(
+    case: &Case,
+    library: &Library,
+    progress: &mut dyn Progress,
+) -> Result<Result<Model, Failure>, Vec<InputError>> {
     let designed = case.gives_any(input::design::INPUTS);
     if !designed && let Some(body) = problem::rigid_body(case, library)? {
         return Ok(Ok(Model::of_body(&case.name, &body)));
     }
-    let answer = msape::design(case, library, Request::Nothing)?;
+    let answer = problem::design_watched(case, library, Request::Nothing, progress)?;
     Ok(match &answer.design {
         Some(design) => Ok(Model::of_vehicle(&answer.name, &design.vehicle)),
         None => Err(Failure::input(format!(

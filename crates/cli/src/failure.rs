@@ -1,5 +1,6 @@
 //! Errors of the command, and its exit codes.
 
+use crate::signal;
 use msape::library::DataError;
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -15,6 +16,8 @@ pub enum Failure {
     NoOutput,
     /// The reader of standard output closed it.
     ReaderGone,
+    /// The command was stopped before it had something to write.
+    Stopped,
 }
 
 /// Largest number of faults printed; others are counted.
@@ -55,6 +58,10 @@ impl Failure {
                 ExitCode::from(1)
             }
             Failure::ReaderGone => ExitCode::SUCCESS,
+            Failure::Stopped => {
+                say("stopped: nothing was written");
+                signal::code(ExitCode::SUCCESS)
+            }
         }
     }
 }

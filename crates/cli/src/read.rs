@@ -13,7 +13,7 @@ use cad::outline::{self, LengthUnit};
 use cad::table::{self, Ground, Table};
 pub use data::Data;
 use msape::case::Value;
-use msape::finding::{Finding, Severity};
+use msape::finding::Finding;
 use msape::quantity::choice::Choice;
 use msape::quantity::input::{self, Input};
 use msape::{Case, InputError, Library};
@@ -50,16 +50,8 @@ pub struct Remark {
 impl Loaded {
     /// The messages as findings.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
-        self.remarks.iter().map(|Remark { key, message }| Finding {
-            severity: Severity::Note,
-            model: "file".to_string(),
-            key: key.to_string(),
-            value: None,
-            valid: (None, None),
-            message: format!("{message}."),
-            source: "convention of this program".to_string(),
-            field: Some(key.to_string()),
-        })
+        let remarks = self.remarks.iter();
+        remarks.map(|Remark { key, message }| Finding::note("file", key, format!("{message}.")))
     }
 
     /// The value, or the faults of reading and checking the case together.

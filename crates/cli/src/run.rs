@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::read::Data;
 use crate::{Done, output, read, reorientation, show, signal};
 use msape::flight::Trajectory;
-use msape::problem::{add_turning, design_watched};
+use msape::problem::design_watched;
 use msape::quantity::Job;
 use msape::table::{self, Manner, Solved, kml};
 use msape::{Answer, Case, InputError, Library, Request, answer};
@@ -37,17 +37,16 @@ fn solve(
     request: Request,
     (job, entries): (Job, Entries),
 ) -> Result<Answer, Vec<InputError>> {
-    let mut answer = match job {
-        Job::Fly => return msape::fly(case, library, request),
-        Job::Design => {
-            signal::stoppable(|progress| design_watched(case, library, request, progress))?
-        }
-    };
-    if entries == Entries::AnyAttitude {
-        add_turning(case, library, &mut answer, &mut reorientation::watcher())?;
-        reorientation::watched();
+    match job {
+        Job::Fly => msape::fly(case, library, request),
+        Job::Design => signal::stoppable(|progress| {
+            let mut answer = design_watched(case, library, request, progress)?;
+            if entries == Entries::AnyAttitude {
+                reorientation::add_entries(case, library, &mut answer, progress)?;
+            }
+            Ok(answer)
+        }),
     }
-    Ok(answer)
 }
 
 fn request(arguments: &Run) -> Request {

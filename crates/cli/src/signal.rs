@@ -31,7 +31,7 @@ fn heard() {
 pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
     AT_WORK.store(true, Ordering::SeqCst);
     listen();
-    let done = work(&mut |_| match STOPPED.load(Ordering::SeqCst) {
+    let done = work(&mut |_| match is_stopped() {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     });
@@ -39,9 +39,14 @@ pub fn stoppable<T>(work: impl FnOnce(&mut dyn Progress) -> T) -> T {
     done
 }
 
+/// Whether long work was stopped.
+pub fn is_stopped() -> bool {
+    STOPPED.load(Ordering::SeqCst)
+}
+
 /// Exit code of a command that has written its results; another one if it was stopped.
 pub fn code(done: ExitCode) -> ExitCode {
-    match STOPPED.load(Ordering::SeqCst) {
+    match is_stopped() {
         true => ExitCode::from(INTERRUPTED),
         false => done,
     }

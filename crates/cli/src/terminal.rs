@@ -1,12 +1,13 @@
 //! Terminal formatting: bold, color, and progress.
 
+use msape::progress::Progress;
 use std::io::{IsTerminal, Write, stderr, stdout};
 
 /// Use of color on standard output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
     /// A terminal with color.
-    Colour,
+    Color,
     /// A file, a pipe, or a terminal without color.
     Plain,
 }
@@ -17,7 +18,7 @@ impl Paint {
         let unwanted = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
             || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
         if stdout().is_terminal() && !unwanted {
-            Paint::Colour
+            Paint::Color
         } else {
             Paint::Plain
         }
@@ -25,7 +26,7 @@ impl Paint {
 
     fn with(self, code: &str, text: &str) -> String {
         match self {
-            Paint::Colour => format!("\u{1b}[{code}m{text}\u{1b}[0m"),
+            Paint::Color => format!("\u{1b}[{code}m{text}\u{1b}[0m"),
             Paint::Plain => text.to_string(),
         }
     }
@@ -53,6 +54,23 @@ impl Paint {
     /// Secondary information.
     pub fn faint(self, text: &str) -> String {
         self.with("2", text)
+    }
+}
+
+/// Observer of work in `count` equal parts that shows the part under way, and passes the progress on.
+pub fn counted<'a>(
+    whole: &'a mut dyn Progress,
+    count: usize,
+    text: impl Fn(usize) -> String + 'a,
+) -> impl Progress + 'a {
+    let mut shown = None;
+    move |done: f64| {
+        let part = (done * count as f64) as usize;
+        if shown < Some(part) && part < count {
+            shown = Some(part);
+            progress(&format!("{} of {count}: {}", part + 1, text(part)));
+        }
+        whole.advance(done)
     }
 }
 

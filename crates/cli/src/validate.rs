@@ -3,7 +3,7 @@
 use crate::args::Validate;
 use crate::failure::Failure;
 use crate::show::columns::{Align, Columns};
-use crate::terminal::{Paint, progress};
+use crate::terminal::{Paint, counted, progress};
 use crate::{Done, output, signal};
 use msape::Library;
 use msape::units::number::rounded;
@@ -20,24 +20,25 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
         prediction::capsules(library)?,
         &arguments.names,
     )?;
-    let mut compared = Vec::with_capacity(files.len());
-    for (i, (name, file)) in files.iter().enumerate() {
-        progress(&format!("{} of {}: {name}", i + 1, files.len()));
-        let (rows, told) =
-            signal::stoppable(|watcher| validation::run_file(library, name, file, watcher))?;
-        compared.push((name, file, rows));
-        if told.is_break() {
-            break;
-        }
-    }
+    let name = |number: usize| {
+        files
+            .get(number)
+            .map_or_else(String::new, |(name, _)| name.clone())
+    };
+    let compared = signal::stoppable(|whole| {
+        let mut progress = counted(whole, files.len(), name);
+        validation::run(library, &files, &mut progress)
+    });
     progress("");
-    let rows = || compared.iter().flat_map(|(_, _, rows)| rows);
+    let compared = compared?;
+    let rows = || compared.iter().flatten();
     let judged = rows().filter(|row| row.verdict != Verdict::Shown).count();
     let misses = rows().filter(|row| row.verdict.is_miss()).count();
     let text = if arguments.json {
         let object = json!({
             "judged": judged,
             "misses": misses,
+            "stopped": signal::is_stopped(),
             "rows": rows().collect::<Vec<_>>(),
             "predictions": capsules,
         });
@@ -48,9 +49,9 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
         } else {
             Paint::of_standard_output()
         };
-        let mut text: String = compared
-            .iter()
-            .map(|(name, file, rows)| section(name, file, rows, paint))
+        let sections = files.iter().zip(&compared);
+        let mut text: String = sections
+            .map(|((name, file), rows)| section(name, file, rows, paint))
             .collect();
         text.extend(capsules.iter().map(|capsule| predicted(capsule, paint)));
         text.push_str(&tally(&capsules));
@@ -58,6 +59,13 @@ pub fn validate(arguments: &Validate, library: &Library) -> Done {
             "{} of {judged} judged values within their tolerances\n",
             judged - misses
         ));
+        if signal::is_stopped() {
+            let all: usize = files.iter().map(|(_, file)| file.count()).sum();
+            text.push_str(&format!(
+                "stopped after {} of {all} values: the others were not compared\n",
+                rows().count()
+            ));
+        }
         text
     };
     output::write(&text, arguments.output.as_deref())?;

@@ -42,6 +42,7 @@ use crate::finding::{Finding, Severity};
 use numerics::math::RADIANS_PER_DEGREE;
 use numerics::scalar::Scalar;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use table::Extrapolation;
 
 /// Mach number below which the case's terminal drag coefficient holds; the validity of equation 7.
@@ -234,6 +235,12 @@ pub struct AxialForce {
 #[derive(Deserialize)]
 struct File {
     title: String,
+    #[serde(rename = "source")]
+    _source: Option<IgnoredAny>,
+    #[serde(rename = "place")]
+    _place: Option<IgnoredAny>,
+    #[serde(rename = "note")]
+    _note: Option<IgnoredAny>,
     cone_half_angle_deg: f64,
     rows: Vec<Row>,
 }
@@ -289,7 +296,9 @@ impl AxialForce {
             Data::Own(text) => File::of_csv(text)?,
             shipped => shipped.read()?,
         };
-        let rows: Vec<_> = { file.rows.iter() }
+        let rows: Vec<_> = file
+            .rows
+            .iter()
             .map(|row| (row.mach, row.axial_force_coefficient))
             .collect();
         Ok(AxialForce {
@@ -316,7 +325,11 @@ impl File {
         let rows: Result<_, _> = reader.deserialize().collect();
         Ok(File {
             title: header("title")?,
-            cone_half_angle_deg: { header("cone_half_angle_deg")?.parse() }
+            _source: None,
+            _place: None,
+            _note: None,
+            cone_half_angle_deg: header("cone_half_angle_deg")?
+                .parse()
                 .map_err(|e| format!("cone_half_angle_deg: {e}"))?,
             rows: rows.map_err(|e| e.to_string())?,
         })

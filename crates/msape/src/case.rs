@@ -13,7 +13,7 @@ mod words;
 mod write;
 
 pub use check::Reader;
-pub use fault::{InputError, remark};
+pub use fault::InputError;
 pub use version::Version;
 
 use crate::quantity::Task;

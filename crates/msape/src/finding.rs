@@ -1,6 +1,7 @@
 //! Warnings as values: remarks on a result, returned with it and never instead of it.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 pub mod range;
 
@@ -35,6 +36,22 @@ pub struct Finding {
     pub source: String,
     /// Key of the input that removes the cause, such as `design.forebody_tps`, if there is one.
     pub field: Option<String>,
+}
+
+impl Finding {
+    /// A note about an input.
+    pub fn note(model: &str, input: &dyn fmt::Display, message: impl Into<String>) -> Finding {
+        Finding {
+            severity: Severity::Note,
+            model: model.to_string(),
+            key: input.to_string(),
+            value: None,
+            valid: (None, None),
+            message: message.into(),
+            source: "convention of this program".to_string(),
+            field: Some(input.to_string()),
+        }
+    }
 }
 
 /// Change that the closing rules made to an input.

@@ -47,6 +47,7 @@ pub mod summary;
 pub mod three_dof;
 pub mod trajectory;
 pub mod trim;
+pub mod within;
 
 /// A largest value and where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

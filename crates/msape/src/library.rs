@@ -230,6 +230,11 @@ impl Library {
     }
 }
 
+/// The names of a list.
+pub fn names<T>(list: &Named<T>) -> Vec<&str> {
+    list.iter().map(|(name, _)| name.as_str()).collect()
+}
+
 /// The item with this name.
 pub fn named<'a, T>(list: &'a Named<T>, name: &str) -> Option<&'a T> {
     list.iter()

@@ -9,6 +9,7 @@ mod attitude_of_design;
 mod center;
 mod design;
 mod entering;
+mod fitted_in_air;
 mod flight;
 mod forms;
 mod freedom;
@@ -35,7 +36,7 @@ use crate::quantity::input;
 use crate::vehicle::body::RigidBody;
 use phases::Flown;
 
-pub use aero::{AeroProblem, BodyCoefficients, aero};
+pub use aero::{AeroProblem, BodyCoefficients};
 pub use attitude_of_design::{
     add_turning, asks_for_attitude, attitude_of_design, fly_designed, leaves_vehicle_to_design,
 };
@@ -285,34 +286,60 @@ mod tests {
         Case::from_text(text).unwrap()
     }
 
-    /// Faults of the checks of a case; none where they pass.
-    fn refused(case: &Case, library: &Library) -> Vec<Vec<InputError>> {
-        let checks = [
-            FlightProblem::check(case, library).err(),
-            DesignProblem::check(case, library).err(),
-            AeroProblem::check(case, library).err(),
+    /// Whether a check passes, or each of its faults names a key and a reason.
+    fn says_why<T>(checked: Result<T, Vec<InputError>>) -> bool {
+        let Err(faults) = checked else {
+            return true;
+        };
+        let has_reason = |fault: &InputError| !fault.message.contains("without a reason");
+        !faults.is_empty() && faults.iter().all(has_reason)
+    }
+
+    /// A case with each input in turn at fault, in four ways.
+    fn at_fault(case: &Case) -> impl Iterator<Item = (&'static Input, Case)> {
+        let values = [
+            Value::Other("{}".to_string()),
+            Value::Number(f64::NAN),
+            Value::Text("no such thing".to_string()),
+            Value::Rows(vec![vec![0.0]]),
         ];
-        checks.into_iter().flatten().collect()
+        inputs().flat_map(move |input| {
+            values.clone().map(|value| {
+                let mut case = case.clone();
+                case.values.insert(input::canonical_key(input.key), value);
+                (input, case)
+            })
+        })
     }
 
     #[test]
     fn a_refusal_says_why_whatever_input_is_at_fault() {
         let library = Library::builtin().unwrap();
-        for case in ["stardust", "galahad", "msr-eev-cp"].map(shipped) {
-            for input in inputs() {
-                for value in [
-                    Value::Other("{}".to_string()),
-                    Value::Number(f64::NAN),
-                    Value::Text("no such thing".to_string()),
-                    Value::Rows(vec![vec![0.0]]),
-                ] {
-                    let mut case = case.clone();
-                    case.values.insert(input.key.to_string(), value);
-                    for faults in refused(&case, &library) {
-                        assert!(!faults.is_empty(), "{input}");
-                    }
-                }
+        let phased = "stardust-parachutes";
+        for case in [phased, "backward-entry", "galahad", "msr-eev-cp"].map(shipped) {
+            for (input, case) in at_fault(&case) {
+                assert!(says_why(FlightProblem::check(&case, &library)), "{input}");
+                assert!(says_why(DesignProblem::check(&case, &library)), "{input}");
+                assert!(says_why(AeroProblem::check(&case, &library)), "{input}");
             }
+        }
+        let key = input::canonical_key(input::phase::ALTITUDE_M.key);
+        let mut phased = shipped(phased);
+        phased.values.insert(key.clone(), Value::Number(f64::NAN));
+        let faults = FlightProblem::check(&phased, &library).unwrap_err();
+        assert!(faults.iter().any(|fault| fault.key == key), "{faults:?}");
+    }
+
+    #[test]
+    fn a_refusal_of_the_attitude_of_a_design_says_why_whatever_input_is_at_fault() {
+        let library = Library::builtin().unwrap();
+        let mut case = shipped("msr-eev-cp");
+        let answer = design(&case, &library, Request::Nothing).unwrap();
+        let designed = answer.design.unwrap();
+        case.set(input::vehicle::DOF.key, "6");
+        for (input, case) in at_fault(&case) {
+            let checked = attitude_of_design(&case, &library, &designed);
+            assert!(says_why(checked), "{input}");
         }
     }
 

@@ -303,6 +303,20 @@ mod tests {
     }
 
     #[test]
+    fn without_any_flux_it_stands_at_its_vertex() {
+        // e is negative for both: 0^e is infinite, and infinite times 0^f is not a number
+        for model in [pica(), carbon_phenolic()] {
+            let SoakCorrelation { a, b, c, .. } = model;
+            assert!(model.x(&input(0.0, 0.0, 1.05)).is_nan());
+            let celsius = model.peak_temperature_k(&input(0.0, 0.0, 1.05)) - ZERO_CELSIUS_K;
+            assert!(
+                (celsius - (c - b * b / (4.0 * a))).abs() < 1e-9,
+                "{celsius}"
+            );
+        }
+    }
+
+    #[test]
     fn smaller_vehicles_are_hotter_inside() {
         let [small, large] =
             [0.9, 1.2].map(|d| carbon_phenolic().peak_temperature_k(&input(1000.0, 20000.0, d)));

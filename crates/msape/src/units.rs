@@ -208,7 +208,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_watt_per_square_centimetre_is_ten_thousand_si() {
+    fn one_watt_per_square_centimeter_is_ten_thousand_si() {
         let unit = Unit::find("W/cm^2").unwrap();
         assert_eq!(unit.to_canonical(1302.0), 1.302e7);
         assert_eq!(unit.from_canonical(1.302e7), 1302.0);

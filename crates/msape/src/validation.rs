@@ -105,12 +105,15 @@ pub fn files() -> Result<Vec<(String, File)>, DataError> {
         .collect()
 }
 
-/// Computes every row of every file; the observer may stop it after a row, and the rows up to there are returned.
+/// Rows of each file; the observer may stop it after a row, and the rows up to there are returned.
 ///
 /// # Errors
-/// The errors of [`files`].
-pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, DataError> {
-    let files = files()?;
+/// A case file of the program that cannot be read, which a test excludes.
+pub fn run(
+    library: &Library,
+    files: &[(String, File)],
+    progress: &mut dyn Progress,
+) -> Result<Vec<Vec<Row>>, DataError> {
     let mut rows = Vec::new();
     let part = |number: usize| number as f64 / files.len() as f64;
     for (number, (name, file)) in files.iter().enumerate() {
@@ -120,7 +123,7 @@ pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, D
             to: part(number + 1),
         };
         let (of_file, told) = run_file(library, name, file, &mut part)?;
-        rows.extend(of_file);
+        rows.push(of_file);
         if told.is_break() {
             break;
         }
@@ -129,17 +132,14 @@ pub fn run(library: &Library, progress: &mut dyn Progress) -> Result<Vec<Row>, D
 }
 
 /// The rows of one file, and whether the observer has stopped the computation after one of them.
-///
-/// # Errors
-/// A case file of the program that cannot be read, which a test excludes.
-pub fn run_file(
+fn run_file(
     library: &Library,
     name: &str,
     file: &File,
     progress: &mut dyn Progress,
 ) -> Result<(Vec<Row>, ControlFlow<()>), DataError> {
     let runner = Runner::new(library, name, file)?;
-    let count = file.rows.len() + file.points.len();
+    let count = file.count();
     let mut rows = Vec::with_capacity(count);
     let mut told = |done: usize| progress.advance(done as f64 / count.max(1) as f64);
     // Rows with the same changes are adjacent and share one solution.

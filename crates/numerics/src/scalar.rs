@@ -146,16 +146,27 @@ pub trait Scalar:
         Self::select(self.less(Self::constant(0.0)), -self, self)
     }
 
-    /// The smaller of two numbers.
+    /// The smaller of two numbers, `other` where they are equal.
+    ///
+    /// If one of them is NaN, it is `other`, unlike `f64::min`, which gives the one that is a number.
     #[inline]
     fn min(self, other: Self) -> Self {
         Self::select(self.less(other), self, other)
     }
 
-    /// The larger of two numbers.
+    /// The larger of two numbers, `self` where they are equal.
+    ///
+    /// If one of them is NaN, it is `self`, unlike `f64::max`, which gives the one that is a number.
     #[inline]
     fn max(self, other: Self) -> Self {
         Self::select(self.less(other), other, self)
+    }
+
+    /// The number held between `least` and `largest`, which are in order; a NaN stays one, as with `f64::clamp`.
+    #[inline]
+    fn clamp(self, least: Self, largest: Self) -> Self {
+        let held = Self::select(largest.less(self), largest, self);
+        Self::select(self.less(least), least, held)
     }
 
     /// Lanes in which the value is finite, neither infinite nor NaN.
@@ -394,6 +405,31 @@ mod tests {
             (false, true, false)
         );
         assert!(yes.any() && yes.all() && yes.lane(0) && !no.any());
+    }
+
+    #[test]
+    fn of_nan_and_a_number_the_larger_is_the_first_and_the_smaller_the_second() {
+        fn both<S: Scalar>(x: S, y: S) -> [S; 2] {
+            [x.max(y), x.min(y)]
+        }
+        let [largest, least] = both(f64::NAN, 1.0);
+        assert!(largest.is_nan() && least == 1.0);
+        let [largest, least] = both(1.0, f64::NAN);
+        assert!(largest == 1.0 && least.is_nan());
+    }
+
+    #[test]
+    fn clamped_numbers_are_those_of_plain_ones_and_nan_stays_nan() {
+        fn held<S: Scalar>(x: S) -> S {
+            x.clamp(S::constant(1.0), S::constant(2.0))
+        }
+        let numbers = [0.5, 1.0, 1.5, 2.0, f64::INFINITY, f64::NAN];
+        let expected = numbers.map(|x| f64::clamp(x, 1.0, 2.0).to_bits());
+        assert_eq!(numbers.map(|x| held(x).to_bits()), expected);
+        assert_eq!(held(Lanes(numbers)).0.map(f64::to_bits), expected);
+        // inside it moves, outside it does not
+        let slopes = numbers.map(|x| held(Dual::<1>::variable(x, 0)).slope[0]);
+        assert_eq!(slopes, [0.0, 1.0, 1.0, 1.0, 0.0, 1.0]);
     }
 
     #[test]

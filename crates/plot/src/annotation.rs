@@ -88,7 +88,7 @@ impl Painter<'_> {
                 anchor,
                 size_px,
                 weight: Weight::Normal,
-                colour: self.theme.limit,
+                color: self.theme.limit,
             };
             let (left, right) = (plot.left_px + 6.0, plot.right_px - 6.0);
             let places = [
@@ -132,11 +132,11 @@ impl Painter<'_> {
             let Some(series) = figure.series.get(entry.series) else {
                 continue;
             };
-            let (style, colour) = (series.style, self.theme.colour(series.style.colour));
+            let (style, color) = (series.style, self.theme.color(series.style.color));
             let (left, y) = entry.at;
             let middle = (left + SAMPLE_PX / 2.0, y);
             match style.kind {
-                Kind::Line => self.stroke(&[(left, y), (left + SAMPLE_PX, y)], style.dash, colour),
+                Kind::Line => self.stroke(&[(left, y), (left + SAMPLE_PX, y)], style.dash, color),
                 Kind::Area => {
                     let (left_px, right_px) = (left + 4.0, left + SAMPLE_PX - 4.0);
                     let patch = Rect {
@@ -145,7 +145,7 @@ impl Painter<'_> {
                         right_px,
                         bottom_px: y + 4.0,
                     };
-                    self.scene.rect(patch, colour, 0.2);
+                    self.scene.rect(patch, color, 0.2);
                     self.stroke(
                         &[
                             (left_px, y - 4.0),
@@ -155,14 +155,14 @@ impl Painter<'_> {
                             (left_px, y - 4.0),
                         ],
                         style.dash,
-                        colour,
+                        color,
                     );
                 }
                 Kind::Points => {}
             }
             let fallback = (style.kind == Kind::Points).then_some(Marker::Circle);
             if let Some(marker) = style.marker.or(fallback) {
-                marker::add(self.scene, marker, middle, MARKER_PX, colour);
+                marker::add(self.scene, marker, middle, MARKER_PX, color);
             }
             let at = (left + SAMPLE_PX + GAP_PX, y);
             self.small(&entry.name, at, Anchor::Start, self.theme.text);
@@ -197,24 +197,24 @@ impl Painter<'_> {
                     .map(|y_px| (x_px, y_px))
                     .filter(|p| plot.contains(*p))
                 {
-                    self.cursor_dot(at, self.theme.colour(series.style.colour));
+                    self.cursor_dot(at, self.theme.color(series.style.color));
                 }
             }
         }
     }
 
     /// Dot with a ring in the background color, which separates it from lines.
-    pub(crate) fn cursor_dot(&mut self, at: Point, colour: Rgb) {
+    pub(crate) fn cursor_dot(&mut self, at: Point, color: Rgb) {
         let ring = Shape::Dot {
             at,
             radius_px: 5.5,
-            colour: self.theme.background,
+            color: self.theme.background,
         };
         self.scene.shapes.push(ring);
         self.scene.shapes.push(Shape::Dot {
             at,
             radius_px: 4.0,
-            colour,
+            color,
         });
     }
 }

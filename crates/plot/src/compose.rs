@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 /// Series in px, ready to be drawn.
 pub(crate) struct Drawn<'a> {
     pub(crate) series: &'a Series,
-    pub(crate) colour: Rgb,
+    pub(crate) color: Rgb,
     /// Parts inside the plot, px.
     pub(crate) parts: Vec<Vec<Point>>,
     /// Filled polygons of an area, px.
@@ -121,7 +121,7 @@ fn series<'a>(figure: &'a Figure, theme: &Theme, mapping: &Mapping) -> Vec<Drawn
         };
         Drawn {
             series,
-            colour: theme.colour(series.style.colour),
+            color: theme.color(series.style.color),
             parts,
             fillings,
         }

@@ -86,7 +86,7 @@ pub enum Side {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Style {
     /// Index into the palette of the theme, taken modulo its length.
-    pub colour: usize,
+    pub color: usize,
     /// Dash pattern of the line.
     pub dash: Dash,
     /// Marker at points, spaced along a line.
@@ -226,7 +226,7 @@ impl Style {
             .unwrap_or_default();
         let marker = index.checked_sub(DASHES.len()).map(Marker::nth);
         Self {
-            colour: index,
+            color: index,
             dash,
             marker,
             kind: Kind::Line,
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn first_thirty_styles_differ_without_their_colour() {
+    fn first_thirty_styles_differ_without_their_color() {
         let signs: Vec<_> = (0..30)
             .map(Style::nth)
             .map(|s| (s.dash, s.marker))

@@ -5,23 +5,23 @@ use crate::scene::{Point, Scene, Shape};
 use crate::theme::Rgb;
 
 /// Adds a marker of about `radius_px` to a scene.
-pub(crate) fn add(scene: &mut Scene, marker: Marker, (x, y): Point, radius_px: f64, colour: Rgb) {
+pub(crate) fn add(scene: &mut Scene, marker: Marker, (x, y): Point, radius_px: f64, color: Rgb) {
     let r = radius_px;
     let fill = |points: Vec<Point>| Shape::Fill {
         points,
-        colour,
+        color,
         opacity: 1.0,
     };
     let stroke = |points: Vec<Point>| Shape::Path {
         points,
-        colour,
+        color,
         width_px: 0.55 * r,
     };
     match marker {
         Marker::Circle => scene.shapes.push(Shape::Dot {
             at: (x, y),
             radius_px: r,
-            colour,
+            color,
         }),
         Marker::Square => {
             let a = 0.9 * r;

@@ -70,29 +70,29 @@ fn paint<DB: DrawingBackend>(
         match shape {
             Shape::Path {
                 points,
-                colour,
+                color,
                 width_px,
             } => {
-                let style = rgb(*colour).stroke_width(unit(*width_px).max(1) as u32);
+                let style = rgb(*color).stroke_width(unit(*width_px).max(1) as u32);
                 area.draw(&PathElement::new(places(points), style))?;
             }
             Shape::Fill {
                 points,
-                colour,
+                color,
                 opacity,
             } => {
-                let style = ShapeStyle::from(&rgb(*colour).mix(*opacity)).filled();
+                let style = ShapeStyle::from(&rgb(*color).mix(*opacity)).filled();
                 area.draw(&Polygon::new(places(points), style))?;
             }
             Shape::Dot {
                 at,
                 radius_px,
-                colour,
+                color,
             } => {
                 area.draw(&Circle::new(
                     place(at),
                     unit(*radius_px),
-                    rgb(*colour).filled(),
+                    rgb(*color).filled(),
                 ))?;
             }
             Shape::Text(label) => {
@@ -130,7 +130,7 @@ fn text_style<'a>(label: &Label, theme: &'a Theme, frame: &Frame) -> TextStyle<'
     let family = FontFamily::Name(&theme.font_family);
     TextStyle {
         font: FontDesc::new(family, size, style),
-        color: rgb(label.colour).to_backend_color(),
+        color: rgb(label.color).to_backend_color(),
         pos: Pos::new(h_pos, VPos::Center),
     }
 }

@@ -27,19 +27,19 @@ pub(crate) struct Painter<'a> {
 
 impl Painter<'_> {
     /// Horizontal line one px wide.
-    pub(crate) fn level(&mut self, (left, right): (f64, f64), y_px: f64, colour: Rgb) {
+    pub(crate) fn level(&mut self, (left, right): (f64, f64), y_px: f64, color: Rgb) {
         let y = sharp(y_px);
-        self.scene.path(vec![(left, y), (right, y)], colour, 1.0);
+        self.scene.path(vec![(left, y), (right, y)], color, 1.0);
     }
 
     /// Vertical line one px wide.
-    pub(crate) fn upright(&mut self, x_px: f64, (top, bottom): (f64, f64), colour: Rgb) {
+    pub(crate) fn upright(&mut self, x_px: f64, (top, bottom): (f64, f64), color: Rgb) {
         let x = sharp(x_px);
-        self.scene.path(vec![(x, top), (x, bottom)], colour, 1.0);
+        self.scene.path(vec![(x, top), (x, bottom)], color, 1.0);
     }
 
     /// Text in the size of tick labels.
-    pub(crate) fn small(&mut self, text: &str, at: Point, anchor: Anchor, colour: Rgb) {
+    pub(crate) fn small(&mut self, text: &str, at: Point, anchor: Anchor, color: Rgb) {
         let size_px = self.layout.sizes.small_px;
         let text = text.to_owned();
         self.scene.text(Label {
@@ -48,7 +48,7 @@ impl Painter<'_> {
             anchor,
             size_px,
             weight: Weight::Normal,
-            colour,
+            color,
         });
     }
 
@@ -60,12 +60,12 @@ impl Painter<'_> {
         let is_fine =
             is_open(&layout.x_ticks, plot.width_px()) && is_open(&layout.y_ticks, plot.height_px());
         let kinds = [(false, theme.minor_grid), (true, theme.grid)];
-        for (is_major, colour) in kinds.into_iter().filter(|kind| kind.0 || is_fine) {
+        for (is_major, color) in kinds.into_iter().filter(|kind| kind.0 || is_fine) {
             for (x_px, _) in places(&layout.x_ticks, &x, is_major) {
-                self.upright(x_px, (plot.top_px, plot.bottom_px), colour);
+                self.upright(x_px, (plot.top_px, plot.bottom_px), color);
             }
             for (y_px, _) in places(&layout.y_ticks, &y, is_major) {
-                self.level((plot.left_px, plot.right_px), y_px, colour);
+                self.level((plot.left_px, plot.right_px), y_px, color);
             }
         }
     }
@@ -154,14 +154,14 @@ impl Painter<'_> {
                 x_px,
                 block.top_px + (i as f64 + 0.5) * Sizes::row_px(size_px),
             );
-            let colour = self.theme.text;
+            let color = self.theme.text;
             self.scene.text(Label {
                 text: text.clone(),
                 at,
                 anchor,
                 size_px,
                 weight,
-                colour,
+                color,
             });
         }
     }
@@ -173,7 +173,7 @@ impl Painter<'_> {
                 let points = points.clone();
                 self.scene.shapes.push(Shape::Fill {
                     points,
-                    colour: area.colour,
+                    color: area.color,
                     opacity: 0.2,
                 });
             }
@@ -184,7 +184,7 @@ impl Painter<'_> {
     pub(crate) fn series(&mut self, drawn: &[Drawn]) {
         for Drawn {
             series,
-            colour,
+            color,
             parts,
             ..
         } in drawn
@@ -193,7 +193,7 @@ impl Painter<'_> {
             if style.kind == Kind::Points {
                 let marker = style.marker.unwrap_or(Marker::Circle);
                 for at in parts.iter().flatten() {
-                    marker::add(self.scene, marker, *at, MARKER_PX * 0.85, *colour);
+                    marker::add(self.scene, marker, *at, MARKER_PX * 0.85, *color);
                 }
                 continue;
             }
@@ -201,28 +201,28 @@ impl Painter<'_> {
                 // make an isolated point between gaps visible
                 if let [only] = part.as_slice() {
                     let marker = style.marker.unwrap_or(Marker::Circle);
-                    marker::add(self.scene, marker, *only, MARKER_PX * 0.8, *colour);
+                    marker::add(self.scene, marker, *only, MARKER_PX * 0.8, *color);
                     continue;
                 }
-                self.stroke(part, style.dash, *colour);
+                self.stroke(part, style.dash, *color);
                 for at in style
                     .marker
                     .iter()
                     .flat_map(|_| line::spaced(part, MARKER_EVERY_PX))
                 {
                     let marker = style.marker.unwrap_or(Marker::Circle);
-                    marker::add(self.scene, marker, at, MARKER_PX, *colour);
+                    marker::add(self.scene, marker, at, MARKER_PX, *color);
                 }
             }
         }
     }
 
     /// Dashed line in the width of the series lines.
-    pub(crate) fn stroke(&mut self, points: &[Point], dash: Dash, colour: Rgb) {
+    pub(crate) fn stroke(&mut self, points: &[Point], dash: Dash, color: Rgb) {
         let width = self.theme.line_width_px;
         let pattern: Vec<f64> = line::pattern(dash).iter().map(|d| d * width).collect();
         for dash in line::dashed(points, &pattern) {
-            self.scene.path(dash, colour, width);
+            self.scene.path(dash, color, width);
         }
     }
 
@@ -239,7 +239,7 @@ impl Painter<'_> {
             anchor: Anchor::Middle,
             size_px: self.layout.sizes.title_px,
             weight: Weight::Normal,
-            colour: self.theme.muted,
+            color: self.theme.muted,
         });
     }
 }

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn an_end_a_tenth_of_a_millimetre_below_ground_does_not_open_a_negative_range() {
+    fn an_end_a_tenth_of_a_millimeter_below_ground_does_not_open_a_negative_range() {
         let range = widened((-1e-4, 125_000.0), Scale::Linear, 0.05);
         assert_eq!(range.from, 0.0);
     }

@@ -26,7 +26,7 @@ pub(crate) struct Label {
     pub(crate) anchor: Anchor,
     pub(crate) size_px: f64,
     pub(crate) weight: Weight,
-    pub(crate) colour: Rgb,
+    pub(crate) color: Rgb,
 }
 
 impl Label {
@@ -53,20 +53,20 @@ pub(crate) enum Shape {
     /// Line through points.
     Path {
         points: Vec<Point>,
-        colour: Rgb,
+        color: Rgb,
         width_px: f64,
     },
     /// Filled polygon; opacity from 0 to 1.
     Fill {
         points: Vec<Point>,
-        colour: Rgb,
+        color: Rgb,
         opacity: f64,
     },
     /// Filled circle.
     Dot {
         at: Point,
         radius_px: f64,
-        colour: Rgb,
+        color: Rgb,
     },
     /// Text.
     Text(Label),
@@ -79,15 +79,15 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    pub(crate) fn path(&mut self, points: Vec<Point>, colour: Rgb, width_px: f64) {
+    pub(crate) fn path(&mut self, points: Vec<Point>, color: Rgb, width_px: f64) {
         self.shapes.push(Shape::Path {
             points,
-            colour,
+            color,
             width_px,
         });
     }
 
-    pub(crate) fn rect(&mut self, rect: Rect, colour: Rgb, opacity: f64) {
+    pub(crate) fn rect(&mut self, rect: Rect, color: Rgb, opacity: f64) {
         let Rect {
             left_px,
             top_px,
@@ -102,7 +102,7 @@ impl Scene {
         ];
         self.shapes.push(Shape::Fill {
             points,
-            colour,
+            color,
             opacity,
         });
     }

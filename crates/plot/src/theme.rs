@@ -138,7 +138,7 @@ impl Theme {
     }
 
     /// Color of a series.
-    pub(crate) fn colour(&self, index: usize) -> Rgb {
+    pub(crate) fn color(&self, index: usize) -> Rgb {
         self.palette
             .get(index % self.palette.len())
             .copied()

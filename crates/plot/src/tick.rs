@@ -149,11 +149,11 @@ fn logarithmic((low, high): (f64, f64), stride: i32, mantissas: &[u8]) -> Vec<Ti
             if !inside(value) {
                 continue;
             }
-            let labelled = mantissas.contains(&m) && n.rem_euclid(stride) == 0;
-            if !labelled && stride > 1 && m > 1 {
+            let labeled = mantissas.contains(&m) && n.rem_euclid(stride) == 0;
+            if !labeled && stride > 1 && m > 1 {
                 continue;
             }
-            let label = match (labelled, plain, m) {
+            let label = match (labeled, plain, m) {
                 (false, _, _) => String::new(),
                 (true, true, _) => fixed(value, (-n).max(0) as usize),
                 (true, false, 1) => ten_to_the(n),
@@ -186,11 +186,11 @@ pub fn ticks(
     };
     let mut coarsest = Vec::new();
     if decades >= 1 {
-        let labelled: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
+        let labeled: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
         let dense = if decades <= 3 {
-            &labelled[..]
+            &labeled[..]
         } else {
-            &labelled[2..]
+            &labeled[2..]
         };
         for mantissas in dense {
             coarsest = logarithmic(range, 1, mantissas);

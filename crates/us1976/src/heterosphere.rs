@@ -154,7 +154,9 @@ impl<'a> Heterosphere<'a> {
         Self {
             definition,
             upper,
-            fluxes: { definition.species.iter() }
+            fluxes: definition
+                .species
+                .iter()
                 .take(HEAVY)
                 .map(FluxIntegral::new)
                 .collect(),

@@ -14,7 +14,7 @@ use std::{
 use anyhow::{Context, Result, bail};
 
 use crate::{
-    licences,
+    licenses,
     project::{Project, announce, files_below, run},
     setup, sizes,
 };
@@ -46,7 +46,7 @@ pub fn dist(project: &Project) -> Result<sizes::Sizes> {
     fs::rename(&code, project.dist.join(&named))?;
     let sizes = sizes::print(&project.dist)?;
     // not counted: loaded only on request
-    licences::write(project)?;
+    licenses::write(project)?;
     Ok(sizes)
 }
 

@@ -4,7 +4,7 @@ mod build;
 mod cad;
 mod counts;
 mod fuzz;
-mod licences;
+mod licenses;
 mod project;
 mod release;
 mod serve;

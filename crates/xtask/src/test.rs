@@ -41,7 +41,7 @@ const STAGES: [Stage; 10] = [
     Stage {
         name: "deny",
         set_up: |_| Ok(()),
-        check: licences_and_sources,
+        check: licenses_and_sources,
     },
     Stage {
         name: "native",
@@ -182,7 +182,7 @@ fn lints(project: &Project) -> Result<()> {
 }
 
 /// Checks the crates against `deny.toml`, without cargo-deny, which takes minutes to build.
-fn licences_and_sources(project: &Project) -> Result<()> {
+fn licenses_and_sources(project: &Project) -> Result<()> {
     let tests = [
         "--locked",
         "--package",

@@ -197,7 +197,7 @@ fn check_outline(
 #[test]
 fn changed_outlines_and_drawings() {
     let files = outlines();
-    let units = vec![None, Some(LengthUnit::Millimetre), Some(LengthUnit::Inch)];
+    let units = vec![None, Some(LengthUnit::Millimeter), Some(LengthUnit::Inch)];
     let drawn = (any::<Index>(), any::<Index>(), select(units), edits());
     hold(
         "outlines",
@@ -219,7 +219,7 @@ fn bytes_without_sense_as_files() {
         for (key, _) in TABLES {
             check_table(key, bytes, &ground, tally)?;
         }
-        check_outline("a.csv", bytes, Some(LengthUnit::Metre), tally)?;
-        check_outline("a.dxf", bytes, Some(LengthUnit::Metre), tally)
+        check_outline("a.csv", bytes, Some(LengthUnit::Meter), tally)?;
+        check_outline("a.dxf", bytes, Some(LengthUnit::Meter), tally)
     });
 }

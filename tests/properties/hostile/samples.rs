@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn every_sample_is_read() {
         for (name, bytes) in outlines() {
-            let unit = Some(cad::outline::LengthUnit::Millimetre);
+            let unit = Some(cad::outline::LengthUnit::Millimeter);
             let read = read(name, &bytes, unit).unwrap_or_else(|fault| panic!("{name}: {fault:?}"));
             assert!(read.rows.len() >= 3);
         }

@@ -6,6 +6,7 @@ use crate::designs::{LIBRARY, run_page};
 use cad::export::{Format, Info, Model};
 use msape::aero::polar::{self, Aero, Theory, polar as polar_of};
 use msape::case::Value;
+use msape::problem::AeroProblem;
 use msape::quantity::Job;
 use msape::vehicle::body::RigidBody;
 use msape::{Case, Outcome, Request, problem};
@@ -80,13 +81,14 @@ fn exports(model: &Model, tally: &Tally) -> Result<(), TestCaseError> {
 
 /// Checks the coefficients at a Mach number, from nose first to tail first.
 fn coefficients(case: &Case, mach: f64, knudsen: f64, tally: &Tally) -> Result<(), TestCaseError> {
-    let (body, database) = match problem::aero(case, &LIBRARY) {
-        Ok(found) => found,
-        Err(faults) => {
-            prop_assert!(!faults.is_empty());
-            return Ok(());
-        }
-    };
+    let (body, database) =
+        match AeroProblem::check(case, &LIBRARY).and_then(|problem| problem.solve()) {
+            Ok(found) => found,
+            Err(faults) => {
+                prop_assert!(!faults.is_empty());
+                return Ok(());
+            }
+        };
     let angles: Vec<f64> = (0..=12).map(|n| 15.0 * f64::from(n)).collect();
     for theory in [
         Theory::newtonian(Some(mach), 1.4),

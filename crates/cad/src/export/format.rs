@@ -56,7 +56,7 @@ impl Format {
     pub fn help(self) -> &'static str {
         match self {
             Format::Step => {
-                "solids with true surfaces, names, materials and colours (STEP AP214, mm)"
+                "solids with true surfaces, names, materials and colors (STEP AP214, mm)"
             }
             Format::Iges => "surfaces of revolution (IGES 5.3, mm)",
             Format::Stl => "outer surface as triangles (binary STL, mm)",

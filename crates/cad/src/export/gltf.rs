@@ -90,7 +90,7 @@ fn document(model: &Model, info: &Info) -> (Map<String, Value>, Vec<u8>) {
             json!({
                 "version": "2.0",
                 "generator": info.program,
-                "extras": { "frame": "metres; x aft, turned to Y up: the nose is down" },
+                "extras": { "frame": "meters; x aft, turned to Y up: the nose is down" },
             }),
         ),
         ("scene", json!(0)),

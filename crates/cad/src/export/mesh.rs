@@ -126,9 +126,7 @@ impl Mesh {
 
     /// Enclosed volume, m³.
     pub fn volume_m3(&self) -> f64 {
-        let sum: f64 = { self.corners_m() }
-            .map(|[a, b, c]| a.dot(&b.cross(&c)))
-            .sum();
+        let sum: f64 = self.corners_m().map(|[a, b, c]| a.dot(&b.cross(&c))).sum();
         sum / 6.0
     }
 

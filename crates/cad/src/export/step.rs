@@ -118,5 +118,5 @@ fn contains(body: &Chain, void: &Chain) -> bool {
 /// Volume, area and centroid of a part.
 fn properties(part: &Part) -> SolidProperties {
     let solids = part.profiles.iter().map(Profile::solid);
-    solids.fold(SolidProperties::default(), SolidProperties::plus)
+    solids.fold(SolidProperties::empty(), SolidProperties::plus)
 }

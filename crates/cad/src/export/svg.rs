@@ -44,7 +44,7 @@ pub fn svg(model: &Model, info: &Info) -> String {
     let [width, height] = SHEET;
     let title = escaped(&model.name);
     let description = format!(
-        "Section through the axis of {title}, scale 1:{}, dimensions in millimetres.",
+        "Section through the axis of {title}, scale 1:{}, dimensions in millimeters.",
         view.scale
     );
     let mut text = format!(

@@ -67,7 +67,7 @@ mod tests {
     use numerics::math::PI;
 
     #[test]
-    fn a_ball_of_half_a_metre() {
+    fn a_ball_of_half_a_meter() {
         let half = Segment::arc(Point::on_axis(1.0), 0.5, PI, -PI);
         let profile = Profile {
             segments: vec![half],

@@ -12,7 +12,7 @@
 //! # References
 //! - Own convention; the bulge is that of \[autodesk-dxf\].
 
-use super::{ImportFault, Imported, LengthUnit, metres};
+use super::{ImportFault, Imported, LengthUnit, meters};
 use crate::table::layout::Layout;
 use crate::table::quantity::Quantity;
 use crate::table::sheet::sheet;
@@ -54,31 +54,31 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
         let message = "x and r have different units".to_owned();
         return Err(vec![ImportFault::Header(message)]);
     }
-    let metres = match (unit.map(metres), first) {
+    let meters = match (unit.map(meters), first) {
         (None, None) => return Err(vec![ImportFault::NoUnitInHeader]),
-        (Some(metres), Some(other)) if metres != other => {
+        (Some(meters), Some(other)) if meters != other => {
             let unit = &input::outline::FILE_UNIT;
             let remark = format!("the heading names another unit than {unit}, which is taken");
             sheet.remarks.push(remark.to_owned());
-            metres
+            meters
         }
-        (Some(metres), _) | (None, Some(metres)) => metres,
+        (Some(meters), _) | (None, Some(meters)) => meters,
     };
     // numbers already in this unit keep their bits
-    let in_metres = |row: &[f64], place: usize| {
+    let in_meters = |row: &[f64], place: usize| {
         let factor = sheet.columns.get(place).map_or(1.0, |column| column.factor);
         let value = row.get(place).copied().unwrap_or_default();
-        if factor == metres {
+        if factor == meters {
             value
         } else {
-            value / factor * metres
+            value / factor * meters
         }
     };
     let bulge = |row: &[f64]| sheet.value(row, Quantity::Bulge).unwrap_or(0.0);
     let mut rows: Vec<Vec<f64>> = sheet
         .rows
         .iter()
-        .map(|(_, row)| vec![in_metres(row, x), in_metres(row, r), bulge(row)])
+        .map(|(_, row)| vec![in_meters(row, x), in_meters(row, r), bulge(row)])
         .collect();
     // drop the repeated first point of a closed loop, as the loop closes along the axis anyway; an arc back to it is a
     // segment of its own
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn german_file_in_millimetres_with_r_before_x() {
+    fn german_file_in_millimeters_with_r_before_x() {
         let rows = rows("# cone\nr [mm];x [mm]\n0;0\n250,5;100\n0;100;\n", None);
         assert_eq!(rows[1], [0.1, 0.2505, 0.0]);
         assert_eq!(rows.len(), 3);
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn a_loop_is_closed_once_along_the_axis() {
-        let unit = Some(LengthUnit::Metre);
+        let unit = Some(LengthUnit::Meter);
         let loose = "0 0 0\n1 1 0\n2 0 0\n";
         for more in ["", "0 0 0\n", "0 0 0\n0 0 0\n"] {
             assert_eq!(rows(&format!("{loose}{more}"), unit).len(), 3, "{more}");
@@ -155,7 +155,7 @@ mod tests {
     fn the_unit_of_the_case_wins_and_is_told() {
         let points = read(
             "x_m,r_m\n0,0\n1000,500\n1000,0\n",
-            Some(LengthUnit::Millimetre),
+            Some(LengthUnit::Millimeter),
         )
         .unwrap();
         assert_eq!(points.rows[1], [1.0, 0.5, 0.0]);

@@ -26,7 +26,7 @@ pub mod spline;
 
 use super::chain::{MOST_POINTS, Path};
 use super::halves::rows;
-use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, metres, shown};
+use super::{ImportFault, Imported, LengthUnit, MOST_FAULTS, meters, shown};
 use drawing::drawing;
 use drawn::{Found, drawn};
 use group::{Group, groups};
@@ -58,7 +58,7 @@ pub fn read(bytes: &[u8], unit: Option<LengthUnit>) -> Result<Imported, Vec<Impo
         (None, Some(Err(fault))) => Err(fault),
         (None, _) => Err(ImportFault::NoUnitInDrawing),
     };
-    let scale = unit.as_ref().map_or(1.0, |unit| metres(*unit));
+    let scale = unit.as_ref().map_or(1.0, |unit| meters(*unit));
     let (found, left_out) = drawn(&drawing, scale).counted();
     remarks.extend(left_out);
     if !groups.last().is_some_and(|group| group.is(0, "EOF")) {
@@ -89,9 +89,9 @@ fn drawn_unit(group: &Group) -> Result<Option<LengthUnit>, ImportFault> {
         Some(0) => Ok(None),
         Some(1) => Ok(Some(LengthUnit::Inch)),
         Some(2) => Ok(Some(LengthUnit::Foot)),
-        Some(4) => Ok(Some(LengthUnit::Millimetre)),
-        Some(5) => Ok(Some(LengthUnit::Centimetre)),
-        Some(6) => Ok(Some(LengthUnit::Metre)),
+        Some(4) => Ok(Some(LengthUnit::Millimeter)),
+        Some(5) => Ok(Some(LengthUnit::Centimeter)),
+        Some(6) => Ok(Some(LengthUnit::Meter)),
         _ => Err(ImportFault::Drawing {
             place: group.place,
             reason: format!(

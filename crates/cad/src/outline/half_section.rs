@@ -89,7 +89,7 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Imported, Vec<Import
     if rows.is_empty() && faults.is_empty() {
         faults.push(ImportFault::Empty("row of the component outline"));
     }
-    let other = unit.filter(|unit| *unit != LengthUnit::Millimetre);
+    let other = unit.filter(|unit| *unit != LengthUnit::Millimeter);
     let remarks = other.map(|unit| {
         format!(
             "the columns are in mm, as their names say; the unit {} is not used",

@@ -114,7 +114,7 @@ pub fn read(text: &str, ground: &Ground) -> Result<Table, Vec<TableFault>> {
         is_density(&rows)?;
     }
     if !sheet.has_unit(Quantity::Altitude) {
-        is_in_metres(&rows)?;
+        is_in_meters(&rows)?;
     }
     sheet.remarks.extend(without_unit(&sheet));
     sheet.remarks.extend(heights.remark(ground));
@@ -207,7 +207,7 @@ fn is_density(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
 }
 
 /// A fault where altitudes without unit, taken in m, give an implausibly small scale height.
-fn is_in_metres(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
+fn is_in_meters(rows: &[(u64, Vec<f64>)]) -> Result<(), Vec<TableFault>> {
     let ends = rows.first().zip(rows.last());
     let Some(((_, first), (_, last))) = ends else {
         return Ok(());

@@ -20,7 +20,7 @@ fn array(object: &Value, key: &str) -> Vec<f64> {
 }
 
 #[test]
-fn arrays_as_long_as_the_list_of_angles_and_no_moment_without_a_centre_of_gravity() {
+fn arrays_as_long_as_the_list_of_angles_and_no_moment_without_a_center_of_gravity() {
     let newton = object(&["--regime", "newtonian", "--alpha", "0,30,180"], OUTLINE);
     assert_eq!(array(&newton, "alpha_deg"), [0.0, 30.0, 180.0]);
     // an independent panel method: 1.46939, 1.16772, −1.90821 and −0.17332, with discretization errors within 1e-3
@@ -86,7 +86,7 @@ fn a_named_database_has_its_axial_force_and_says_what_is_assumed() {
 }
 
 #[test]
-fn a_design_brings_its_outline_and_centre_of_gravity() {
+fn a_design_brings_its_outline_and_center_of_gravity() {
     let finished = msape(&[
         "aero",
         "cases/msr-eev-cp.toml",

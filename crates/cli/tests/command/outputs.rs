@@ -2,6 +2,7 @@
 
 use crate::files::{DROP, with};
 use crate::{Finished, M2, command, folder, msape, path, root};
+use serde_json::Value;
 use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
@@ -156,40 +157,89 @@ fn hears_ctrl_c(process: u32) -> bool {
 }
 
 #[cfg(target_os = "linux")]
+/// A design whose passes would go on for minutes.
+const LONG: [&str; 7] = [
+    "cases/run-page.toml",
+    "--set",
+    "design.max_iterations=10000",
+    "--set",
+    "design.relaxation=1e-6",
+    "--set",
+    "design.mass_criterion_kg=1e-15",
+];
+
+/// A command interrupted as soon as it handles Ctrl-C; begun again where it was finished before that.
+#[cfg(target_os = "linux")]
+fn interrupted(arguments: &[&str]) -> Finished {
+    for _ in 0..10 {
+        let mut child = command(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let pid = child.id();
+        let mut is_over = || child.try_wait().unwrap().is_some();
+        while !hears_ctrl_c(pid) && !is_over() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        if !is_over() {
+            let pid = pid.to_string();
+            let sent = std::process::Command::new("kill")
+                .args(["-s", "INT", &pid])
+                .status();
+            assert!(sent.unwrap().success());
+        }
+        let finished: Finished = child.wait_with_output().unwrap().into();
+        if finished.code != Some(0) {
+            assert_eq!(finished.code, Some(130), "{}", finished.err);
+            return finished;
+        }
+    }
+    panic!("{arguments:?} is always over before it can be stopped");
+}
+
+#[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_ends_a_long_design_and_keeps_what_is_done() {
-    let child = command(&[
-        "design",
-        "cases/run-page.toml",
-        "--json",
-        "--set",
-        "design.max_iterations=10000",
-        "--set",
-        "design.relaxation=1e-6",
-        "--set",
-        "design.mass_criterion_kg=1e-15",
-    ])
-    .stdout(Stdio::piped())
-    .stderr(Stdio::null())
-    .spawn()
-    .unwrap();
-    let start = Instant::now();
-    while !hears_ctrl_c(child.id()) && start.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(2));
+    for entries in [None, Some("--reorientation")] {
+        let mut arguments = vec!["design", "--json"];
+        arguments.extend(LONG);
+        arguments.extend(entries);
+        let text = interrupted(&arguments).out;
+        assert!(
+            text.contains("gave-up") && text.contains("after which it was stopped"),
+            "{text}"
+        );
     }
-    let pid = child.id().to_string();
-    let sent = std::process::Command::new("kill")
-        .args(["-s", "INT", &pid])
-        .status()
-        .unwrap();
-    assert!(sent.success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
-    let text = String::from_utf8(output.stdout).unwrap();
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_entries_and_comparisons_and_the_report_says_so() {
+    let answer = |arguments: &[&str]| -> Value {
+        let answer: Value = serde_json::from_str(&interrupted(arguments).out).unwrap();
+        assert_eq!(answer["stopped"], true);
+        answer
+    };
+    let rows = |answer: &Value| answer.as_array().unwrap().len();
+    let entries = answer(&["reorientation", "cases/msr-eev-cp.toml", "--json"]);
+    assert!(rows(&entries["reorientation"]["entries"]) < 9);
+    assert!(rows(&answer(&["validate", "--json"])["rows"]) < 120);
+    let text = interrupted(&["validate"]).out;
+    assert!(text.contains("\nstopped after "), "{text}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_the_design_of_an_export_and_nothing_is_written() {
+    let out = folder("stopped").join("vehicle.step");
+    let stopped = interrupted(&[&["export"], &LONG[..], &["-o", path(&out)]].concat());
     assert!(
-        text.contains("gave-up") && text.contains("after which it was stopped"),
-        "{text}"
+        stopped.err.contains("stopped: nothing was written"),
+        "{}",
+        stopped.err
     );
+    assert!(!out.exists());
 }
 
 #[test]

@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equation_7_is_published_up_to_60_deg_and_its_centre_of_pressure_is_not() {
+    fn equation_7_is_published_up_to_60_deg_and_its_center_of_pressure_is_not() {
         let at = |coefficient: Coefficient, alpha| coefficient.origin(Regime::Subsonic, alpha);
         assert_eq!(at(Coefficient::Cn, 60.0), Origin::Published);
         assert_eq!(at(Coefficient::Cn, 61.0), Origin::Assumed);

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn sharp_cone_of_45_deg_has_its_centre_of_pressure_at_two_thirds_of_a_diameter() {
+    fn sharp_cone_of_45_deg_has_its_center_of_pressure_at_two_thirds_of_a_diameter() {
         // x_cp = (2/3) L/cos² θ = (2/3)(0.5)(2) = 2/3; C_A = 2 sin² θ = 1
         let body = cone(0.4);
         let aero = Aero::new(&body, Theory::newtonian(None, 1.4), None);

@@ -71,6 +71,14 @@ impl AeroBody {
         }
     }
 
+    /// This body with another center of gravity, m, where there is one.
+    pub fn with_cg(self, cg_m: Option<[f64; 3]>) -> AeroBody {
+        AeroBody {
+            cg_m: cg_m.or(self.cg_m),
+            ..self
+        }
+    }
+
     /// Center of gravity in diameters: aft of the apex, and off the axis.
     pub fn cg_over_diameter(&self) -> Option<[f64; 2]> {
         let diameter_m = self.surface.diameter_m();

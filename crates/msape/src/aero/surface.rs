@@ -162,7 +162,7 @@ pub struct Surface {
     diameter_m: f64,
 }
 
-/// Height below which a protruding part of a body is rounding, diameters.
+/// Height below which a protruding part of a body is rounding, diameters; assumed.
 const LEVEL: f64 = 1e-9;
 
 /// Whether a piece lies on the convex hull of the body: no part protrudes beyond the tangents at its ends.

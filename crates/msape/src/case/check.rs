@@ -1,6 +1,6 @@
 //! Checks keys and values against the list of inputs and reports every fault at once.
 
-use super::fault::{InputError, remark};
+use super::fault::InputError;
 use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key, with_unit};
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
@@ -14,15 +14,9 @@ const UNKNOWN_MAX: usize = 50;
 /// Largest number of reported faults of one table.
 const ROW_FAULTS_MAX: usize = 100;
 
-/// Inputs that name files; a caller that reads the files replaces the names by the rows.
-const FILES: [&Input; 6] = [
-    &input::wind::FILE,
-    &input::heating::FILE,
-    &input::vehicle::DRAG_FILE,
-    &input::vehicle::LIFT_FILE,
-    &input::vehicle::BANK_FILE,
-    &input::vehicle::AERODYNAMICS_DAMPING_FILE,
-];
+/// Message where a case is refused though no fault was noted, which would be a fault of the program.
+const NO_REASON: &str =
+    "refused without a reason, which is a fault of the program; please report it with the case";
 
 /// Reads checked values out of a case and collects the faults on the way.
 pub struct Reader<'a> {
@@ -50,9 +44,10 @@ impl<'a> Reader<'a> {
         if more > 0 {
             reader.fault(&"", format!("and {more} more unknown keys"));
         }
-        for file in FILES {
-            if reader.given(file) {
-                reader.not_read(file);
+        // a caller that reads the files replaces their names by the rows
+        for file in input::inputs() {
+            if let ([table, ..], true) = (file.tables, reader.given(file)) {
+                reader.fault(file, format!("was not read; give its rows as {table}"));
             }
         }
         reader
@@ -66,21 +61,16 @@ impl<'a> Reader<'a> {
         });
     }
 
-    /// Notes that a file was not read.
-    pub fn not_read(&mut self, file: &'static Input) {
-        if let [table, ..] = file.tables {
-            self.fault(file, format!("was not read; give its rows as {table}"));
-        }
-    }
-
     /// Notes a remark at an input.
     pub fn remark(&mut self, key: &dyn fmt::Display, message: impl Into<String>) {
-        self.findings.push(remark("input", key, message));
+        self.findings.push(Finding::note("input", key, message));
     }
 
     /// All faults, each once: a key may be read more than once. A refusal has one at least.
     pub fn into_faults(mut self) -> Vec<InputError> {
-        debug_assert!(!self.faults.is_empty(), "refused without a fault");
+        if self.faults.is_empty() {
+            self.fault(&"", NO_REASON);
+        }
         once(&mut self.faults);
         self.faults
     }

@@ -1,6 +1,5 @@
-//! Faults and remarks of a check.
+//! Faults of a check.
 
-use crate::finding::{Finding, Severity};
 use std::fmt;
 
 /// A fault of the input: key, value given, values allowed.
@@ -34,17 +33,3 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {}
-
-/// A remark of a check at an input.
-pub fn remark(model: &str, key: &dyn fmt::Display, message: impl Into<String>) -> Finding {
-    Finding {
-        severity: Severity::Note,
-        model: model.to_string(),
-        key: key.to_string(),
-        value: None,
-        valid: (None, None),
-        message: message.into(),
-        source: "convention of this program".to_string(),
-        field: Some(key.to_string()),
-    }
-}

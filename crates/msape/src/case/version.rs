@@ -7,7 +7,7 @@
 //! has changed since.
 
 use super::Case;
-use crate::finding::{Finding, Severity};
+use crate::finding::Finding;
 use crate::library::case_file;
 use crate::quantity::input::{self, Preset};
 use crate::units::canonical;
@@ -234,20 +234,17 @@ fn note(case: &Case, changes: &[(Version, Changes)]) -> Option<Finding> {
         let open = changes.default.iter().filter(|old| case.leaves_open(old));
         lines.extend(open.map(|old| old.line(*version)));
     }
-    (!lines.is_empty()).then(|| Finding {
-        severity: Severity::Note,
-        model: "version".to_owned(),
-        key: "version".to_owned(),
-        value: None,
-        valid: (None, None),
-        message: format!(
+    (!lines.is_empty()).then(|| {
+        let message = format!(
             "The case is of version {} and leaves open what has another default now: {}. Give the old value to keep it, or version = \"{}\" to take the new one.",
             case.version,
             lines.join("; "),
             Version::CURRENT
-        ),
-        source: "convention of this program".to_owned(),
-        field: None,
+        );
+        Finding {
+            field: None,
+            ..Finding::note("version", &"version", message)
+        }
     })
 }
 

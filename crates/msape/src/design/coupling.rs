@@ -16,7 +16,7 @@ use super::start::Start;
 use super::{Design, Pass, Solution, misfit};
 use crate::finding::Finding;
 use crate::flight::mission::Model;
-use crate::flight::{self, Flight, Request};
+use crate::flight::{self, Request};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::tps::limits;
@@ -35,25 +35,26 @@ pub struct Coupled<'a> {
 /// Designs a vehicle, from the numbers of another design where they are given.
 ///
 /// With a start the passes end at the same vehicle to within the criterion; where they do not converge from it, they restart from
-/// the guesses of the input. The observer is called after each pass and may stop the passes there.
+/// the guesses of the input, unless they were stopped or have used up the work. The observer is called after each pass and may stop
+/// the passes there.
 pub fn solve<'a>(
     input: &'a DesignInput,
     start: Option<&Start>,
     progress: &mut dyn Progress,
 ) -> Coupled<'a> {
     let mut work = Work::up_to(MOST_WORK, progress);
-    let mut begin = |start: Option<&Start>| {
+    let begin = |start: Option<&Start>, work: &mut Work| {
         let way = Way {
             from: start.map(|start| start.numbers),
             taught: start.map(|start| &start.memories),
             ..Way::default()
         };
-        passes::run(input, way, &mut work)
+        passes::run(input, way, work)
     };
-    let first = start
-        .map(|start| begin(Some(start)))
-        .filter(|run| run.converged().is_some())
-        .unwrap_or_else(|| begin(None));
+    let mut first = begin(start, &mut work);
+    if start.is_some() && first.converged().is_none() && work.end().is_none() {
+        first = begin(None, &mut work);
+    }
     let searched = lighter::than(input, first, &mut work);
     Coupled {
         searched,
@@ -81,16 +82,6 @@ impl Coupled<'_> {
     /// The vehicle of the last pass.
     pub fn vehicle(&self) -> Option<&Vehicle> {
         self.made().map(|made| &made.vehicle)
-    }
-
-    /// The flight of the last pass.
-    pub fn flight(&self) -> Option<&Flight> {
-        self.made().map(|made| &made.flown.flight)
-    }
-
-    /// Peak temperature of the payload container, K.
-    pub fn payload_temperature_k(&self) -> Option<f64> {
-        self.made().map(|made| made.sized.payload_temperature_k)
     }
 
     /// The passes.
@@ -344,7 +335,7 @@ mod tests {
         assert!(down.outcome == Outcome::Converged && !said(&down));
     }
     #[test]
-    fn started_from_a_neighbour_it_settles_on_the_same_vehicle_in_fewer_passes() {
+    fn started_from_a_neighbor_it_settles_on_the_same_vehicle_in_fewer_passes() {
         let library = Library::builtin().unwrap();
         let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
         let mut start: Option<Start> = None;
@@ -376,6 +367,24 @@ mod tests {
             }
         }
         assert!(4 * with < 3 * without, "{with} of {without}");
+    }
+
+    #[test]
+    fn stopped_on_the_way_from_a_neighbor_it_does_not_begin_again() {
+        let text = crate::library::data_file("cases/msr-eev-pica.toml").unwrap();
+        let case = Case::from_text(text).unwrap();
+        let library = Library::builtin().unwrap();
+        let input = DesignProblem::check(&case, &library).unwrap().input;
+        let start = solve(&input, None, &mut Unwatched).start().unwrap();
+        let mut heard = 0;
+        let mut stop = |_| {
+            heard += 1;
+            ControlFlow::Break(())
+        };
+        let stopped = solve(&input, Some(&start), &mut stop);
+        assert_eq!(stopped.outcome(), Outcome::GaveUp);
+        assert_eq!(stopped.passes().len(), 1);
+        assert_eq!(heard, 1);
     }
 
     #[test]

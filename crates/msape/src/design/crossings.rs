@@ -105,7 +105,7 @@ pub static CROSSINGS: [Crossing; 15] = [
     ),
     crossing(
         "cg_m",
-        "Centre of gravity from virtual apex",
+        "Center of gravity from virtual apex",
         LENGTH,
         Module::Mass,
         &[Module::Geometry],

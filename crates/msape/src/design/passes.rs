@@ -33,18 +33,18 @@ use crate::vehicle::{self, NotClosed, Vehicle, VehicleInput};
 use numerics::fixed_point::Anderson;
 use std::borrow::Cow;
 
-/// Relative change of the mass in a pass below which the integrated flight replaces the closed form.
+/// Relative change of the mass in a pass below which the integrated flight replaces the closed form; assumed.
 const HIGH_FIDELITY_BELOW: f64 = 0.05;
 
-/// Accuracy of a flight, as a fraction of the relative mass criterion: the numbers of a pass scatter by as much.
+/// Accuracy of a flight, as a fraction of the relative mass criterion, assumed: the numbers of a pass scatter by as much.
 const FLIGHT_PART: f64 = 0.05;
-/// Smallest tolerance of a flight: below it rounding limits the steps.
+/// Smallest tolerance of a flight, assumed: below it rounding limits the steps.
 const FINEST_TOLERANCE: f64 = 1e-10;
 
 /// Work after which a design is given up, in evaluations of the equations of motion, assumed: the default of twenty passes, each with
 /// a flight of the classical method at its own limit, is 16 million.
 pub(super) const MOST_WORK: u64 = 20_000_000;
-/// Work of a pass in addition to its flight, in evaluations: geometry, masses and heat shields.
+/// Work of a pass in addition to its flight, in evaluations, assumed: geometry, masses and heat shields.
 pub(super) const WORK_OF_PASS: u64 = 10_000;
 
 /// Work of all passes of a design, in evaluations of the equations of motion, with their observer.

@@ -65,7 +65,7 @@ fn summary(regimes: &[(&str, &RegimeStability)]) -> Finding {
         format!("{name} flow: {margin}, trims at {}", regime.words())
     };
     let words: Vec<String> = regimes.iter().map(of).collect();
-    let message = format!("About its own centre of gravity, {}.", words.join("; "));
+    let message = format!("About its own center of gravity, {}.", words.join("; "));
     let mut note = finding(Severity::Note, String::new(), None, message);
     note.valid = (None, None);
     note
@@ -78,7 +78,7 @@ fn unstable(key: &str, name: &str, regime: &RegimeStability) -> Option<Finding> 
         format!("{key}_static_margin"),
         Some(margin),
         format!(
-            "In {name} flow the vehicle turns away from nose first: its centre of gravity is {:.3} D behind the centre of pressure.",
+            "In {name} flow the vehicle turns away from nose first: its center of gravity is {:.3} D behind the center of pressure.",
             -margin
         ),
     ))

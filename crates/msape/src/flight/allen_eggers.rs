@@ -118,7 +118,8 @@ impl<'a> Sum<'a> {
             load: HeatFlux::default(),
             before: None,
             points: points::none_yet(mission),
-            spans: { axes_of_closed_form(mission).into_iter() }
+            spans: axes_of_closed_form(mission)
+                .into_iter()
                 .map(|axis| (axis, Span::EMPTY))
                 .collect(),
             peaks: [NO_PEAK; 7],
@@ -313,7 +314,9 @@ impl<'a> Sum<'a> {
             downrange_m: self.downrange_m,
             mach_times_s: [None; 4],
             trajectory: self.trajectory(request),
-            passed: { self.spans.iter() }
+            passed: self
+                .spans
+                .iter()
                 .flat_map(|(axis, span)| passed(&[*axis], &[*span], None))
                 .collect(),
             pushed: None,

@@ -176,7 +176,7 @@ pub(super) static SAMPLED: &[Sampled] = &[
         "stagnation_pressure_pa",
         "Stagnation Pressure",
         (Dimension::Pressure, "kPa"),
-        "Pressure at the stagnation point, by the model of heating.stagnation_pressure.",
+        "Pressure at the stagnation point, by the model that the case chooses.",
         |s| Some(s.stagnation_pressure_pa),
     ),
     sampled(

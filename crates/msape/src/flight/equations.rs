@@ -16,11 +16,12 @@
 //! # References
 //! - \[samareh-2014\] section 3.2.
 
-use super::held::{Held, Within};
+use super::held::Held;
 use super::mission::{Body, Mission};
 use super::numbers::Numbers;
 use super::phase::{Change, Changed};
 use super::reach::Arguments;
+use super::within::Within;
 use crate::aero::{Drag, DragTable};
 use crate::heating::{Flow, HeatFlux};
 use crate::planet::atmosphere::Air;
@@ -82,11 +83,21 @@ impl<'a> Equations<'a> {
 impl<'a, S: Scalar> Equations<'a, S> {
     /// The equations with the given numbers, by the rows at rest on the ground.
     pub fn with_numbers(mission: &'a Mission, body: &'a Body, numbers: Numbers<S>) -> Self {
+        let at_rest = Held::of(mission, body, &Within::REST);
+        Self::with_rows(mission, body, numbers, &at_rest)
+    }
+
+    fn with_rows(
+        mission: &'a Mission,
+        body: &'a Body,
+        numbers: Numbers<S>,
+        held: &Held<f64>,
+    ) -> Self {
         Equations {
             mission,
             body,
             ellipsoid: mission.planet.ellipsoid(),
-            held: Held::everywhere(&Held::of(mission, body, &Within::REST)),
+            held: Held::everywhere(held),
             half_area_over_mass: numbers.reference_area_m2 * 0.5 / numbers.mass_kg,
             changed: Changed::nothing(),
             phase: 0,
@@ -97,8 +108,8 @@ impl<'a, S: Scalar> Equations<'a, S> {
     /// The equations of one lane in every lane.
     pub fn everywhere(of: &Equations<'a, S::Lane>) -> Self {
         let numbers = Numbers::everywhere(&of.numbers);
-        let mut all = Self::with_numbers(of.mission, of.body, numbers);
-        (0..S::LANES).for_each(|lane| all.set_lane(lane, of));
+        let mut all = Self::with_rows(of.mission, of.body, numbers, &of.held.lane(0));
+        (0..S::LANES).for_each(|lane| all.set_lane_numbers(lane, of));
         all
     }
 
@@ -301,22 +312,29 @@ impl<'a, S: Scalar> Equations<'a, S> {
         ]
     }
 
-    /// Heat fluxes at the stagnation point without margins.
+    /// The flow that heats, with rows and branches of heating chosen by the rows that hold.
     #[inline]
-    pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
-        let flow = Flow {
+    pub fn flow(&self, around: &Surroundings<S>) -> Flow<S> {
+        Flow {
             chosen_by_m_s: S::from_value(self.held.speed_m_s),
             density_kg_m3: around.density_kg_m3,
             speed_m_s: around.air_speed_m_s,
             nose_radius_m: self.numbers.nose_radius_m,
-        };
-        let HeatFlux {
-            convective_w_m2,
-            radiative_w_m2,
-        } = self.mission.heating.heat_flux(&flow);
+        }
+    }
+
+    /// Heat fluxes at the stagnation point without margins.
+    #[inline]
+    pub fn heat_flux(&self, around: &Surroundings<S>) -> HeatFlux<S> {
+        self.with_factors(self.mission.heating.heat_flux(&self.flow(around)))
+    }
+
+    /// Heat fluxes with the factors of the flight.
+    #[inline]
+    pub fn with_factors(&self, flux: HeatFlux<S>) -> HeatFlux<S> {
         HeatFlux {
-            convective_w_m2: convective_w_m2 * self.numbers.convective_factor,
-            radiative_w_m2: radiative_w_m2 * self.numbers.radiative_factor,
+            convective_w_m2: flux.convective_w_m2 * self.numbers.convective_factor,
+            radiative_w_m2: flux.radiative_w_m2 * self.numbers.radiative_factor,
         }
     }
 

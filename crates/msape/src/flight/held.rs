@@ -4,8 +4,8 @@
 //! ρ, a, w of one piece of altitude,   C_D of one line of Mach number,   q̇ of one row of speed
 //! ```
 //!
-//! A step that ends where a row ends has a smooth right-hand side, stages and derivatives included, and looks up only
-//! the cells of the atmosphere.
+//! A step that ends where a row ends meets no kink of these tables, stages and derivatives included. Other kinks, at which
+//! no step ends, are listed in [`super::numbers`].
 //!
 //! # Valid
 //! Within a step, and as far beyond the ends of its rows as a step reaches before it is cut.
@@ -14,29 +14,10 @@
 //! - Own convention.
 
 use super::mission::{Body, Mission};
+use super::within::Within;
 use crate::aero::Drag;
 use crate::planet::atmosphere::Piece;
 use numerics::scalar::Scalar;
-
-/// A place within the rows that hold.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Within {
-    /// Geodetic altitude, m.
-    pub altitude_m: f64,
-    /// Mach number.
-    pub mach: f64,
-    /// Speed relative to the air, m/s.
-    pub speed_m_s: f64,
-}
-
-impl Within {
-    /// A vehicle at rest on the ground.
-    pub const REST: Within = Within {
-        altitude_m: 0.0,
-        mach: 0.0,
-        speed_m_s: 0.0,
-    };
-}
 
 /// Rows that hold, one set per lane.
 #[derive(Clone, Copy, Debug)]

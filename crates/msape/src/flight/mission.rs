@@ -14,6 +14,7 @@ use numerics::ode::Method;
 
 /// Default accuracy of a flight: peak deceleration and heat load to 1e-5.
 pub const DEFAULT_TOLERANCE: f64 = 3e-6;
+
 /// A vehicle as flight sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {

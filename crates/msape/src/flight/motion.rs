@@ -16,12 +16,12 @@
 
 use super::equations::{Equations, STATES, Surroundings};
 use super::freedom::Freedom;
-use super::held::Within;
 use super::integration::point_tolerance;
 use super::lift::{Lift, Source};
 use super::phase::Stage;
 use super::reach::Arguments;
 use super::sample::Loads;
+use super::within::Within;
 use crate::aero::{Drag, DragTable};
 use numerics::ode::Tolerance;
 use numerics::scalar::{Scalar, Single};

@@ -14,9 +14,9 @@
 //! has a kink there. A peak at the end of a row (onset of radiation) moves with it. Derivatives of the time and place
 //! of a peak are by the interpolation within its step, less exact than a step; in the U.S. Standard Atmosphere they are
 //! those of one cell of its table, 2e-5 beside the mean of neighbors, because the curvature jumps from cell to cell.
-//! Where the exponent of radiative heating meets its cap, between densities of a table of heating, and at layers of a
-//! temperature that is lent to a table or an exponential, no step ends: derivatives there have the error of a step
-//! across a kink, which falls with the tolerance.
+//! Where the exponent of radiative heating meets its cap, between densities of a table of heating, at rows of lift, bank angle
+//! and coefficients of a body at an angle of attack, and at layers of a temperature that is lent to a table or an exponential,
+//! no step ends: derivatives there have the error of a step across a kink, which falls with the tolerance.
 //!
 //! # References
 //! - Own convention.

@@ -15,8 +15,8 @@
 //! # References
 //! - \[knacke-1991\] chapter 5 (drag area while inflating); the even growth is \[assumed\].
 
-use super::held::Within;
 use super::mission::Mission;
+use super::within::Within;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 pub use crate::quantity::choice::Direction;
@@ -130,8 +130,7 @@ impl<S: Scalar> Changed<S> {
     #[inline]
     pub fn canopy_m2(&self, t: S) -> S {
         let part = (t - self.canopy_since_s) / self.inflation_s;
-        let none = S::constant(0.0);
-        self.canopy_m2 * part.max(none).min(S::constant(1.0))
+        self.canopy_m2 * part.clamp(S::constant(0.0), S::constant(1.0))
     }
 
     /// Replaces one lane.

@@ -13,15 +13,16 @@
 //! - [`numerics::quadrature`].
 
 use super::Peak;
+use super::equations::Equations;
 use super::integration::Record;
 use super::mission::Mission;
-use super::motion::{Motion, head};
+use super::motion::Motion;
 use super::peaks::Peaks;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
+use crate::heating::Flow;
 use crate::heating::given::body::{Along, BodyHeating};
 use crate::heating::given::{GivenHeating, USERS};
-use crate::heating::{Flow, HeatFlux};
 use numerics::quadrature::Rule;
 use numerics::scalar::Single;
 use serde::{Deserialize, Serialize};
@@ -45,8 +46,7 @@ pub(super) fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
     record: &Record<N, S>,
     peaks: &Peaks<M, N, S>,
 ) -> Vec<PointHeat<S>> {
-    let heating = &motion.point().mission.heating;
-    let Some(body) = &heating.body else {
+    let Some(body) = &motion.point().mission.heating.body else {
         return Vec::new();
     };
     let none = S::constant(0.0);
@@ -58,16 +58,13 @@ pub(super) fn of<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
             let y = leg.step.at(leg.step.t0 + duration_s * part);
             let flow = flow(&motion, &y);
             for ((_, table), load) in body.points.iter().zip(&mut loads) {
-                let nominal = with_factors(&motion, heating.heat_flux_of(table, &flow));
-                *load += heating.margined(&nominal).total_w_m2() * duration_s * weight;
+                *load += margined_w_m2(motion.point(), table, &flow) * duration_s * weight;
             }
         }
     }
     let peak = |(fraction, table): &(f64, GivenHeating)| {
-        let peak: Peak<S> = peaks.of_motion(|motion, _, y| {
-            let nominal = with_factors(motion, heating.heat_flux_of(table, &flow(motion, y)));
-            heating.margined(&nominal).total_w_m2()
-        });
+        let peak: Peak<S> =
+            peaks.of_motion(|motion, _, y| margined_w_m2(motion.point(), table, &flow(motion, y)));
         (*fraction, peak.value)
     };
     let found = body.points.iter().map(peak).zip(loads);
@@ -115,24 +112,16 @@ pub(super) fn add(
     }
 }
 
+/// The flow about a motion, with rows of heating chosen by those that hold.
 fn flow<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(motion: &M, y: &[S; N]) -> Flow<S> {
-    let around = motion.point().surroundings(&head(y));
-    Flow::new(
-        around.density_kg_m3,
-        around.air_speed_m_s,
-        motion.point().numbers().nose_radius_m,
-    )
+    motion.point().flow(&motion.around(y))
 }
 
-fn with_factors<'a, M: Motion<'a, N, S>, const N: usize, S: Single>(
-    motion: &M,
-    flux: HeatFlux<S>,
-) -> HeatFlux<S> {
-    let numbers = motion.point().numbers();
-    HeatFlux {
-        convective_w_m2: flux.convective_w_m2 * numbers.convective_factor,
-        radiative_w_m2: flux.radiative_w_m2 * numbers.radiative_factor,
-    }
+/// Heat flux at a point of the body, margins included, W/m².
+fn margined_w_m2<S: Single>(equations: &Equations<S>, table: &GivenHeating, flow: &Flow<S>) -> S {
+    let heating = &equations.mission.heating;
+    let nominal = equations.with_factors(heating.heat_flux_of(table, flow));
+    heating.margined(&nominal).total_w_m2()
 }
 
 /// The hottest points.

@@ -138,7 +138,7 @@ impl Trim {
 #[inline]
 fn place<S: Scalar>(x: S, ends: [f64; 2], intervals: usize) -> S {
     let [a, b] = ends;
-    let held = x.max(S::constant(a)).min(S::constant(b));
+    let held = x.clamp(S::constant(a), S::constant(b));
     (held / a).ln() / math::ln(b / a) * intervals as f64
 }
 

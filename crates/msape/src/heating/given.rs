@@ -63,20 +63,27 @@ pub enum Part {
     Radiative,
 }
 
-/// Two neighboring rows of an axis about a number.
+/// Two neighboring rows of an axis, and a number between them, or beyond where other rows would begin.
 #[derive(Clone, Copy)]
 struct Between<S> {
-    /// Fraction of the interval between them, held within 0 to 1 at the ends of the table.
+    /// Fraction of the interval between them: within 0 to 1, but beyond where only the table goes on.
     part: S,
     /// Distance of the number beyond an end of the table, as far as the rule allows, in intervals of the two rows.
     beyond: S,
 }
 
 impl<S: Scalar> Between<S> {
-    /// The rows about a number, by its logarithm or by the number itself.
-    fn new(x: S, [from, to]: [S; 2], by_log: S::Mask, rule: Extrapolation) -> Between<S> {
+    /// Two rows and a number, by its logarithm or by the number itself, in a table with these ends.
+    fn new(
+        x: S,
+        [from, to]: [S; 2],
+        ends: [f64; 2],
+        by_log: S::Mask,
+        rule: Extrapolation,
+    ) -> Between<S> {
         let logarithm = |x: S| x.max(S::constant(LEAST)).ln();
-        let inside = x.max(from).min(to);
+        let [first, last] = ends.map(S::constant);
+        let inside = x.clamp(first, last);
         let scaled = |x: S| match by_log.any() {
             true => S::select(by_log, logarithm(x), x),
             false => x,
@@ -143,11 +150,12 @@ impl GivenHeating {
         let cell = (flow.chosen_by_m_s).lookup_pair(rho, |v, rho| self.cell(fluxes, v, rho));
         let [q_00, q_01, log_0, q_10, q_11, log_1, v_0, v_1, rho_0, rho_1] = cell;
         let (none, rule) = (S::constant(0.0), self.extrapolation);
+        let [speeds, densities] = self.ends();
         let by_log = [log_0, log_1].map(|log| none.less(log));
         let all = by_log[0].and(by_log[1]).and(none.less(v_0));
         // rows of two speeds at the density: as it is, and held within the table
         let row = |by_log: S::Mask, from: S, to: S| {
-            let between = Between::new(rho, [rho_0, rho_1], by_log, rule);
+            let between = Between::new(rho, [rho_0, rho_1], densities, by_log, rule);
             let inside = from + (to - from) * between.part;
             let values = [inside + between.further(to - from), inside];
             values.map(|value| {
@@ -161,7 +169,7 @@ impl GivenHeating {
         };
         let [slow, slow_inside] = row(by_log[0], q_00, q_01);
         let [fast, fast_inside] = row(by_log[1], q_10, q_11);
-        let between = Between::new(v, [v_0, v_1], all, rule);
+        let between = Between::new(v, [v_0, v_1], speeds, all, rule);
         let flux = slow + (fast - slow) * between.part + between.further(fast_inside - slow_inside);
         match all.any() {
             true => S::select(all, flux.exp(), flux.max(none)),

@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn caps_step_at_one_and_two_metres() {
+    fn caps_step_at_one_and_two_meters() {
         let radii = [0.999, 1.0, 2.0, 2.001, 50.0];
         assert_eq!(radii.map(|r| stepped().cap(r)), [1.0, 0.6, 0.6, 0.5, 0.5]);
     }

@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn one_metre_nose_leaves_c_rho_to_b_f() {
+    fn one_meter_nose_leaves_c_rho_to_b_f() {
         // 1 m: R^a = 1; 4.736e4 × (1e-4)^1.22 × 35 × 1e4 = 4.736e4 × 10^-4.88 × 3.5e5 = 2.18512e5 W/m²
         let q = earth().heat_flux_w_m2(&Flow::new(1e-4, 1e4, 1.0));
         let by_hand = 4.736e4 * 3.5e5 * 1.318_256_738_556_407e-5;

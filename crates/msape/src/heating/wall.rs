@@ -84,7 +84,8 @@ impl Gas {
         let modes = modes.map(|temperature_k| ("vibration.temperature_k", temperature_k));
         let fractions = self.vibration.iter().map(|mode| mode.fraction);
         let fractions = fractions.map(|fraction| ("vibration.fraction", fraction));
-        match { positive.into_iter() }
+        match positive
+            .into_iter()
             .chain(modes)
             .chain(fractions)
             .find(|(_, value)| !(*value > 0.0 && value.is_finite()))

@@ -118,7 +118,8 @@ fn planets(files: &mut Files, atmospheres: &Named<(String, Atmosphere)>) -> Name
             atmosphere_title: title.clone(),
             atmosphere: atmosphere.clone(),
             sutton_graves: constant.clone(),
-            tauber_sutton: { tauber_sutton.iter() }
+            tauber_sutton: tauber_sutton
+                .iter()
                 .find(|relation| relation.planets.contains(gas))
                 .map(|relation| relation.thing.clone()),
             brandis_johnston: both.filter(|both| both.planets.contains(gas)).cloned(),
@@ -155,9 +156,12 @@ fn of_planet<'r, T>(
     relations: &'r [Relation<T>],
     planet: &str,
 ) -> Option<&'r T> {
-    let found = { relations.iter() }.find(|r| r.planets.iter().any(|name| name == planet));
+    let found = relations
+        .iter()
+        .find(|r| r.planets.iter().any(|name| name == planet));
     if found.is_none() {
-        let known: Vec<&str> = { relations.iter() }
+        let known: Vec<&str> = relations
+            .iter()
             .flat_map(|relation| relation.planets.iter().map(String::as_str))
             .collect();
         let message = format!(

@@ -83,9 +83,7 @@ pub fn geodesic_m<S: Scalar>(ellipsoid: &Ellipsoid, from: &Geodetic<S>, to: &Geo
         let middle = c * cos_sigma * (cos_2_middle * cos_2_middle * 2.0 - 1.0) + cos_2_middle;
         let shift = (one - c) * f * sin_alpha * (sigma_rad + c * sin_sigma * middle);
         // no solution beyond 180 deg: the positions are nearly opposite each other
-        let next = (longitude_rad + shift)
-            .min(S::constant(PI))
-            .max(S::constant(-PI));
+        let next = (longitude_rad + shift).clamp(S::constant(-PI), S::constant(PI));
         let change = (next - turn_rad).abs();
         turn_rad = next;
         line = Line::new([sin_1, cos_1], [sin_2, cos_2], turn_rad, tiny);

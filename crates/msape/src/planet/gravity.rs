@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn uniform_gravity_points_to_the_centre() {
+    fn uniform_gravity_points_to_the_center() {
         let gravity = Gravity::Uniform {
             acceleration_m_s2: 9.81,
         };

@@ -19,6 +19,8 @@ pub type BodyCoefficients = (AeroBody, Database);
 #[derive(Clone, Debug)]
 pub struct AeroProblem {
     body: Body,
+    /// Center of gravity that the case gives, m, in the place of that of a design.
+    cg_m: Option<[f64; 3]>,
     coefficients: Coefficients,
     /// Findings of the check.
     pub findings: Vec<Finding>,
@@ -74,6 +76,7 @@ impl AeroProblem {
         match body.zip(coefficients) {
             Some((body, coefficients)) if reader.faults.is_empty() => Ok(AeroProblem {
                 body,
+                cg_m,
                 coefficients,
                 findings: reader.into_findings(),
             }),
@@ -102,7 +105,7 @@ impl AeroProblem {
                         message: format!("the vehicle does not close: {reason}"),
                     }]
                 })?;
-                AeroBody::of_vehicle(&answer.name, &design.vehicle)
+                AeroBody::of_vehicle(&answer.name, &design.vehicle).with_cg(self.cg_m)
             }
         };
         let fault = |message: String| InputError {
@@ -137,19 +140,12 @@ fn designed(case: &Case, library: &Library, reader: &mut Reader) -> Option<Body>
     }
 }
 
-/// A body and its database, from a case with an outline or from a design.
-///
-/// # Errors
-/// Every fault of the case at once, or why there is no vehicle.
-pub fn aero(case: &Case, library: &Library) -> Result<BodyCoefficients, Vec<InputError>> {
-    AeroProblem::check(case, library)?.solve()
-}
-
 #[cfg(test)]
 mod tests {
     use super::AeroProblem;
     use crate::finding::Finding;
     use crate::problem::{DesignProblem, FlightProblem};
+    use crate::quantity::input::inputs;
     use crate::{Case, Library};
 
     fn case(name: &str, changes: &[(&str, &str)]) -> Case {
@@ -159,6 +155,38 @@ mod tests {
             case.set(key, value);
         }
         case
+    }
+
+    #[test]
+    fn the_center_of_gravity_is_that_of_the_design_unless_the_case_gives_one() {
+        let library = Library::builtin().unwrap();
+        let cg_m = |changes: &[(&str, &str)]| {
+            let case = case("cases/galahad.toml", changes);
+            let problem = AeroProblem::check(&case, &library).unwrap();
+            problem.solve().unwrap().0.cg_m.unwrap()
+        };
+        let [x_m, y_m, z_m] = cg_m(&[]);
+        assert!(x_m > 0.05 && (y_m, z_m) == (0.0, 0.0), "{x_m}");
+        let given = [("vehicle.cg_m", "[0.04, 0.0, 0.01]")];
+        assert_eq!(cg_m(&given), [0.04, 0.0, 0.01]);
+    }
+
+    #[test]
+    fn a_file_that_nobody_read_is_no_file_passed_over() {
+        let library = Library::builtin().unwrap();
+        let files = inputs().filter(|input| !input.tables.is_empty());
+        for file in files {
+            let case = case("cases/galahad.toml", &[(file.key, "mine.csv")]);
+            let faults = [
+                DesignProblem::check(&case, &library).err(),
+                AeroProblem::check(&case, &library).err(),
+            ];
+            for faults in faults {
+                let mut faults = faults.into_iter().flatten();
+                let told = faults.any(|f| f.key == file.key && f.message.contains("was not read"));
+                assert!(told, "{file}");
+            }
+        }
     }
 
     fn of_air(findings: &[Finding]) -> Option<&str> {

@@ -1,6 +1,7 @@
 //! Checks the coefficients over the angle of attack of a case.
 
-use super::forms::{beyond, names};
+use super::fitted_in_air::fitted_in_air;
+use super::forms::beyond;
 use super::planet::{atmosphere, planet};
 use crate::aero::bridging::Bridging;
 use crate::aero::damping::{Damping, Reading};
@@ -12,7 +13,7 @@ use crate::case::Reader;
 use crate::finding::range::short;
 use crate::finding::{Finding, Severity};
 use crate::flight::mission::Mission;
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::planet::Planet;
 use crate::planet::atmosphere::Atmosphere;
 use crate::quantity::choice::DampingModel;
@@ -102,7 +103,6 @@ impl Coefficients {
         drag: Option<&Drag>,
     ) -> Option<Coefficients> {
         let before = reader.faults.len();
-        let damping = damping(reader, library);
         let bridging = reader.choice(&input::vehicle::AERODYNAMICS_BRIDGING);
         let wall = reader.number(&input::vehicle::AERODYNAMICS_WALL_TEMPERATURE_RATIO);
         let accommodation = reader.number(&input::vehicle::AERODYNAMICS_ACCOMMODATION);
@@ -110,6 +110,7 @@ impl Coefficients {
             return OwnTable::read(reader, library, medium, diameter_m)
                 .map(|table| Coefficients::Table(Box::new(table)));
         }
+        let damping = damping(reader, library);
         if reader.faults.len() > before {
             return None;
         }
@@ -133,6 +134,11 @@ impl Coefficients {
             Coefficients::Table(table) => table.database(body.surface.diameter_m()),
             Coefficients::Computed(computed) => Ok(computed.database(body)),
         }
+    }
+
+    /// The database of a body; `None` where its table is at fault.
+    pub(super) fn noted(&self, reader: &mut Reader, body: &AeroBody) -> Option<Database> {
+        noted_database(reader, self.of(body))
     }
 
     /// Ratio of the heat capacities of the gas for which they are computed; that of air where they are a table.
@@ -178,10 +184,6 @@ struct Rows {
 impl Rows {
     /// The table of static coefficients of the case; `None` where it has none, or a faulty one.
     fn read(reader: &mut Reader, medium: &Medium) -> Option<Rows> {
-        let file = &input::vehicle::AERODYNAMICS_FILE;
-        if reader.given(file) {
-            reader.not_read(file);
-        }
         if !reader.given(TABLE) {
             return None;
         }
@@ -197,7 +199,7 @@ impl Rows {
         })
     }
 
-    /// The grid for a body of this diameter.
+    /// The grid for a body of this diameter, m.
     fn grid(&self, diameter_m: f64) -> Result<Grid, Vec<String>> {
         let knudsen = |altitude_m: f64| {
             let air = self.medium.atmosphere.air(altitude_m);
@@ -207,7 +209,7 @@ impl Rows {
             knudsen: row.altitude_m.map(knudsen).or(row.knudsen),
             ..*row
         });
-        Grid::try_new(&rows.collect::<Vec<_>>(), self.rule)
+        grid(&rows.collect::<Vec<_>>(), self.rule)
     }
 
     fn checked(&self, reader: &mut Reader, diameter_m: f64) -> Option<Grid> {
@@ -219,6 +221,8 @@ impl Rows {
 #[derive(Clone, Debug)]
 pub(super) struct OwnTable {
     rows: Rows,
+    /// The rows for a body of this diameter, m.
+    checked: (f64, Grid),
     damping: Damping,
     /// Whether the case gives this damping; otherwise that of the table takes precedence.
     damping_given: bool,
@@ -234,16 +238,15 @@ impl OwnTable {
     ) -> Option<OwnTable> {
         let before = reader.faults.len();
         let damping = damping(reader, library);
-        let rows = Rows::read(reader, medium);
-        if let Some(rows) = &rows {
-            rows.checked(reader, diameter_m);
-        }
+        let rows = Rows::read(reader, medium)?;
+        let grid = rows.checked(reader, diameter_m)?;
         if reader.faults.len() > before {
             return None;
         }
         let given = [DAMPING_TABLE, &input::vehicle::AERODYNAMICS_DAMPING];
         Some(OwnTable {
-            rows: rows?,
+            rows,
+            checked: (diameter_m, grid),
             damping: damping?,
             damping_given: reader.any_given(&given),
         })
@@ -254,7 +257,10 @@ impl OwnTable {
     /// # Errors
     /// Faults of a table over altitudes, at this diameter.
     pub(super) fn database(&self, diameter_m: f64) -> Result<Database, Vec<String>> {
-        let grid = self.rows.grid(diameter_m)?;
+        let grid = match &self.checked {
+            (of_m, grid) if *of_m == diameter_m => grid.clone(),
+            _ => self.rows.grid(diameter_m)?,
+        };
         let has_damping = matches!(
             grid.content,
             Content::Static {
@@ -268,6 +274,18 @@ impl OwnTable {
         };
         Ok(Database::of_table(grid, diameter_m, damping))
     }
+}
+
+/// A database, or `None` with the faults of its table noted.
+pub(super) fn noted_database(
+    reader: &mut Reader,
+    database: Result<Database, Vec<String>>,
+) -> Option<Database> {
+    let mut note = |faults: Vec<String>| {
+        let faults = faults.into_iter();
+        faults.for_each(|fault| reader.fault(TABLE, fault));
+    };
+    database.map_err(&mut note).ok()
 }
 
 /// Drag at zero angle of attack of a table of the case; `None` where it has none, or a faulty one.
@@ -289,51 +307,13 @@ pub(super) fn table_drag(reader: &mut Reader, medium: &Medium, diameter_m: f64) 
     }
 }
 
-/// Difference of the ratio of heat capacities from that of air within which a gas counts as air: assumed. Nitrogen and air at 250 to
-/// 350 K are within 0.005; hydrogen with helium has 1.45 and carbon dioxide 1.3.
-const OF_AIR: f64 = 0.02;
-
-/// A finding where the axial force of an outline, which partly is a fit in air, or of a table by name is used in another gas.
-pub(super) fn fitted_in_air(reader: &mut Reader, heat_capacity_ratio: f64, table: Option<&str>) {
-    if (heat_capacity_ratio - GAMMA).abs() <= OF_AIR {
-        return;
-    }
-    let gamma = short(heat_capacity_ratio);
-    let (model, message, source) = match table {
-        None => (
-            "axial force of the outline",
-            format!(
-                "The axial force is corrected by a fit to solutions of the Euler equations, and below Mach 3 by tables, both of air; this gas has a ratio of heat capacities of {gamma}, which only the stagnation pressure takes."
-            ),
-            "data/aero-models/euler-correction.toml".to_string(),
-        ),
-        Some(name) => (
-            "axial force by name",
-            format!(
-                "The axial force of {name} is that of air, or of a gas that its source does not name; this gas has a ratio of heat capacities of {gamma}, which the table does not take."
-            ),
-            format!("data/aerodynamics/{name}.csv"),
-        ),
+/// A grid of rows of a case, whose faults name the row.
+fn grid(rows: &[Row], rule: Extrapolation) -> Result<Grid, Vec<String>> {
+    let of_row = |faults: Vec<String>| {
+        let faults = faults.iter().map(|fault| fault.replace("line ", "row "));
+        faults.collect()
     };
-    reader.findings.push(Finding {
-        severity: Severity::Extrapolated,
-        model: model.to_string(),
-        key: "heat_capacity_ratio".to_string(),
-        value: Some(heat_capacity_ratio),
-        valid: (Some(GAMMA - OF_AIR), Some(GAMMA + OF_AIR)),
-        message,
-        source,
-        field: Some(input::entry::PLANET.to_string()),
-    });
-}
-
-fn grid(
-    reader: &mut Reader,
-    input: &'static Input,
-    rows: &[Row],
-    rule: Extrapolation,
-) -> Option<Grid> {
-    noted(reader, input, Grid::try_new(rows, rule))
+    Grid::try_new(rows, rule).map_err(of_row)
 }
 
 /// A grid with its remark, or `None` with its faults noted.
@@ -352,7 +332,7 @@ fn noted(
         }
         Err(faults) => {
             for fault in faults {
-                reader.fault(input, fault.replace("line ", "row "));
+                reader.fault(input, fault);
             }
             None
         }
@@ -386,11 +366,26 @@ fn damping(reader: &mut Reader, library: &Library) -> Option<Damping> {
             .zip(1..)
             .map(|(cells, line)| Row::of_damping(cells, line))
             .collect();
-        return grid(reader, DAMPING_TABLE, &rows, rule).map(Damping::Table);
+        return noted(reader, DAMPING_TABLE, grid(&rows, rule)).map(Damping::Table);
     }
     Some(match model? {
         DampingModel::None => Damping::Absent,
         DampingModel::ReportPrinted => library.aero_standard().damping(Reading::Printed),
         DampingModel::Report => library.aero_standard().damping(Reading::Corrected),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_of_a_table_of_a_case_name_its_rows() {
+        let row = Row::of_cells(&[1.0, 0.0, 1.5, 0.0], 2);
+        let faults = grid(&[row, row], Extrapolation::Hold).unwrap_err();
+        assert!(
+            faults.concat().contains("row 2") && !faults.concat().contains("line"),
+            "{faults:?}"
+        );
+    }
 }

@@ -46,10 +46,7 @@ pub fn attitude_of_design(
     let cg_m = one_row::<3>(&mut reader, &input::vehicle::CG_M).flatten();
     let damping = freedom::damping(&mut reader);
     let vehicle = &designed.vehicle;
-    let mut shape = AeroBody::of_vehicle(&case.name, vehicle);
-    if let Some(cg_m) = cg_m {
-        shape.cg_m = Some(cg_m);
-    }
+    let shape = AeroBody::of_vehicle(&case.name, vehicle).with_cg(cg_m);
     let axial_force = input.as_ref().map(|input| input.drag.of(vehicle));
     let drag = axial_force.clone().map(Drag::Table);
     let medium = Medium::of(input.as_ref().map(|input| &input.mission), library);
@@ -58,7 +55,7 @@ pub fn attitude_of_design(
         .and_then(|medium| {
             Coefficients::read(&mut reader, library, &medium, diameter_m, drag.as_ref())
         })
-        .and_then(|coefficients| coefficients.of(&shape).ok());
+        .and_then(|coefficients| coefficients.noted(&mut reader, &shape));
     let mass = &vehicle.mass;
     let inertia = Inertia::try_new([
         [mass.ixx_kg_m2, 0.0, 0.0],
@@ -189,7 +186,7 @@ fn flown(outcome: Outcome, design: &Design) -> Finding {
         value: None,
         valid: (None, None),
         message: format!(
-            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, centre of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
+            "Flown is the vehicle of the design: {:.3} kg, {:.4} m across, center of gravity {:.4} m aft of the virtual apex, inertia {:.3} kg-m^2 about the axis and {:.3} across it.{settled}",
             mass.mass_kg,
             vehicle.dimensions.diameter_m,
             vehicle.dimensions.cg_from_apex_m,

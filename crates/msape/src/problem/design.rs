@@ -1,13 +1,13 @@
 //! Checks a design.
 
-use super::aerodynamics::fitted_in_air;
+use super::fitted_in_air::fitted_in_air;
 use super::flight::{Angle, mission};
-use super::forms::{names, together};
+use super::forms::together;
 use super::materials::materials;
 use crate::case::Reader;
 use crate::design::drag::DesignDrag;
 use crate::design::inputs::{DesignInput, Given};
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::quantity::input::{self, Input, OWN_OUTLINE};
 use crate::tps::material::TpsMaterial;
 use crate::vehicle::ComponentKind;

@@ -1,8 +1,9 @@
 //! Checks the mission, and the vehicle that is flown as it is.
 
-use super::aerodynamics::{Coefficients, Medium, OwnTable, fitted_in_air, table_drag};
+use super::aerodynamics::{Coefficients, Medium, OwnTable, noted_database, table_drag};
 use super::entering::{above_end, altitude_at, descends, goes_on};
-use super::forms::{beyond, names, together};
+use super::fitted_in_air::fitted_in_air;
+use super::forms::{beyond, together};
 use super::freedom::{Degrees, Known, degrees, drag_of_constants, freedom, length_m};
 use super::heating::heating;
 use super::outline::Outline;
@@ -12,7 +13,7 @@ use crate::aero::{Drag, DragTable, Own};
 use crate::case::Reader;
 use crate::flight::mission::{Beyond, Body, DEFAULT_TOLERANCE, Mission, Solver, Start, Stop};
 use crate::flight::six_dof::aerodynamics::OfOutline;
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::planet::Planet;
 use crate::planet::geodetic::Geodetic;
 use crate::planet::horizon::Velocity;
@@ -274,7 +275,7 @@ fn of_outline(
             let diameter_m = body.surface.diameter_m();
             let drag = Some(drag?);
             let read = Coefficients::read(reader, library, medium?, diameter_m, drag)?;
-            read.of(&body).ok()
+            read.noted(reader, &body)
         }
         Outline::Faulty => None,
         Outline::Absent if reader.given(&input::vehicle::AERODYNAMICS_TABLE) => {
@@ -288,7 +289,7 @@ fn of_outline(
             }
             let diameter_m = diameter_m?;
             let table = OwnTable::read(reader, library, medium?, diameter_m)?;
-            table.database(diameter_m).ok()
+            noted_database(reader, table.database(diameter_m))
         }
         Outline::Absent => {
             let (named, dof) = (&input::vehicle::AERODYNAMICS, &input::vehicle::DOF);

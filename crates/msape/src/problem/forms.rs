@@ -2,7 +2,6 @@
 
 use super::Reader;
 use crate::aero::table::Extrapolation;
-use crate::library::Named;
 use crate::quantity::input::{Input, Key};
 
 /// The numbers of an input of one row; `Some(None)` when it is absent, `None` when it is at fault.
@@ -24,11 +23,6 @@ pub(super) fn one_row<const N: usize>(
         reader.fault(&key, message);
     }
     row.map(Some)
-}
-
-/// The names of a list of the library.
-pub(super) fn names<T>(list: &Named<T>) -> Vec<&str> {
-    list.iter().map(|(name, _)| name.as_str()).collect()
 }
 
 /// The rule of an input beyond the ends of a table.

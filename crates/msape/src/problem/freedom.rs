@@ -5,7 +5,8 @@ use super::outline::Outline;
 use super::{attitude, center};
 use crate::aero::Drag;
 use crate::aero::table::Extrapolation;
-use crate::case::{Reader, remark};
+use crate::case::Reader;
+use crate::finding::Finding;
 use crate::flight::freedom::Freedom;
 use crate::flight::lift::{Bank, Lift, Source};
 use crate::flight::mission::{Mission, Model, Solver};
@@ -272,7 +273,7 @@ fn bank_table(reader: &mut Reader, input: &'static Input) -> Option<Table1> {
     }
     if pairs(&rows) != given {
         let message = "Between rows more than 180 deg apart the bank goes the shorter way, through 180 deg. For the other way write angles beyond 180 deg, or a row between.";
-        reader.findings.push(remark("bank", input, message));
+        reader.findings.push(Finding::note("bank", input, message));
     }
     let column = |i: usize, factor: f64| -> Vec<f64> {
         let cells = rows.iter().filter_map(|row| row.get(i));
@@ -350,7 +351,8 @@ pub(super) fn solver(reader: &Reader, rigid: &Rigid, solver: &mut Solver) {
 
 #[cfg(test)]
 mod tests {
-    use crate::problem::FlightProblem;
+    use super::Finding;
+    use crate::problem::{FlightProblem, attitude_of_design};
     use crate::{Case, Library};
 
     const FREE: &str = "
@@ -385,6 +387,43 @@ nose_radius_m = 0.25
     #[test]
     fn a_body_without_aerodynamics_and_attitude_is_allowed() {
         assert_eq!(said(SOUND), "");
+    }
+
+    #[test]
+    fn constants_of_a_rigid_body_are_told_where_they_are_not_used() {
+        let library = Library::builtin().unwrap();
+        let told = |findings: &[Finding]| {
+            let unused = findings
+                .iter()
+                .filter(|f| f.message.contains("is not used"));
+            let keys: Vec<String> = unused.map(|finding| finding.key.clone()).collect();
+            keys
+        };
+        let constants = "[vehicle.aerodynamics]\nca = 1.5\ncm_alpha_per_rad = -0.1\ncmq = -0.5\n";
+        let point = FREE.replace("dof = 6", "dof = 3") + constants;
+        let point = FlightProblem::check(&Case::from_text(&point).unwrap(), &library).unwrap();
+        assert_eq!(
+            told(&point.findings),
+            [
+                "vehicle.aerodynamics.cm_alpha_per_rad",
+                "vehicle.aerodynamics.cmq"
+            ]
+        );
+        let text = crate::library::data_file("cases/msr-eev-cp.toml").unwrap();
+        let mut case = Case::from_text(text).unwrap();
+        for (key, value) in [("ca", "1.5"), ("cm_alpha_per_rad", "-0.1"), ("cmq", "-0.5")] {
+            case.set(&format!("vehicle.aerodynamics.{key}"), value);
+        }
+        let answer = crate::design(&case, &library, crate::Request::Nothing).unwrap();
+        let designed = answer.design.unwrap();
+        let designed = attitude_of_design(&case, &library, &designed).unwrap();
+        assert_eq!(
+            told(&designed.findings),
+            [
+                "vehicle.aerodynamics.ca",
+                "vehicle.aerodynamics.cm_alpha_per_rad"
+            ]
+        );
     }
 
     /// Without a word the command would end with code 2 and nobody would know why.
@@ -444,7 +483,7 @@ flight_model = 'allen-eggers'
     }
 
     #[test]
-    fn a_centre_of_gravity_outside_the_outline_is_refused_with_the_range() {
+    fn a_center_of_gravity_outside_the_outline_is_refused_with_the_range() {
         let outline = "[outline]\npreset = 'stardust'\n";
         let with = |cg: &str| said(&format!("{SOUND}cg_m = {cg}\n{outline}"));
         assert_eq!(with("[0.3, 0.0, 0.01]"), "");

@@ -1,8 +1,7 @@
 //! Checks the outline of a rigid body: a preset, dimensions of a sphere-cone, or points.
 
-use super::forms::names;
 use crate::case::{Case, InputError, Reader};
-use crate::library::{Library, named};
+use crate::library::{Library, named, names};
 use crate::quantity::choice::AftOfCone;
 use crate::quantity::input;
 use crate::vehicle::body::shape::Aft;
@@ -59,9 +58,8 @@ pub(super) fn outline(reader: &mut Reader, library: &Library) -> Outline {
 }
 
 fn given_body(reader: &mut Reader, library: &Library) -> Option<RigidBody> {
-    let file = &input::outline::FILE;
-    if reader.given(file) {
-        reader.not_read(file);
+    if reader.given(&input::outline::FILE) {
+        // a fault that the reader has noted
         return None;
     }
     let ways = reader.ways(&input::outline::OUTLINE);

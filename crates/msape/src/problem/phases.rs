@@ -1,7 +1,8 @@
 //! Checks the phases of a flight.
 
 use super::forms::one_row;
-use crate::case::{Reader, remark};
+use crate::case::Reader;
+use crate::finding::Finding;
 use crate::finding::range::short;
 use crate::flight::phase::{Begin, Canopy, Change, Direction, Mark, Phase};
 use crate::quantity::input::{self, Input, phase};
@@ -178,7 +179,7 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
                 reader.fault(&attachment_key, "missing; a rigid body needs the point at which its parachute pulls, [x, y, z] in m");
             }
             if mass_kg.is_some() {
-                let message = "The inertia of the vehicle is scaled with its mass, and its centre of gravity stays, when the phase begins.";
+                let message = "The inertia of the vehicle is scaled with its mass, and its center of gravity stays, when the phase begins.";
                 note(reader, &phase::MASS_KG, number, message);
             }
         }
@@ -211,7 +212,7 @@ pub(super) fn not_flown(reader: &mut Reader, by: &str) {
 }
 
 fn note(reader: &mut Reader, input: &'static Input, number: usize, message: impl Into<String>) {
-    let note = remark("phases", &input.of_phase(number), message);
+    let note = Finding::note("phases", &input.of_phase(number), message);
     reader.findings.push(note);
 }
 
@@ -254,7 +255,7 @@ direction = 'rising'
 [[phase]]
 name = 'last'
 time_s = 10.0
-colour = 3
+color = 3
 ",
         );
         for part in [
@@ -265,7 +266,7 @@ colour = 3
             "phase.2.inflation_s: given without drag_area_m2",
             "phase.3.direction: given together with time_s",
             "phase.4.time_s: got 10 s, must be at least 20 s",
-            "phase.4.colour: unknown key",
+            "phase.4.color: unknown key",
         ] {
             assert!(said.contains(part), "{part}\nnot in\n{said}");
         }

@@ -1,8 +1,8 @@
 //! Checks planet, atmosphere and wind: by name, or given in the case itself.
 
-use super::forms::{names, together};
+use super::forms::together;
 use crate::case::Reader;
-use crate::library::{Library, World, named};
+use crate::library::{Library, World, named, names};
 use crate::planet::atmosphere::Atmosphere;
 use crate::planet::atmosphere::exponential::Exponential;
 use crate::planet::atmosphere::table::Table;
@@ -187,7 +187,7 @@ pub(super) fn atmosphere(
         return None;
     }
     if *way == input::atmosphere::FILE {
-        reader.not_read(way);
+        // a fault that the reader has noted
         return None;
     }
     // The rows of a case whose planet is at fault are checked all the same.

@@ -244,11 +244,11 @@ choice! {
     /// A unit of length that files are drawn in.
     LengthUnit {
         /// Meter.
-        Metre = "m", "m";
-        /// Centimetre.
-        Centimetre = "cm", "cm";
-        /// Millimetre.
-        Millimetre = "mm", "mm";
+        Meter = "m", "m";
+        /// Centimeter.
+        Centimeter = "cm", "cm";
+        /// Millimeter.
+        Millimeter = "mm", "mm";
         /// Inch.
         Inch = "in", "in";
         /// Foot.

@@ -162,7 +162,12 @@ pub fn size<S: Single>(material: &TpsMaterial, environment: &Environment<S>) -> 
     } = material.limits;
     let fit = material.fit;
     let v = entry_speed_m_s / 1000.0;
-    let x = (heat_load_j_m2 / PER_CM2).max(S::constant(0.0)) / (v * v);
+    // no heat load is x = 0 also where there is no speed
+    let x = if heat_load_j_m2.value() <= 0.0 {
+        S::constant(0.0)
+    } else {
+        heat_load_j_m2 / PER_CM2 / (v * v)
+    };
     let t = material.mer.thickness_cm(x, peak_heat_flux_w_m2 / PER_CM2);
     let asked_m = t.max(S::constant(minimum_thickness_cm)) / 100.0;
     Sizing {
@@ -273,7 +278,27 @@ mod tests {
     }
 
     #[test]
-    fn no_heating_is_the_least_thickness() {
-        assert_eq!(size(&material(0), &at_x(0.0, 0.0)).thickness_m, 0.005);
+    fn no_heating_is_the_least_thickness_at_any_speed() {
+        for entry_speed_m_s in [1e4, 0.0] {
+            let none = Environment {
+                entry_speed_m_s,
+                ..at_x(0.0, 0.0)
+            };
+            let sizing = size(&material(0), &none);
+            assert_eq!(
+                (sizing.thickness_m, sizing.governed_by),
+                (0.005, Governed::MinimumThickness)
+            );
+            assert!(sizing.relation_thickness_m == 0.0 && sizing.below_fit);
+        }
+    }
+
+    #[test]
+    fn a_heat_load_that_is_no_number_is_not_taken_for_none() {
+        assert!(
+            size(&material(0), &at_x(f64::NAN, 0.0))
+                .thickness_m
+                .is_nan()
+        );
     }
 }

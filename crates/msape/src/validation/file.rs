@@ -117,6 +117,11 @@ pub struct File {
 }
 
 impl File {
+    /// Number of comparisons.
+    pub fn count(&self) -> usize {
+        self.rows.len() + self.points.len()
+    }
+
     /// Reads a file; a unit that is not known or a tolerance that is not in the file is an error.
     ///
     /// # Errors

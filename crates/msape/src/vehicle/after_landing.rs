@@ -118,7 +118,7 @@ fn second_moment_change_m5<S: Single>(concept: Concept, layout: &Layout<S>, stro
         Concept::Msr => equator,
         Concept::NonMsr => {
             let part = forebody.nose_tangent(fore_m).r_m / radius;
-            asin(part.max(axis).min(S::constant(1.0)))
+            asin(part.clamp(axis, S::constant(1.0)))
         }
     };
     Rule::Gauss8.composite(along, [axis, kink], PANELS)

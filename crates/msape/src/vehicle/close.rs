@@ -126,6 +126,8 @@ impl Attempt {
 pub struct Search<'a> {
     input: &'a VehicleInput,
     foam: &'a FoamRule<'a>,
+    /// Foam of the least thickness.
+    least_foam: Foam,
     payload_radius_m: f64,
     memory: Memory,
 }
@@ -136,6 +138,7 @@ impl<'a> Search<'a> {
         Self {
             input,
             foam,
+            least_foam: foam.at(foam.least_thickness_m),
             payload_radius_m: input.payload_diameter_m() / 2.0,
             memory: Memory::default(),
         }
@@ -156,13 +159,12 @@ impl<'a> Search<'a> {
                 vehicle_radius_m: radius_m,
             });
         }
-        let least_foam = self.foam.at(self.foam.least_thickness_m);
         let mut candidate = Candidate {
             input,
             foam: self.foam,
-            least_foam,
+            least_foam: self.least_foam,
             memory: &mut self.memory,
-            forebody: Forebody::new(input, diameter_m),
+            forebody: forebody(input, diameter_m),
             payload_radius_m,
             structure: least_walls(input),
             layouts: 0,
@@ -184,6 +186,29 @@ fn least_walls(input: &VehicleInput) -> Structure {
         },
         aftbody: input.aftbody_carrier.at_minimum_gauge(),
         primary: input.primary_carrier.at_minimum_gauge(),
+    }
+}
+
+/// Forebody of an input at a diameter, m.
+pub fn forebody<S: Single>(input: &VehicleInput<S>, diameter_m: S) -> Forebody<S> {
+    let radius_m = diameter_m / 2.0;
+    Forebody {
+        diameter_m,
+        nose_radius_m: input.nose_radius_ratio * radius_m,
+        shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
+        cone_half_angle_rad: input.cone_half_angle_rad,
+    }
+}
+
+/// Layers of an input with its walls.
+pub fn depths<S: Single>(input: &VehicleInput<S>, structure: &Structure<S>) -> Depths<S> {
+    Depths {
+        forebody_tps_m: input.forebody.tps_thickness_m,
+        bond_m: input.forebody.bond_thickness_m,
+        forebody_carrier_m: structure.forebody.thickness_m,
+        aftbody_tps_m: input.aftbody_tps_thickness_m,
+        aftbody_carrier_m: structure.aftbody.thickness_m,
+        primary_m: structure.primary.thickness_m,
     }
 }
 
@@ -213,7 +238,7 @@ impl Candidate<'_> {
     fn lay_out(&self, cg_x_m: f64) -> Trial {
         let frame = Frame {
             forebody: self.forebody,
-            depths: Depths::new(self.input, &self.structure),
+            depths: depths(self.input, &self.structure),
             payload_radius_m: self.payload_radius_m,
             foam_thickness_m: self.foam.least_thickness_m,
             cg_x_m,

@@ -16,15 +16,14 @@
 //! - \[griewank-walther-2008\] chapter 15.
 
 use crate::vehicle::build;
-use crate::vehicle::close::lay_out;
+use crate::vehicle::close::{depths, forebody, lay_out};
 use crate::vehicle::draft::Memory;
 use crate::vehicle::figures::Figures;
-use crate::vehicle::forebody::Forebody;
-use crate::vehicle::grow::NotClosed;
+use crate::vehicle::grow::{NotClosed, largest_growth};
 use crate::vehicle::impact::foam_rule::FoamRule;
 use crate::vehicle::input::VehicleInput;
 use crate::vehicle::kinds::Concept;
-use crate::vehicle::layout::{Depths, Frame, Trial};
+use crate::vehicle::layout::{Frame, Trial};
 use crate::vehicle::mass::{Densities, Masses, masses, parts, total};
 use crate::vehicle::structure::{Governs, Structure, Wall, size};
 use numerics::math::FRAC_PI_2;
@@ -34,7 +33,9 @@ use numerics::scalar::{Dual, Scalar, Single};
 const UNKNOWNS: usize = 11;
 
 /// Room that the smallest diameter at most leaves where room limits it, m.
-const NO_ROOM_M: f64 = 1e-6;
+fn no_room_m(input: &VehicleInput) -> f64 {
+    largest_growth(input) * input.rules.diameter_resolution_m + input.rules.convergence_m
+}
 
 /// Changes smaller than this are rounding, m.
 const ROUNDING_M: f64 = 1e-9;
@@ -97,7 +98,7 @@ pub fn figures<S: Single>(input: &VehicleInput<S>) -> Result<(Figures<S>, Branch
     ];
     let rule = FoamRule::new(&plain);
     let room_m = system.trial(&plain, &rule, &at).room_m;
-    if system.by == DiameterBy::Room && room_m.abs() > NO_ROOM_M {
+    if system.by == DiameterBy::Room && room_m.abs() > no_room_m(&plain) {
         system.by = DiameterBy::Jump;
     }
     let rule = FoamRule::new(input);
@@ -165,8 +166,8 @@ impl System {
         u: &[S; UNKNOWNS],
     ) -> Trial<S> {
         let frame = Frame {
-            forebody: Forebody::new(input, u[0]),
-            depths: Depths::new(input, &self.structure(u)),
+            forebody: forebody(input, u[0]),
+            depths: depths(input, &self.structure(u)),
             payload_radius_m: input.payload_diameter_m() / 2.0,
             foam_thickness_m: rule.least_thickness_m,
             cg_x_m: u[1],

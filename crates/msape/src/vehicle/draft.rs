@@ -58,7 +58,7 @@ impl<'a, S: Single> Draft<'a, S> {
         for (kind, depth_m) in kinds.into_iter().zip(depths_m) {
             inner = draw(inner.cleared(), depth_m);
             // a layer of no thickness is no body
-            self.part(kind, |path| match outer == inner {
+            self.part(kind, |path| match outer.is_along(&inner) {
                 true => path,
                 false => path.then(&outer).back_along(&inner),
             });

@@ -14,7 +14,6 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.4, Figures 14-17 (coordinate system at the virtual apex).
 
-use crate::vehicle::input::VehicleInput;
 use crate::vehicle::profile::Profile;
 use crate::vehicle::segment::{Point, Segment};
 use numerics::math::{FRAC_PI_2, PI};
@@ -36,17 +35,6 @@ pub struct Forebody<S = f64> {
 }
 
 impl<S: Single> Forebody<S> {
-    /// Forebody of an input at a diameter.
-    pub fn new(input: &VehicleInput<S>, diameter_m: S) -> Self {
-        let radius_m = diameter_m / 2.0;
-        Self {
-            diameter_m,
-            nose_radius_m: input.nose_radius_ratio * radius_m,
-            shoulder_radius_m: input.shoulder_radius_ratio * radius_m,
-            cone_half_angle_rad: input.cone_half_angle_rad,
-        }
-    }
-
     /// Sine and cosine of the cone half-angle.
     pub fn sin_cos(&self) -> (S, S) {
         sin_cos(self.cone_half_angle_rad)

@@ -36,7 +36,7 @@ pub struct NotClosed {
 
 /// Bound of the growth of the room with the diameter: 1/2 at the shoulder's center, that times cot θ along the axis; and as much
 /// again for the motion of the filling.
-fn largest_growth(input: &VehicleInput) -> f64 {
+pub fn largest_growth(input: &VehicleInput) -> f64 {
     let (s, c) = sin_cos(input.cone_half_angle_rad);
     (c / s).max(1.0)
 }
@@ -124,7 +124,7 @@ pub fn smallest_that_closes(
     })
 }
 
-/// Halvings in the search for the widest payload: to a few micrometres.
+/// Halvings in the search for the widest payload: to a few micrometers.
 const PAYLOAD_HALVINGS: usize = 18;
 
 /// Diameter of the widest payload of the same mass that fits at a diameter of the vehicle, m; `None` when none does.

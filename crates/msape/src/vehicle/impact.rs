@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn penetration_load_of_28_by_half_a_metre_at_20_m_s_with_40_kg_is_140_g() {
+    fn penetration_load_of_28_by_half_a_meter_at_20_m_s_with_40_kg_is_140_g() {
         // 28 · 0.5 · 400 / 40
         assert_eq!(penetration_load_earth_g(28.0, 0.5, 20.0, 40.0), 140.0);
     }

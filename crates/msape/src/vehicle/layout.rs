@@ -15,12 +15,10 @@
 //! - \[samareh-2014\] section 3.1.2.
 
 use crate::vehicle::forebody::Forebody;
-use crate::vehicle::input::VehicleInput;
 use crate::vehicle::lid::Lid;
 use crate::vehicle::outline::{Outline, smallest_shoulder_radius_m, wing_slope_rad};
 use crate::vehicle::rules::Rules;
 use crate::vehicle::segment::Point;
-use crate::vehicle::structure::Structure;
 use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, RADIANS_PER_DEGREE};
 use numerics::root;
@@ -46,18 +44,6 @@ pub struct Depths<S = f64> {
 }
 
 impl<S: Single> Depths<S> {
-    /// Depths of the layers of an input with its walls.
-    pub fn new(input: &VehicleInput<S>, structure: &Structure<S>) -> Self {
-        Self {
-            forebody_tps_m: input.forebody.tps_thickness_m,
-            bond_m: input.forebody.bond_thickness_m,
-            forebody_carrier_m: structure.forebody.thickness_m,
-            aftbody_tps_m: input.aftbody_tps_thickness_m,
-            aftbody_carrier_m: structure.aftbody.thickness_m,
-            primary_m: structure.primary.thickness_m,
-        }
-    }
-
     /// All layers of the forebody, m.
     pub fn fore_m(&self) -> S {
         self.forebody_tps_m + self.bond_m + self.forebody_carrier_m
@@ -169,7 +155,7 @@ impl Misfit {
                 mm(shoulder_r_m)
             ),
             Self::LidWiderThanShoulder { annulus_r_m, shoulder_r_m } => format!(
-                "the lid's annulus crosses the shoulder: payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's centre stands at {:.0} mm",
+                "the lid's annulus crosses the shoulder: payload, foam and lid with its annulus reach {:.0} mm from the axis, the shoulder's center stands at {:.0} mm",
                 mm(annulus_r_m),
                 mm(shoulder_r_m)
             ),

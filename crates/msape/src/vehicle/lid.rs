@@ -12,7 +12,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
 
-use crate::vehicle::segment::Point;
+use crate::vehicle::segment::{Point, half_chord_m};
 use numerics::scalar::Single;
 
 /// A lid: a spherical cap on the plane of the annulus.
@@ -30,11 +30,9 @@ impl<S: Single> Lid<S> {
     /// Outer edge of the annulus around the lid.
     pub fn edge(&self, annulus_width_m: f64) -> Point<S> {
         let height = self.foot_x_m - self.center_x_m;
-        let square = self.radius_m * self.radius_m - height * height;
-        let foot_r_m = square.max(S::constant(0.0)).sqrt();
         Point {
             x_m: self.foot_x_m,
-            r_m: foot_r_m + annulus_width_m,
+            r_m: half_chord_m(self.radius_m, height) + annulus_width_m,
         }
     }
 }

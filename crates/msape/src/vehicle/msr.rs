@@ -92,7 +92,7 @@ fn at<S: Single>(frame: &Frame<S>, floor_m: S) -> Trial<S> {
         };
     }
     // a wider gap moves the edge straight outwards
-    let gap = (least_gap + clearance(foam)).max(least_gap).min(most_gap);
+    let gap = (least_gap + clearance(foam)).clamp(least_gap, most_gap);
     let (outline, room_m, misfit) = frame.outline(frame.msr_lid(foam, gap), &wing);
     let too_thick = (foam - frame.foam_thickness_m).value() > MOST_ADDED_FOAM_M;
     let body_foam = gap * rules.body_foam_gap_m / wanted_gap;

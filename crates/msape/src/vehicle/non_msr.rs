@@ -26,7 +26,7 @@ use crate::vehicle::kinds::ComponentKind;
 use crate::vehicle::layout::{Frame, LID_TOLERANCE_M, Layout, Misfit, Trial};
 use crate::vehicle::lid::Lid;
 use crate::vehicle::profile::Profile;
-use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::segment::{Point, Segment, half_chord_m};
 use crate::vehicle::wing::Wing;
 use numerics::math::{FRAC_PI_2, PI};
 use numerics::root;
@@ -51,10 +51,7 @@ impl<S: Single> Frame<'_, S> {
     fn narrowest_lid(&self, radius_m: S) -> Lid<S> {
         let inner = radius_m - self.depths.aft_m();
         let passage = self.payload_radius_m + self.rules.payload_wall_gap_min_m;
-        let height = (inner * inner - passage * passage)
-            .max(S::constant(0.0))
-            .sqrt();
-        self.lid_at(radius_m, self.cg_x_m + height)
+        self.lid_at(radius_m, self.cg_x_m + half_chord_m(inner, passage))
     }
 }
 
@@ -165,16 +162,10 @@ fn lid_above<S: Single>(layout: &Layout<S>, from_x_m: S) -> Segment<S> {
     Segment::arc(center, radius_m, start, -start)
 }
 
-/// Half the chord of a circle at a distance from its center, m; zero outside of it.
-fn half_chord<S: Single>(radius: S, along: S) -> S {
-    let square = radius * radius - along * along;
-    square.max(S::constant(0.0)).sqrt()
-}
-
 fn lid_inner_angle_rad<S: Single>(layout: &Layout<S>, x_m: S) -> S {
     let radius = layout.outline.lid_radius_m - layout.depths.aft_m();
     let along = x_m - layout.outline.lid_center_x_m;
-    half_chord(radius, along).atan2(along)
+    half_chord_m(radius, along).atan2(along)
 }
 
 /// Direction from the payload's center to where the top of the foam meets it, rad.
@@ -186,7 +177,7 @@ fn payload_angle_rad<S: Single>(layout: &Layout<S>) -> S {
     if along.value() <= 0.0 {
         S::constant(FRAC_PI_2)
     } else {
-        half_chord(radius, along).atan2(along)
+        half_chord_m(radius, along).atan2(along)
     }
 }
 

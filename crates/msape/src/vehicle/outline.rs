@@ -20,7 +20,7 @@
 
 use crate::vehicle::forebody::Forebody;
 use crate::vehicle::profile::Profile;
-use crate::vehicle::segment::{Point, Segment};
+use crate::vehicle::segment::{Point, Segment, half_chord_m};
 use numerics::math::FRAC_PI_2;
 use numerics::scalar::Single;
 use numerics::scalar::functions::{asin, hypot, sin_cos};
@@ -67,9 +67,7 @@ impl<S: Single> Outline<S> {
     pub fn lid_foot_r_m(&self, depth_m: S) -> S {
         let height = self.attached_structure_x_m - self.lid_center_x_m;
         let radius = self.lid_radius_m - depth_m;
-        (radius * radius - height * height)
-            .max(S::constant(0.0))
-            .sqrt()
+        half_chord_m(radius, height)
     }
 
     /// Point on the tip line, `aft_m` behind the center of the shoulder.

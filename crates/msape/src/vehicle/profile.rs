@@ -35,7 +35,7 @@ impl<S> Default for Profile<S> {
 }
 
 /// Properties of the solid that a closed profile encloses when revolved about the axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SolidProperties<S = f64> {
     /// Area of the half-section, m².
     pub section_area_m2: S,
@@ -102,6 +102,12 @@ impl<S: Single> Profile<S> {
         }
     }
 
+    /// Whether it lies where another does and in its direction, however both move.
+    pub fn is_along(&self, other: &Self) -> bool {
+        let mut pairs = self.segments.iter().zip(&other.segments);
+        self.segments.len() == other.segments.len() && pairs.all(|(one, other)| one.is_along(other))
+    }
+
     /// An empty curve that reuses the memory of this one.
     pub fn cleared(mut self) -> Self {
         self.segments.clear();
@@ -129,7 +135,7 @@ impl<S: Single> Profile<S> {
     /// This curve with a line to `point` (nothing when it is already there).
     pub fn line_to(mut self, point: Point<S>) -> Self {
         match self.end() {
-            Some(end) if end != point => self.segments.push(Segment::Line {
+            Some(end) if !end.is_at(&point) => self.segments.push(Segment::Line {
                 start: end,
                 end: point,
             }),
@@ -225,6 +231,27 @@ mod tests {
             (got - want).abs() <= 1e-12 * want.abs().max(1.0),
             "{got} against {want}"
         );
+    }
+
+    /// A line of no length would have the derivative of a square root at zero.
+    #[test]
+    fn curves_are_joined_by_place_and_not_by_derivatives() {
+        use numerics::scalar::{Dual, Scalar};
+        let at = |x: f64, r: f64, index: usize| Point {
+            x_m: Dual::<2>::variable(x, index),
+            r_m: Dual::constant(r),
+        };
+        let line = |index| Segment::Line {
+            start: at(0.0, 1.0, index),
+            end: at(2.0, 1.0, index),
+        };
+        let [one, other] = [0, 1].map(|index| Profile::default().and(line(index)));
+        let joined = one.clone().line_to(at(2.0, 1.0, 1));
+        assert_eq!(joined, one);
+        assert!(one != other && one.is_along(&other));
+        assert!(!one.is_along(&one.reversed()) && !one.is_along(&Profile::default()));
+        let arcs = [PI, -PI].map(|sweep| Segment::arc(point(0.0, 0.0), 1.0, 0.0, sweep));
+        assert!(arcs[0].is_along(&arcs[0]) && !arcs[0].is_along(&arcs[1]));
     }
 
     #[test]

@@ -73,7 +73,7 @@ pub fn adjustments(
             key: "lid_gap_m".to_owned(),
             from: gap_m,
             to: layout.lid_insulation_thickness_m,
-            reason: "The lid was raised over the payload and the primary structure lengthened, as the lid about the centre of gravity would not let the payload pass or would stand too low for its wing."
+            reason: "The lid was raised over the payload and the primary structure lengthened, as the lid about the center of gravity would not let the payload pass or would stand too low for its wing."
                 .to_owned(),
             source: "assumed: the report leaves open what is done when no shoulder radius closes".to_owned(),
         });
@@ -94,7 +94,7 @@ pub fn findings(input: &VehicleInput, figures: &Figures) -> Vec<Finding> {
             key: "vertical_cg_location_m".to_owned(),
             value: Some(figures.mass.cg_x_m),
             valid: (None, Some(payload_x_m)),
-            message: "The centre of gravity stands behind the payload: the heaviest part should be the foremost.".to_owned(),
+            message: "The center of gravity stands behind the payload: the heaviest part should be the foremost.".to_owned(),
             source: "general knowledge".to_owned(),
             field: None,
         });

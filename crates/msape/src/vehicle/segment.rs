@@ -99,11 +99,23 @@ impl<S: Single> Integrals<S> {
     }
 }
 
+/// Half the chord of a circle at a distance from its center, m; zero outside of it.
+pub fn half_chord_m<S: Single>(radius_m: S, distance_m: S) -> S {
+    let square = radius_m * radius_m - distance_m * distance_m;
+    square.max(S::constant(0.0)).sqrt()
+}
+
 impl<S: Single> Point<S> {
     /// A point on the axis.
     pub fn on_axis(x_m: S) -> Self {
         let r_m = S::constant(0.0);
         Self { x_m, r_m }
+    }
+
+    /// Whether it is at the same place as another, however both move.
+    pub fn is_at(&self, other: &Self) -> bool {
+        let places = [self, other].map(|point| (point.x_m.value(), point.r_m.value()));
+        places[0] == places[1]
     }
 }
 
@@ -129,6 +141,17 @@ impl<S: Single> Segment<S> {
             start_angle_rad,
             sweep_rad,
         }
+    }
+
+    /// Whether it lies where another does and in its direction, however both move.
+    pub fn is_along(&self, other: &Self) -> bool {
+        let sweep_rad = |segment: &Self| match segment {
+            Self::Line { .. } => 0.0,
+            Self::Arc { sweep_rad, .. } => sweep_rad.value(),
+        };
+        self.start().is_at(&other.start())
+            && self.end().is_at(&other.end())
+            && sweep_rad(self) == sweep_rad(other)
     }
 
     /// Start.

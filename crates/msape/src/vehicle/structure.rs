@@ -337,7 +337,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn sandwich_of_10_mm_with_half_millimetre_faces_is_mostly_core() {
+    fn sandwich_of_10_mm_with_half_millimeter_faces_is_mostly_core() {
         // a tenth faces: 270 + 45
         assert!((sandwich().at_minimum_gauge().density_kg_m3 - 315.0).abs() < 1e-9);
         assert_eq!(sandwich().at_thickness(0.02).governs, Governs::Given);

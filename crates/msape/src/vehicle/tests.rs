@@ -152,7 +152,7 @@ fn msr_of_0p9_m_closes_as_asked_at_the_limit_of_the_wing() {
 }
 
 #[test]
-fn galahad_closes_as_asked_with_its_lid_at_the_centre_of_gravity() {
+fn galahad_closes_as_asked_with_its_lid_at_the_center_of_gravity() {
     let vehicle = build(&galahad()).unwrap();
     assert_eq!(vehicle.adjustments, Vec::new());
     let outline = &vehicle.layout.outline;

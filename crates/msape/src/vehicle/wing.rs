@@ -15,7 +15,7 @@
 //! # References
 //! - \[samareh-2014\] section 3.1.2.
 
-use crate::vehicle::segment::Point;
+use crate::vehicle::segment::{Point, half_chord_m};
 use numerics::scalar::Single;
 
 /// Least distance of the annulus from the shoulder's circle, so that the wing has a length, m.
@@ -63,8 +63,7 @@ impl<S: Single> Wing<S> {
 
     /// Half the width of the shoulder's circle at a distance behind its center, m; zero aft of it.
     fn circle_m(&self, behind_m: S) -> S {
-        let square = self.radius_m * self.radius_m - behind_m * behind_m;
-        square.max(S::constant(0.0)).sqrt()
+        half_chord_m(self.radius_m, behind_m)
     }
 
     /// Largest distance from the axis of an edge at the axial position `x_m`: on the steepest wing, further aft on the

@@ -1,7 +1,7 @@
 //! Functions of numbers with derivatives beside those of the trait: the value by `math`, with its bits.
 //!
 //! ```text
-//! d sin x = cos x dx    d ∛x = ∛x / 3x dx    d arcsin x = dx / √(1 − x²)    d √(x² + y²) = (x dx + y dy) / √(x² + y²)
+//! d sin x = cos x dx    d ∛x = dx / (3 ∛x²)    d arcsin x = dx / √(1 − x²)    d √(x² + y²) = (x dx + y dy) / √(x² + y²)
 //! ```
 
 use super::Single;
@@ -24,7 +24,7 @@ pub fn sin_cos<S: Single>(x: S) -> (S, S) {
 #[inline]
 pub fn cbrt<S: Single>(x: S) -> S {
     let root = math::cbrt(x.value());
-    function(x, root, || root / (3.0 * x.value()))
+    function(x, root, || 1.0 / (3.0 * root * root))
 }
 
 /// Arc sine, rad.
@@ -69,6 +69,12 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn cube_root_rises_without_bound_at_zero_and_of_a_constant_does_not_move() {
+        let zero = cbrt(Dual::<2>::variable(0.0, 0));
+        assert_eq!((zero.value, zero.slope), (0.0, [f64::INFINITY, 0.0]));
     }
 
     #[test]

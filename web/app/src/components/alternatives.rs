@@ -8,14 +8,14 @@ use msape::quantity::input::{Alternatives, Input, Kind, Preset};
 
 /// The inputs of which a case must give one, where this is one of them.
 pub fn group_of(input: &Input) -> Option<&'static Alternatives> {
-    input.alternatives.filter(|group| group.required)
+    input.alternatives.filter(|group| group.asked_as.is_some())
 }
 
 /// A choice of the given input, and its field.
 #[component]
 pub fn OneOf(group: &'static Alternatives) -> impl IntoView {
     let state = State::expect();
-    let title = format!("{} given by", group.label);
+    let title = format!("{} given by", group.asked_as.unwrap_or_default());
     let inputs: Vec<&'static Input> = group.inputs().collect();
     let first = inputs.first().map_or("", |input| input.key);
     let given = Memo::new(move |_| {

@@ -292,7 +292,8 @@ mod tests {
         let found = curves(&question, &library, &kept).unwrap();
         assert_eq!((found.over_alpha.len(), found.over_mach.len()), (2, 2));
         // at Mach 50 the curve over Mach ends; over the angle at Mach 20 and 20 deg it lies between its neighbors
-        let (_, database) = msape::problem::aero(&question.case, &library).unwrap();
+        let problem = AeroProblem::check(&question.case, &library).unwrap();
+        let (_, database) = problem.solve().unwrap();
         let want = database.coefficients(50.0, 0.0, 20.0_f64.to_radians());
         assert_eq!(found.over_mach[1].rows.last().unwrap().cn, want.cn);
         assert_eq!(found.over_alpha[0].polar.rows[20].alpha_deg, 20.0);

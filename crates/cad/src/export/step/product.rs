@@ -155,8 +155,8 @@ impl Assembly {
 
     fn color(&mut self, i: &mut Instances, part: &Part, solids: &[Id]) {
         let rgb = part.color.map(|c| real(f64::from(c) / 255.0)).join(",");
-        let colour = i.add(&format!("COLOUR_RGB('',{rgb})"));
-        let fill = i.add(&format!("FILL_AREA_STYLE_COLOUR('',#{colour})"));
+        let color = i.add(&format!("COLOUR_RGB('',{rgb})"));
+        let fill = i.add(&format!("FILL_AREA_STYLE_COLOUR('',#{color})"));
         let area = i.add(&format!("FILL_AREA_STYLE('',(#{fill}))"));
         let style = i.add(&format!("SURFACE_STYLE_FILL_AREA(#{area})"));
         let side = i.add(&format!("SURFACE_SIDE_STYLE('',(#{style}))"));

@@ -201,7 +201,7 @@ fn the_unit_of_the_user_stands_above_that_of_the_drawing() {
     ] {
         let text = text.replace("70\n4\n", &format!("70\n{code}\n"));
         let Imported { rows, remarks } =
-            read(text.as_bytes(), Some(LengthUnit::Millimetre)).unwrap();
+            read(text.as_bytes(), Some(LengthUnit::Millimeter)).unwrap();
         assert_eq!(rows[1][0], 0.5);
         let remarks = remarks.join("; ");
         assert!(

@@ -73,7 +73,7 @@ impl Regime {
                 "axial force in part constructed; normal force and moment assumed: blended from equation 7 to modified Newton"
             }
             Regime::Subsonic => {
-                "axial and normal force published (equation 7) up to 60 deg; centre of pressure assumed (Newtonian); beyond 100 deg assumed (modified Newton)"
+                "axial and normal force published (equation 7) up to 60 deg; center of pressure assumed (Newtonian); beyond 100 deg assumed (modified Newton)"
             }
             Regime::Table => "the table of the case",
         }

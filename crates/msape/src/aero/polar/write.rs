@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn without_a_centre_of_gravity_its_moment_is_null() {
+    fn without_a_center_of_gravity_its_moment_is_null() {
         let row = Row {
             alpha_deg: 5.0,
             ca: 1.5,

@@ -68,7 +68,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .report(),
     Output::new("payload_height_m", "Payload Height", Module::Geometry, |a| design(a, |d| d.vehicle.dimensions.payload_height_m))
         .unit(Dimension::Length, "m")
-        .help("From the nose to the centre of the payload.", "NASA/TM-2014-218507, Appendix D")
+        .help("From the nose to the center of the payload.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("reference_area_m2", "Reference Area", Module::Geometry, |a| design(a, |d| d.vehicle.dimensions.reference_area_m2))
         .unit(Dimension::Area, "m^2")
@@ -91,26 +91,26 @@ pub(super) static OUTPUTS: &[Output] = &[
         .help("Mass of the payload.", "NASA/TM-2014-218507, section 3.1.1"),
     Output::new("vehicle_cg_location_from_nose_m", "Vehicle CG Location from Nose", Module::Mass, |a| design(a, |d| d.vehicle.dimensions.cg_from_nose_m))
         .unit(Dimension::Length, "m")
-        .help("Centre of gravity behind the nose.", "NASA/TM-2014-218507, Appendix D")
+        .help("Center of gravity behind the nose.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("vertical_cg_location_m", "Vertical C.G. Location", Module::Mass, |a| design(a, |d| d.vehicle.dimensions.cg_from_apex_m))
         .unit(Dimension::Length, "m")
-        .help("Centre of gravity behind the virtual apex.", "NASA/TM-2014-218507, Appendix D")
+        .help("Center of gravity behind the virtual apex.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("vertical_cg_location_ratio", "Vertical C.G. Location (X/D)", Module::Mass, |a| design(a, |d| d.vehicle.dimensions.cg_over_diameter))
-        .help("Centre of gravity behind the virtual apex over the diameter.", "NASA/TM-2014-218507, Appendix D")
+        .help("Center of gravity behind the virtual apex over the diameter.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("ixx_kg_m2", "Ixx", Module::Mass, |a| design(a, |d| d.vehicle.mass.ixx_kg_m2))
         .unit(Dimension::Inertia, "kg-m2")
-        .help("Moment of inertia about the axis, through the centre of gravity.", "NASA/TM-2014-218507, Appendix D")
+        .help("Moment of inertia about the axis, through the center of gravity.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("iyy_kg_m2", "Iyy", Module::Mass, |a| design(a, |d| d.vehicle.mass.iyy_kg_m2))
         .unit(Dimension::Inertia, "kg-m2")
-        .help("Moment of inertia about a transverse axis, through the centre of gravity.", "NASA/TM-2014-218507, Appendix D")
+        .help("Moment of inertia about a transverse axis, through the center of gravity.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("izz_kg_m2", "Izz", Module::Mass, |a| design(a, |d| d.vehicle.mass.izz_kg_m2))
         .unit(Dimension::Inertia, "kg-m2")
-        .help("Moment of inertia about a transverse axis, through the centre of gravity.", "NASA/TM-2014-218507, Appendix D")
+        .help("Moment of inertia about a transverse axis, through the center of gravity.", "NASA/TM-2014-218507, Appendix D")
         .report(),
     Output::new("forebody_tps_mass_kg", "Forebody TPS Mass", Module::Mass, |a| design(a, |d| d.vehicle.component_mass_kg(ComponentKind::ForebodyTps)))
         .unit(Dimension::Mass, "kg")
@@ -284,7 +284,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .help("Heat load on the shoulder with margins, taken with the factor of the heat flux.", "NASA/TM-2014-218507, section 3.4.3"),
     Output::new("forebody_judged_heat_flux_w_m2", "Forebody TPS Judged Heat Rate", Module::Heating, |a| design(a, |d| d.forebody_judged.peak_heat_flux_w_m2))
         .unit(Dimension::HeatFlux, "W/cm^2")
-        .help("Heat flux with margins that is held against the limits of the forebody's heat shield: that of the point of heating.judged_at, which a finding names.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
+        .help("Heat flux with margins that is held against the limits of the forebody's heat shield: that of the point chosen by the case, which a finding names.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),
     Output::new("forebody_judged_heat_load_j_m2", "Forebody TPS Judged Heat Load", Module::Heating, |a| design(a, |d| d.forebody_judged.heat_load_j_m2))
         .unit(Dimension::HeatLoad, "J/cm^2")
         .help("Heat load with margins for which the forebody's heat shield is sized, at the same point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5"),

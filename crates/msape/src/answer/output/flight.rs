@@ -202,7 +202,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         .report(),
     Output::new("peak_stagnation_pressure_pa", "Max Stagnation Pressure", Module::Heating, |a| flight(a, |f| f.peak_stagnation_pressure_pa.value))
         .unit(Dimension::Pressure, "Pa")
-        .help("Pressure at the stagnation point about the largest dynamic pressure, by the model of heating.stagnation_pressure.", "NASA/TM-2014-218507, equations 9 to 12"),
+        .help("Pressure at the stagnation point about the largest dynamic pressure, by the model that the case chooses.", "NASA/TM-2014-218507, equations 9 to 12"),
     Output::new("peak_stagnation_pressure_time_s", "Max Stagnation Pressure at Time", Module::Heating, |a| flight(a, |f| f.peak_stagnation_pressure_pa.time_s))
         .unit(Dimension::Time, "s")
         .help("Time of it after the start.", "NASA/TM-2014-218507, equations 10 to 12"),

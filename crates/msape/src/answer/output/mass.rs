@@ -46,7 +46,7 @@ pub(super) static OUTPUTS: &[Output] = &[
         vehicle(a, |v| v.crushed.cg_x_m - v.dimensions.virtual_apex_ahead_m)
     })
         .unit(Dimension::Length, "m")
-        .help("Centre of gravity behind the nose with the payload moved forward by the required stroke.", CRUSHED),
+        .help("Center of gravity behind the nose with the payload moved forward by the required stroke.", CRUSHED),
     Output::new("crushed_ixx_kg_m2", "Ixx After Landing", Module::Mass, |a| vehicle(a, |v| v.crushed.ixx_kg_m2))
         .unit(Dimension::Inertia, "kg-m2")
         .help("Moment of inertia about the axis with the payload moved forward by the required stroke.", CRUSHED),

@@ -23,19 +23,19 @@ macro_rules! outputs {
             Output::new(concat!($key, "_static_margin"), concat!("Static Margin (X/D), ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| r.static_margin)
             })
-            .help(concat!("Distance of the centre of gravity ahead of the centre of pressure nose first in diameters, in ", $flow, "; positive is stable."), SECTION),
+            .help(concat!("Distance of the center of gravity ahead of the center of pressure nose first in diameters, in ", $flow, "; positive is stable."), SECTION),
             Output::new(concat!($key, "_cm_alpha_per_rad"), concat!("Moment Slope Nose First (1/rad), ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.end(0.0)?.cm_alpha_per_rad))
             })
-            .help(concat!("Slope of the moment about the centre of gravity at 0 deg, in ", $flow, "; negative is stable."), SECTION),
+            .help(concat!("Slope of the moment about the center of gravity at 0 deg, in ", $flow, "; negative is stable."), SECTION),
             Output::new(concat!($key, "_aft_first_cm_alpha_per_rad"), concat!("Moment Slope Aft First (1/rad), ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.end(180.0)?.cm_alpha_per_rad))
             })
-            .help(concat!("Slope of the moment about the centre of gravity at 180 deg, in ", $flow, "; negative is stable."), SECTION),
+            .help(concat!("Slope of the moment about the center of gravity at 180 deg, in ", $flow, "; negative is stable."), SECTION),
             Output::new(concat!($key, "_trims"), concat!("Number of Trims, ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.trims.len() as f64))
             })
-            .help(concat!("Angles of attack from 0 to 180 deg, both included, at which the moment about the centre of gravity vanishes in ", $flow, ", stable or not; the notes list them."), SECTION),
+            .help(concat!("Angles of attack from 0 to 180 deg, both included, at which the moment about the center of gravity vanishes in ", $flow, ", stable or not; the notes list them."), SECTION),
             Output::new(concat!($key, "_stable_trim_deg"), concat!("Stable Trim not Nose First, ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.other_trim()?.alpha_deg))
             })
@@ -44,7 +44,7 @@ macro_rules! outputs {
             Output::new(concat!($key, "_stable_trim_cm_alpha_per_rad"), concat!("Moment Slope at that Trim (1/rad), ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.other_trim()?.cm_alpha_per_rad))
             })
-            .help(concat!("Slope of the moment about the centre of gravity there, in ", $flow, "."), SECTION),
+            .help(concat!("Slope of the moment about the center of gravity there, in ", $flow, "."), SECTION),
             Output::new(concat!($key, "_unstable_trim_deg"), concat!("Unstable Trim, ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.turning_point()?.alpha_deg))
             })
@@ -53,7 +53,7 @@ macro_rules! outputs {
             Output::new(concat!($key, "_unstable_trim_cm_alpha_per_rad"), concat!("Moment Slope at the Unstable Trim (1/rad), ", $label), Module::Aerodynamics, |a| {
                 regime(a, |s| &s.$field, |r| Some(r.turning_point()?.cm_alpha_per_rad))
             })
-            .help(concat!("Slope of the moment about the centre of gravity there, in ", $flow, "."), SECTION),
+            .help(concat!("Slope of the moment about the center of gravity there, in ", $flow, "."), SECTION),
         ]
     };
 }

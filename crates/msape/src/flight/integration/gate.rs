@@ -7,7 +7,8 @@
 //! with g an altitude less a level, m, or the argument of a row over its end, less one.
 //!
 //! # Valid
-//! Steps in which the vertical speed changes its sign at most once.
+//! Steps in which the vertical speed changes its sign at most once. A row of speed or Mach number is left where the end of a step
+//! is beyond it; one that is left and entered again within a step goes on.
 //!
 //! # References
 //! - [`numerics::ode::event`].
@@ -15,6 +16,7 @@
 use super::course::Course;
 use super::ladder::{Of, Way};
 use super::node::Place;
+use crate::flight::equations::{Equations, Surroundings};
 use crate::flight::motion::{Motion, head};
 use numerics::ode::Step;
 use numerics::ode::event::root_between;
@@ -61,8 +63,12 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         };
         let refused = self.refused_in(step);
         let kinks = [
-            self.row_in(step, there.speed_m_s, Of::Speed),
-            self.row_in(step, there.mach, Of::Mach),
+            self.row_in(step, Of::Speed, there.speed_m_s, |_, around| {
+                around.air_speed_m_s
+            }),
+            self.row_in(step, Of::Mach, there.mach, |point, around| {
+                around.air_speed_m_s / point.sound_m_s(around.altitude_m)
+            }),
             self.phase_in(step),
             self.filled_in(step),
             refused.map(|(t, axis)| (t, Gate::Refused(axis))),
@@ -76,8 +82,14 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
             })
     }
 
-    /// The gate at which a step leaves a row of drag or heating, and its time.
-    fn row_in(&self, step: &Step<N, S>, there: f64, of: Of) -> Option<(S, Gate)> {
+    /// The gate at which a step leaves a row of drag or heating, chosen by `argument`, and its time.
+    fn row_in(
+        &self,
+        step: &Step<N, S>,
+        of: Of,
+        there: f64,
+        argument: impl Fn(&Equations<S>, &Surroundings<S>) -> S,
+    ) -> Option<(S, Gate)> {
         let [low, high] = self.rungs.ends(of);
         let (level, way) = match there {
             there if there < low => (low, Way::Down),
@@ -86,13 +98,7 @@ impl<'a, M: Motion<'a, N, S>, const N: usize, S: Single> Course<'_, M, N, S> {
         };
         let part = |y: &[S; N]| {
             let point = self.motion.point();
-            let around = point.surroundings(&head(y));
-            let x = match of {
-                Of::Altitude => around.altitude_m,
-                Of::Speed => around.air_speed_m_s,
-                Of::Mach => around.air_speed_m_s / point.sound_m_s(around.altitude_m),
-            };
-            x / level - 1.0
+            argument(point, &point.surroundings(&head(y))) / level - 1.0
         };
         let before = part(&step.y0).value();
         let beyond = match way {

@@ -13,7 +13,7 @@
 //! - Own convention.
 
 use super::node::Place;
-use crate::flight::held::Within;
+use crate::flight::within::Within;
 
 /// Argument of the tables whose rows end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

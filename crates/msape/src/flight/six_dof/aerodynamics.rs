@@ -338,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn a_parachute_behind_the_centre_of_gravity_turns_the_nose_into_the_air() {
+    fn a_parachute_behind_the_center_of_gravity_turns_the_nose_into_the_air() {
         // 3-4-5: ½ 0.01 · 5 · 2 m² = 0.05 on each part; arm −0.5 m along the axis
         let air = stream([3.0, 0.0, 4.0]);
         let load = Load::default().with_canopy(&air, 2.0, [0.8, 0.0, 0.0], [0.3, 0.0, 0.0]);

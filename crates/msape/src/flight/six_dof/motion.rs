@@ -275,7 +275,9 @@ impl<'a> Motion<'a, RIGID_STATES> for RigidMotion<'a> {
         let Instant { stream, .. } = self.instant(y);
         let v = stream.speed_m_s;
         if v < SLOWEST_M_S {
-            return stream.drag_coefficient;
+            // the line that holds may be of a larger Mach number
+            let at_rest = |table: &DragTable| table.at(0.0);
+            return self.drag_table().map_or(stream.drag_coefficient, at_rest);
         }
         let unit = Stream {
             speed_m_s: v,

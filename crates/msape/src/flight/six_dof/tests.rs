@@ -4,6 +4,8 @@ mod flights;
 
 use super::*;
 use crate::flight::freedom::Freedom;
+use crate::flight::motion::Motion;
+use crate::flight::within::Within;
 use crate::problem::FlightProblem;
 use crate::{Case, Library};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -232,5 +234,28 @@ time_s = 20.0
         let expected = precession * t;
         let off = math::sin(angle - expected).abs() + 1.0 - math::cos(angle - expected);
         assert!(off < 1e-5, "{t}: {angle} {expected}");
+    }
+}
+
+#[test]
+fn at_rest_it_has_the_drag_of_mach_0_whatever_line_holds() {
+    let outlined = crate::library::data_file("cases/backward-entry.toml").unwrap();
+    let drag_alone = STREAM.to_string()
+        + "drag_table = [[0.0, 0.7], [2.0, 1.1], [4.0, 1.5]]
+inertia_kg_m2 = [[3.0, 0, 0], [0, 2.5, 0], [0, 0, 2.5]]
+";
+    for text in [outlined, &drag_alone] {
+        let problem = problem(text);
+        let rigid = rigid(&problem);
+        let motion = motion(&problem.mission, &problem.body, rigid);
+        let fast = motion.within(&Within {
+            mach: 3.0,
+            ..Within::REST
+        });
+        let mut y = start(&problem.mission, rigid);
+        y[3..6].fill(0.0);
+        let table = motion.drag_table().unwrap();
+        assert_ne!(table.at(0.0), table.at(3.0));
+        assert_eq!(fast.drag_coefficient(0.0, &y), table.at(0.0));
     }
 }

@@ -76,6 +76,34 @@ fn held_ends_stay_and_what_grows_downwards_does_not_go_on() {
     assert!((corner / 4e4 - 1.0).abs() < 1e-12, "{corner}");
 }
 
+/// A step holds the rows in which it begins: beyond their end they go on as a power law, and no kink is within the step.
+#[test]
+fn rows_that_hold_go_on_where_others_begin() {
+    for rule in [
+        Extrapolation::Hold,
+        Extrapolation::Extend,
+        Extrapolation::Refuse,
+    ] {
+        let table = two_columns(rule);
+        for (chosen_by_m_s, v) in [(9e3, 10.2e3), (11e3, 9.7e3)] {
+            let flow = Flow {
+                chosen_by_m_s,
+                ..Flow::new(3e-4, v, 1.0)
+            };
+            let ours = table.heat_flux_w_m2(Part::Convective, &flow);
+            let power = 1e-4 * 3e-4_f64.sqrt() * v * v * v;
+            assert!((ours / power - 1.0).abs() < 1e-11, "{rule:?} {v}: {ours}");
+        }
+        // radiation from 0 at 8 km/s to 3e6 at 10 km/s: linear, 3.3e6 at 10.2 km/s
+        let flow = Flow {
+            chosen_by_m_s: 9e3,
+            ..Flow::new(3e-4, 10.2e3, 1.0)
+        };
+        let ours = table.heat_flux_w_m2(Part::Radiative, &flow);
+        assert!((ours / 3.3e6 - 1.0).abs() < 1e-12, "{rule:?}: {ours}");
+    }
+}
+
 #[test]
 fn derivatives_are_those_of_differences() {
     let table = two_columns(Extrapolation::Extend);

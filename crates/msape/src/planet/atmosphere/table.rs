@@ -268,9 +268,7 @@ impl Table {
     #[inline]
     fn held_m<S: Scalar>(&self, altitude_m: S) -> S {
         let (first_m, last_m) = self.valid_m;
-        altitude_m
-            .max(S::constant(first_m))
-            .min(S::constant(last_m))
+        altitude_m.clamp(S::constant(first_m), S::constant(last_m))
     }
 
     /// A column of one interval at an altitude within the table, m; all rows have the same columns.

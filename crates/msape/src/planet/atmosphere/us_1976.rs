@@ -35,21 +35,25 @@ use us1976::lower::{self, Lower};
 use us1976::temperature::{StandardTemperature, Upper};
 
 /// Gases above 86 km of the shipped definition as the build integrated them, one list for each of [`SPANS`]; `None` for
-/// a definition of the user.
+/// any other definition.
 #[cfg(feature = "prepared-air")]
 fn prepared_gases(data: Data) -> Option<Vec<SpanKnots>> {
-    // At each knot density, kg/m³, and its slope, molar mass, kg/kmol, and its slope.
-    static SHIPPED: &[&[[f64; 4]]] = include!(concat!(env!("OUT_DIR"), "/us_1976.rs"));
+    // The definition, and at each knot density, kg/m³, and its slope, molar mass, kg/kmol, and its slope.
+    static SHIPPED: (&str, &[&[[f64; 4]]]) = include!(concat!(env!("OUT_DIR"), "/us_1976.rs"));
+    let (definition, spans) = SHIPPED;
     let knot = |value, slope_per_m| us1976::Knot { value, slope_per_m };
     let of_span = |knots: &&[[f64; 4]]| SpanKnots {
-        density: { knots.iter() }
+        density: knots
+            .iter()
             .map(|[rho, slope, ..]| knot(*rho, *slope))
             .collect(),
-        molar_mass: { knots.iter() }
+        molar_mass: knots
+            .iter()
             .map(|[.., m, slope]| knot(*m, *slope))
             .collect(),
     };
-    matches!(data, Data::Shipped(_)).then(|| SHIPPED.iter().map(of_span).collect())
+    let is_this = matches!(data, Data::Shipped(text) if text == definition);
+    is_this.then(|| spans.iter().map(of_span).collect())
 }
 
 /// No prepared gases: they are integrated at the start.

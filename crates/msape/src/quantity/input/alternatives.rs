@@ -4,10 +4,8 @@ use super::Input;
 
 /// Alternative ways to give a quantity, of which a case uses one; each way is one input or several.
 pub struct Alternatives {
-    /// Name of the quantity as a heading, such as `Payload size`.
-    pub label: &'static str,
-    /// Whether a case must give one.
-    pub required: bool,
+    /// Name of a quantity that a case must give, as a heading such as `Payload size`.
+    pub asked_as: Option<&'static str>,
     /// The ways.
     pub ways: &'static [&'static [&'static Input]],
 }

@@ -9,8 +9,7 @@ const POSITIVE: Range = Range::above(0.0, 1e30);
 
 /// Ways to give an atmosphere.
 pub static AIR: Alternatives = Alternatives {
-    label: "Atmosphere",
-    required: false,
+    asked_as: None,
     ways: &[
         &[&TABLE],
         &[&FILE],

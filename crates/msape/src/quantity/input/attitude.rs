@@ -16,8 +16,7 @@ const fn angle(label: &'static str, most: f64) -> Input {
 
 /// Ways to give the attitude at the start.
 pub static ATTITUDE: Alternatives = Alternatives {
-    label: "Attitude",
-    required: false,
+    asked_as: None,
     ways: &[
         &[&YAW_DEG, &PITCH_DEG, &ROLL_DEG],
         &[&ALPHA_DEG, &BETA_DEG, &BANK_DEG],

@@ -34,8 +34,7 @@ const fn thickness(label: &'static str) -> Input {
 macro_rules! density_or_mass {
     ($($component:ident = $density:ident, $mass:ident;)+) => {
         $(static $component: Alternatives = Alternatives {
-            label: "Component",
-            required: false,
+            asked_as: None,
             ways: &[&[&$density], &[&$mass]],
         };)+
     };
@@ -56,8 +55,7 @@ density_or_mass! {
 
 /// Ways to give the size of the payload.
 pub static PAYLOAD_SIZE: Alternatives = Alternatives {
-    label: "Payload size",
-    required: true,
+    asked_as: Some("Payload size"),
     ways: &[
         &[&PAYLOAD_DENSITY_KG_M3],
         &[&PAYLOAD_DIAMETER_M],

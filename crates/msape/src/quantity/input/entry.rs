@@ -10,8 +10,7 @@ use crate::units::Dimension;
 
 /// Ways to give the altitude at which the flight begins.
 pub static START: Alternatives = Alternatives {
-    label: "Start",
-    required: true,
+    asked_as: Some("Start"),
     ways: &[&[&ALTITUDE_M], &[&RADIUS_M]],
 };
 
@@ -34,7 +33,7 @@ inputs! {
     RADIUS_M: "entry.radius_m" = Input::number("Entry Radius", Group::Mission, Dimension::Length, Range::above(0.0, 1e10))
         .unit("km")
         .one_way_of(&START)
-        .help("Distance from the centre of the planet at the start, instead of the altitude.", CONVENTION);
+        .help("Distance from the center of the planet at the start, instead of the altitude.", CONVENTION);
     LATITUDE_DEG: "entry.latitude_deg" = Input::number("Entry Latitude", Group::Mission, Dimension::Angle, Range::closed(-90.0, 90.0))
         .unit("deg")
         .preset(Preset::Number(33.0))

@@ -47,5 +47,6 @@ inputs! {
         .help("How the pressure at the stagnation point is found, which loads the walls and is held against the limits of the heat shield; the Newtonian limit bounds the others.", "NASA/TM-2014-218507, equations 9 to 12");
     JUDGED_AT: "heating.judged_at" = Input::new("Heat Shield Judged at", Group::Models, Kind::Choice(JudgedAt::CHOICES))
         .preset(Preset::Name(JudgedAt::HottestPoint.name()))
+        .tasks(&[Task::Design, Task::DesignedBody])
         .help("Where heat flux and heat load are taken for the thickness of the forebody's heat shield and for its limits; the report's relations took those of the stagnation point.", "NASA/TM-2014-218507, sections 3.4.3 and 3.5");
 }

@@ -7,8 +7,7 @@ use crate::units::Dimension;
 
 /// Ways to give an outline.
 pub static OUTLINE: Alternatives = Alternatives {
-    label: "Outline",
-    required: false,
+    asked_as: None,
     ways: &[
         &[&PRESET],
         &[&POINTS],

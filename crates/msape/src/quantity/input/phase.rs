@@ -2,7 +2,7 @@
 //!
 //! A key of the list, such as `phase.altitude_m`, stands for that of every phase: `phase.1.altitude_m`, `phase.2.altitude_m`.
 
-use super::{Alternatives, CONVENTION, Group, Input, Kind, Range, column};
+use super::{CONVENTION, Group, Input, Kind, Range, column};
 use crate::quantity::Task;
 use crate::quantity::choice::{Choice, Direction};
 use crate::units::Dimension;
@@ -16,41 +16,23 @@ pub const SECTION: &str = "phase";
 /// Most phases of a case.
 pub const MOST: usize = 20;
 
-/// Ways in which a phase begins.
-pub static BEGIN: Alternatives = Alternatives {
-    label: "Phase begins at",
-    required: true,
-    ways: &[
-        &[&TIME_S],
-        &[&ALTITUDE_M],
-        &[&MACH],
-        &[&DYNAMIC_PRESSURE_PA],
-        &[&DECELERATION_EARTH_G],
-    ],
-};
-
 inputs! {
     Task::FLOWN;
     NAME: "phase.name" = Input::new("Phase", Group::Mission, Kind::Text)
         .help("Name of the phase, as it stands in time histories and events.", CONVENTION);
     TIME_S: "phase.time_s" = Input::number("Begins at Time", Group::Mission, Dimension::Time, Range::closed(0.0, 1e7))
         .unit("s")
-        .one_way_of(&BEGIN)
         .help("Time after the start at which the phase begins; one of time, altitude, Mach number, dynamic pressure and deceleration.", CONVENTION);
     ALTITUDE_M: "phase.altitude_m" = Input::number("Begins at Altitude", Group::Mission, Dimension::Length, Range::closed(-1e6, 1e9))
         .unit("km")
-        .one_way_of(&BEGIN)
         .help("Geodetic altitude at which the phase begins.", CONVENTION);
     MACH: "phase.mach" = Input::number("Begins at Mach Number", Group::Mission, Dimension::One, Range::above(0.0, 1e3))
-        .one_way_of(&BEGIN)
         .help("Mach number at which the phase begins.", CONVENTION);
     DYNAMIC_PRESSURE_PA: "phase.dynamic_pressure_pa" = Input::number("Begins at Dynamic Pressure", Group::Mission, Dimension::Pressure, Range::above(0.0, 1e12))
         .unit("Pa")
-        .one_way_of(&BEGIN)
         .help("Dynamic pressure at which the phase begins.", CONVENTION);
     DECELERATION_EARTH_G: "phase.deceleration_earth_g" = Input::number("Begins at Deceleration", Group::Mission, Dimension::Load, Range::above(0.0, 1e6))
         .unit("Earth g")
-        .one_way_of(&BEGIN)
         .help("Aerodynamic force over mass over 9.80665 m/s^2 at which the phase begins.", CONVENTION);
     DIRECTION: "phase.direction" = Input::new("Direction", Group::Mission, Kind::Choice(Direction::CHOICES))
         .help("Whether the quantity falls or rises through its value when the phase begins; falling when absent. Where it did so before the turn of the phase, or jumps through it by what the phase before changes, and stands beyond it, the phase begins at once; where it has stood beyond it since the start, never, and that is told.", CONVENTION);

@@ -9,8 +9,7 @@ const RADIUS: Range = Range::closed(100.0, 1e13);
 
 /// Ways to give the gravity of a planet.
 pub static GRAVITY: Alternatives = Alternatives {
-    label: "Gravity",
-    required: false,
+    asked_as: None,
     ways: &[&[&MU_M3_S2], &[&UNIFORM_GRAVITY_M_S2]],
 };
 
@@ -47,5 +46,5 @@ inputs! {
         .unit("m/s^2")
         .aliases(&["planet.gravity_m_s2", "planet.g_m_s2"])
         .one_way_of(&GRAVITY)
-        .help("Gravity of constant magnitude towards the centre, instead of the gravitational parameter.", CONVENTION);
+        .help("Gravity of constant magnitude towards the center, instead of the gravitational parameter.", CONVENTION);
 }

@@ -12,15 +12,13 @@ pub use freedom::*;
 
 /// Ways to give the reference area.
 pub static AREA: Alternatives = Alternatives {
-    label: "Reference area",
-    required: false,
+    asked_as: None,
     ways: &[&[&REFERENCE_AREA_M2], &[&DIAMETER_M]],
 };
 
 /// Ways to give the drag of a point mass; constants of force and moment are one.
 pub static DRAG: Alternatives = Alternatives {
-    label: "Drag",
-    required: false,
+    asked_as: None,
     ways: &[
         &[&DRAG_COEFFICIENT],
         &[&DRAG_TABLE],

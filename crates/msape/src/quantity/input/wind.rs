@@ -7,8 +7,7 @@ use crate::units::Dimension;
 
 /// Ways to give the wind.
 pub static WIND: Alternatives = Alternatives {
-    label: "Wind",
-    required: false,
+    asked_as: None,
     ways: &[&[&TABLE], &[&EASTWARD_M_S, &NORTHWARD_M_S]],
 };
 

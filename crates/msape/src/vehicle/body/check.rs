@@ -31,7 +31,7 @@ pub struct At(pub Point);
 
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // to a micrometre, without the zeros at the end
+        // to a micrometer, without the zeros at the end
         let short = |value: f64| told((value * 1e6).round() / 1e6 + 0.0);
         write!(
             f,

@@ -79,7 +79,7 @@ impl<S: Single> Absorber<S> {
             Shape::Column { area_m2 } => area_m2,
             Shape::Sphere { payload_radius_m } => {
                 let r = payload_radius_m + self.thickness_m;
-                let s = crush_m.max(S::constant(0.0)).min(r);
+                let s = crush_m.clamp(S::constant(0.0), r);
                 s * PI * (r * 2.0 - s)
             }
         }
@@ -104,7 +104,7 @@ impl<S: Single> Absorber<S> {
             Shape::Column { .. } => S::constant(0.0),
             Shape::Sphere { payload_radius_m } => {
                 let r = payload_radius_m + self.thickness_m;
-                (r - crush_m.max(S::constant(0.0)).min(r)) * (2.0 * PI)
+                (r - crush_m.clamp(S::constant(0.0), r)) * (2.0 * PI)
             }
         };
         growth_m * self.law.stress_pa(strain)

@@ -74,7 +74,7 @@ mod tests {
     };
 
     #[test]
-    fn forty_kilograms_of_one_metre_have_195_g_and_3_8_cm() {
+    fn forty_kilograms_of_one_meter_have_195_g_and_3_8_cm() {
         // 28 · 8 · 9.80665 / (π 1.225 0.73) · 0.25 = 195.48
         let load = FALL.penetration_load_earth_g(28.0, 0.25);
         assert!((load - 195.48).abs() < 0.01, "{load}");

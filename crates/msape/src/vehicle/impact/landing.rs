@@ -179,7 +179,7 @@ mod tests {
     use numerics::math::RADIANS_PER_DEGREE;
 
     #[test]
-    fn thirty_metres_per_second_at_60_deg_below_the_horizon_are_15_sideways() {
+    fn thirty_meters_per_second_at_60_deg_below_the_horizon_are_15_sideways() {
         let velocity = TouchdownVelocity::new(30.0, -60.0 * RADIANS_PER_DEGREE);
         assert!((velocity.horizontal_m_s - 15.0).abs() < 1e-12);
         assert!((velocity.off_axis_rad() / RADIANS_PER_DEGREE - 30.0).abs() < 1e-12);

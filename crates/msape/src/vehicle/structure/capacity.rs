@@ -332,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn cap_of_1_mm_and_radius_half_a_metre() {
+    fn cap_of_1_mm_and_radius_half_a_meter() {
         // λ² = √10.92 · 500 · 4 sin² 15° = 442.7, 0.14 + 3.2/λ² = 0.14723; 2 · 70e9 / 500² / √2.73 = 338929
         let got = solid().cap_pressure_pa(&NOSE, (0.001, 70e9));
         assert!((got / (0.147_228 * 338_929.0) - 1.0).abs() < 1e-5, "{got}");

@@ -233,7 +233,7 @@ mod tests {
     use super::super::tests::solid;
     use super::*;
 
-    fn cap_of_half_a_metre(pressure_pa: f64) -> PressureShell {
+    fn cap_of_half_a_meter(pressure_pa: f64) -> PressureShell {
         PressureShell {
             pressure_pa,
             from_deceleration: false,
@@ -252,7 +252,7 @@ mod tests {
     #[test]
     fn strength_asks_for_p_rho_over_sigma() {
         // 2e5 · 0.8 / 1e8 = 1.6 mm
-        let wall = solid().pressure_wall(&cap_of_half_a_metre(2e5));
+        let wall = solid().pressure_wall(&cap_of_half_a_meter(2e5));
         assert!((wall.strength_thickness_m - 0.0016).abs() < 1e-15);
         assert_eq!(wall.governs, Governs::CapBuckling);
     }

@@ -61,7 +61,7 @@ fn the_smallest_diameter_is_found_from_wherever_it_is_looked_for_and_none_below_
 }
 
 #[test]
-fn what_stands_about_the_centre_of_gravity_stands_about_it() {
+fn what_stands_about_the_center_of_gravity_stands_about_it() {
     let mut sequence = Sequence(32);
     let mut closed = 0;
     for _ in 0..400 {

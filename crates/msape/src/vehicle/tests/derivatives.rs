@@ -123,6 +123,12 @@ fn compare(name: &str, input: &VehicleInput, [first, every]: [usize; 2], tally: 
     let Ok((here, branches)) = figures(&input) else {
         return;
     };
+    let built = build(&input).unwrap();
+    assert_eq!(here.mass, built.mass, "{name}");
+    assert_eq!(here.crushed, built.crushed, "{name}");
+    assert_eq!(here.dimensions, built.dimensions, "{name}");
+    assert_eq!(here.impact, built.impact, "{name}");
+    assert_eq!(here.structure, built.structure, "{name}");
     let here = numbers(&input, &here);
     for (index, x) in inputs.into_iter().enumerate().skip(first).step_by(every) {
         let mut k = 0;

@@ -121,7 +121,7 @@ pub fn figure(curves: &Curves, coefficient: Coefficient, over: Over) -> Figure {
                     name: name.to_string(),
                     points,
                     style: Style {
-                        colour: if stable { 2 } else { 1 },
+                        color: if stable { 2 } else { 1 },
                         marker: Some(marker),
                         kind: Kind::Points,
                         ..Style::default()

@@ -16,7 +16,7 @@ fn volume(text: &str) -> f64 {
 }
 
 #[test]
-fn two_loose_lines_in_millimetres_are_a_cone() {
+fn two_loose_lines_in_millimeters_are_a_cone() {
     assert!((volume(&drawing_of("4", CONE)) - PI / 3.0).abs() < 1e-12);
 }
 
@@ -68,7 +68,7 @@ fn what_is_not_read_is_said_with_its_line() {
     let spline = drawing_of("4", &format!("{CONE}0\n3DFACE\n8\n0\n"));
     assert!(said(&spline, None).contains("3DFACE is not read"));
     assert!(said(&drawing_of("0", CONE), None).contains("no $INSUNITS"));
-    assert!(read(drawing_of("0", CONE).as_bytes(), Some(LengthUnit::Metre)).is_ok());
+    assert!(read(drawing_of("0", CONE).as_bytes(), Some(LengthUnit::Meter)).is_ok());
     assert!(said(&drawing_of("13", CONE), None).contains("$INSUNITS: got 13, must be"));
     assert!(said("x,r\n1,2\n", None).starts_with("line 1: got \"x,r\", must be the group code"));
     assert!(

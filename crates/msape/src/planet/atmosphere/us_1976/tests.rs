@@ -26,6 +26,21 @@ fn the_gases_that_the_build_integrated_are_those_of_the_definition() {
     assert_eq!(shipped.1, us_1976());
 }
 
+#[cfg(feature = "prepared-air")]
+#[test]
+fn gases_of_the_build_are_of_no_other_definition() {
+    use super::prepared_gases;
+    use crate::data::Data;
+    let prepared = |definition: &serde_json::Value| {
+        let text = definition.to_string();
+        prepared_gases(Data::Shipped(&text)).is_some()
+    };
+    let mut shipped: serde_json::Value = toml::from_str(DEFINITION).unwrap();
+    assert!(prepared(&shipped));
+    shipped["constants"]["gas_constant_j_kmol_k"] = 8314.0.into();
+    assert!(!prepared(&shipped));
+}
+
 fn in_layer(air: &Atmosphere, layer: usize, altitude_m: f64) -> f64 {
     air.density_in(&air.piece(layer), altitude_m)
 }
@@ -43,7 +58,7 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn every_kilometre_to_200_km() {
+fn every_kilometer_to_200_km() {
     // The reference integrates across the step of the molar mass at 100 km (9e-6), takes that of N2 for the gases that
     // Ar and He diffuse through (2e-5), and leaves out hydrogen above 150 km (3e-5 in pressure and mean free path).
     let air = us_1976();

@@ -18,8 +18,7 @@ const fn along_body(label: &'static str, columns: &'static [Column]) -> Input {
 
 /// Tables of heating.
 pub static TABLES: Alternatives = Alternatives {
-    label: "Heating",
-    required: false,
+    asked_as: None,
     ways: &[&[&TABLE], &[&RADIUS_TABLE], &[&ARC_TABLE]],
 };
 

@@ -24,15 +24,13 @@ const fn coefficient(label: &'static str) -> Input {
 
 /// Ways to give the lift.
 pub static LIFT: Alternatives = Alternatives {
-    label: "Lift",
-    required: false,
+    asked_as: None,
     ways: &[&[&LIFT_TO_DRAG], &[&LIFT_COEFFICIENT], &[&LIFT_TABLE]],
 };
 
 /// Ways to give the angle of bank.
 pub static BANK: Alternatives = Alternatives {
-    label: "Bank",
-    required: false,
+    asked_as: None,
     ways: &[&[&BANK_DEG], &[&BANK_TABLE_DEG], &[&BANK_SPEED_TABLE_DEG]],
 };
 
@@ -51,31 +49,30 @@ inputs! {
         .help("Length of roll and yaw damping; the reference length when absent.", CONVENTION);
     INERTIA_KG_M2: "vehicle.inertia_kg_m2" = rows("Inertia", &[column::X, column::Y, column::Z])
         .tasks(&[Task::RigidBody])
-        .help("Three rows of the inertia tensor about the centre of gravity, kg-m^2; off-diagonal elements are minus the products of inertia.", CONVENTION);
-    CG_M: "vehicle.cg_m" = rows("Centre of Gravity", &[column::X_M, column::Y_M, column::Z_M])
+        .help("Three rows of the inertia tensor about the center of gravity, kg-m^2; off-diagonal elements are minus the products of inertia.", CONVENTION);
+    CG_M: "vehicle.cg_m" = rows("Center of Gravity", &[column::X_M, column::Y_M, column::Z_M])
         .one_row()
         .tasks(&[Task::RigidBody, Task::DesignedBody])
-        .help("Centre of gravity, m: x aft of the virtual apex, y to the right, z down.", "NASA/TM-2014-218507, section 3.3.1");
+        .help("Center of gravity, m: x aft of the virtual apex, y to the right, z down.", "NASA/TM-2014-218507, section 3.3.1");
     AERODYNAMICS_CA: "vehicle.aerodynamics.ca" = coefficient("Axial Force Coefficient")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
         .help("Axial force coefficient at every Mach number and angle of attack.", CONVENTION);
     AERODYNAMICS_CN_ALPHA_PER_RAD: "vehicle.aerodynamics.cn_alpha_per_rad" = coefficient("Normal Force Slope")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody])
         .help("Normal force coefficient over the total angle of attack in rad.", CONVENTION);
     AERODYNAMICS_CM_ALPHA_PER_RAD: "vehicle.aerodynamics.cm_alpha_per_rad" = coefficient("Pitching Moment Slope")
         .one_way_of(&DRAG)
-        .tasks(Task::FLOWN)
-        .help("Pitching moment coefficient about the centre of gravity over the total angle of attack in rad; negative is stable.", CONVENTION);
+        .tasks(&[Task::RigidBody])
+        .help("Pitching moment coefficient about the center of gravity over the total angle of attack in rad; negative is stable.", CONVENTION);
     AERODYNAMICS_CLP: "vehicle.aerodynamics.clp" = coefficient("Roll Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Rolling moment coefficient over roll rate times span over twice the speed.", REPORT_DAMPING);
     AERODYNAMICS_CMQ: "vehicle.aerodynamics.cmq" = coefficient("Pitch Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Pitching moment coefficient over pitch rate times length over twice the speed.", REPORT_DAMPING);
     AERODYNAMICS_CNR: "vehicle.aerodynamics.cnr" = coefficient("Yaw Damping")
-        .tasks(Task::FLOWN)
+        .tasks(&[Task::RigidBody, Task::DesignedBody])
         .help("Yawing moment coefficient over yaw rate times span over twice the speed.", REPORT_DAMPING);
     LIFT_TO_DRAG: "vehicle.lift_to_drag" = Input::number("Lift to Drag", Group::Vehicle, Dimension::One, Range::closed(-10.0, 10.0))
         .one_way_of(&LIFT)
@@ -94,7 +91,7 @@ inputs! {
         .help("Name of a text file with Mach number and lift coefficient.", CONVENTION);
     TRIM: "vehicle.trim" = Input::new("Fly at Trim", Group::Vehicle, Kind::Flag)
         .tasks(&[Task::PointMass])
-        .help("Whether a point mass flies at the angle of attack where the moment about its centre of gravity is nothing, with drag and lift of its outline.", "NASA/TM-2014-218507, section 3.3.1");
+        .help("Whether a point mass flies at the angle of attack where the moment about its center of gravity is nothing, with drag and lift of its outline.", "NASA/TM-2014-218507, section 3.3.1");
     BANK_DEG: "vehicle.bank_deg" = Input::number("Bank Angle", Group::Mission, Dimension::Angle, Range::closed(-360.0, 360.0))
         .unit("deg")
         .one_way_of(&BANK)

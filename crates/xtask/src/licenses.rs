@@ -27,25 +27,25 @@ const NAMES: [&str; 5] = ["licen", "copying", "notice", "unlicense", "copyright"
 
 /// Writes the file of licenses.
 pub fn write(project: &Project) -> Result<()> {
-    announce("Collecting licence texts");
+    announce("Collecting license texts");
     let metadata = metadata(project)?;
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let mut without = Vec::new();
     for package in linked(&metadata)? {
         let name = format!("{} {}", text(package, "name")?, text(package, "version")?);
-        let licence = package["license"].as_str().unwrap_or("see its source");
+        let license = package["license"].as_str().unwrap_or("see its source");
         let manifest = Path::new(text(package, "manifest_path")?);
         let folder = manifest.parent().context("a manifest in no folder")?;
         let found = texts_in(folder)?;
         if found.is_empty() {
             let source = package["repository"].as_str().unwrap_or("no address given");
-            without.push(format!("{name} ({licence}): {source}"));
+            without.push(format!("{name} ({license}): {source}"));
         }
         for found in found {
             texts
                 .entry(found)
                 .or_default()
-                .push(format!("{name} ({licence})"));
+                .push(format!("{name} ({license})"));
         }
     }
     let own = ["LICENSE-MIT", "LICENSE-APACHE", "NOTICE.md"]
@@ -53,16 +53,16 @@ pub fn write(project: &Project) -> Result<()> {
         .into_iter()
         .collect::<Result<Vec<_>>>()?;
     let mut file = format!(
-        "M-SAPE is licensed under MIT or Apache-2.0, at your option:\n\n{}\n\nCrates in the app, each with the licence it states and the texts in its source.\n",
+        "M-SAPE is licensed under MIT or Apache-2.0, at your option:\n\n{}\n\nCrates in the app, each with the license it states and the texts in its source.\n",
         own.join("\n\n")
     );
-    for (licence, names) in &texts {
+    for (license, names) in &texts {
         let rule = "=".repeat(80);
-        file += &format!("\n{rule}\n{}\n{rule}\n\n{licence}\n", names.join("\n"));
+        file += &format!("\n{rule}\n{}\n{rule}\n\n{license}\n", names.join("\n"));
     }
     if !without.is_empty() {
         file += &format!(
-            "\nNo text in the source of these; their licence and where they come from:\n{}\n",
+            "\nNo text in the source of these; their license and where they come from:\n{}\n",
             without.join("\n")
         );
     }
