@@ -50,10 +50,10 @@ pageTest("curves are the command line's numbers", async (page) => {
   }
 }, { allowed: software });
 
-pageTest("trim is found about a centre of gravity, and is stable or not", async (page) => {
+pageTest("trim is found about a center of gravity, and is stable or not", async (page) => {
   await page.getByRole("button", { name: "60 deg sphere-cone", exact: true }).click();
   await ready(page);
-  await page.getByText("The centre of gravity of this outline is not known").first().waitFor();
+  await page.getByText("The center of gravity of this outline is not known").first().waitFor();
   await field(page, /^CG/).fill("0.2");
   const trim = page.getByRole("region", { name: "Trim and stability" });
   const first = trim.getByRole("row", { name: /Mach 20/ });
@@ -134,7 +134,7 @@ pageTest("a database is used in a flight and in the design", async (page) => {
   await page.locator("[data-flown=peak_deceleration_earth_g] .value").waitFor();
 }, { hash, allowed: software });
 
-pageTest("the design is shown with its own centre of gravity", async (page) => {
+pageTest("the design is shown with its own center of gravity", async (page) => {
   const trim = page.getByRole("region", { name: "Trim and stability" });
   await trim.getByText("stable", { exact: true }).first().waitFor();
   assert.match(await field(page, /^CG/).getAttribute("placeholder"), /^0\.\d+$/);

@@ -131,7 +131,7 @@ pageTest("heat flux has a scale with its unit, materials have their names", asyn
   const by_flux = await picture(page);
   assert.notEqual(by_flux.sum, by_component.sum);
   await panel.getByRole("radio", { name: "Material" }).check();
-  assert.ok((await panel.getByRole("list", { name: "Colours of materials" }).getByRole("listitem").count()) >= 4);
+  assert.ok((await panel.getByRole("list", { name: "Colors of materials" }).getByRole("listitem").count()) >= 4);
 }, { allowed: software });
 
 pageTest("the view is saved as an image", async (page) => {

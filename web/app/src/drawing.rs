@@ -240,12 +240,12 @@ fn on_shell(component: &Component) -> ((f64, f64), Option<(f64, f64)>) {
 }
 
 fn middle(component: &Component) -> (f64, f64) {
-    let centre = component
+    let center = component
         .profiles
         .first()
         .and_then(Profile::section_centroid)
         .unwrap_or_default();
-    (centre.r_m * MM, -centre.x_m * MM)
+    (center.r_m * MM, -center.x_m * MM)
 }
 
 #[derive(Clone, Copy, PartialEq)]

@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_model_turns_about_the_centre_of_its_ball() {
+    fn a_model_turns_about_the_center_of_its_ball() {
         let ball = Ball {
             center_m: 0.2,
             radius_m: 0.5,

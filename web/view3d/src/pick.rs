@@ -111,11 +111,11 @@ mod tests {
     #[test]
     fn the_outer_ball_hides_the_inner_one_until_it_is_cut_or_left_out() {
         let parts = [ball(1.0), ball(0.5)];
-        let centre = from_ahead(0.01, 0.02);
-        assert_eq!(part(&parts, |_| true, &centre, 0.0), Some(0));
-        assert_eq!(part(&parts, |place| place == 1, &centre, 0.0), Some(1));
+        let center = from_ahead(0.01, 0.02);
+        assert_eq!(part(&parts, |_| true, &center, 0.0), Some(0));
+        assert_eq!(part(&parts, |place| place == 1, &center, 0.0), Some(1));
         // with one half cut away, the face is where the sphere was
-        assert_eq!(part(&[ball(1.0)], |_| true, &centre, PI), Some(0));
+        assert_eq!(part(&[ball(1.0)], |_| true, &center, PI), Some(0));
         assert_eq!(part(&parts, |_| true, &from_ahead(0.9, 0.0), PI), Some(0));
         assert_eq!(part(&parts, |_| true, &from_ahead(1.1, 0.0), PI), None);
     }

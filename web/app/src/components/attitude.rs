@@ -207,7 +207,7 @@ pub fn AttitudeCard() -> impl IntoView {
                     now=rigid choose />
             </header>
             <Show when=move || rigid.get() fallback=|| view! {
-                <p class="quiet">"With six degrees of freedom the vehicle of the design flies its mission once more as a rigid body, with its own inertia, centre of gravity and aerodynamics."</p>
+                <p class="quiet">"With six degrees of freedom the vehicle of the design flies its mission once more as a rigid body, with its own inertia, center of gravity and aerodynamics."</p>
             }>
                 <RigidFlight />
             </Show>

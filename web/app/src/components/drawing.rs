@@ -17,7 +17,7 @@ enum Layer {
     Foam,
     Payload,
     Dimensions,
-    CentreOfGravity,
+    CenterOfGravity,
 }
 
 const LAYERS: [(Layer, &str); 6] = [
@@ -26,7 +26,7 @@ const LAYERS: [(Layer, &str); 6] = [
     (Layer::Foam, "Foam and insulation"),
     (Layer::Payload, "Payload"),
     (Layer::Dimensions, "Dimensions"),
-    (Layer::CentreOfGravity, "CG"),
+    (Layer::CenterOfGravity, "CG"),
 ];
 
 impl Layer {
@@ -51,7 +51,7 @@ impl Layer {
                 ComponentKind::LidInsulation,
             ],
             Layer::Payload => &[ComponentKind::Payload],
-            Layer::Dimensions | Layer::CentreOfGravity => &[],
+            Layer::Dimensions | Layer::CenterOfGravity => &[],
         }
     }
 }
@@ -153,7 +153,7 @@ fn sheet(
                 <text x=right - 0.3 * font y=bottom - 0.6 * font text-anchor="end">{cg_label(&d, units)}</text>
                 {scale_bar(section, units, left, bottom, font)}
             </g>
-            <g style:display=move || if shows(Layer::CentreOfGravity) { "" } else { "none" } font-size=font>
+            <g style:display=move || if shows(Layer::CenterOfGravity) { "" } else { "none" } font-size=font>
                 <circle class="cg" cx="0" cy=cg_mm r=0.5 * font></circle>
                 <path class="cg-quarter" d=quarters(cg_mm, 0.5 * font)></path>
                 <text x=0.7 * font y=cg_mm class="number cg-label" text-anchor="start" stroke-width=0.25 * font>"CG"</text>
@@ -173,11 +173,11 @@ fn quarters(y: f64, r: f64) -> String {
 }
 
 /// A length in the displayed units.
-fn length(metres: f64, units: UnitSystem) -> String {
+fn length(meters: f64, units: UnitSystem) -> String {
     let unit = length_unit(units);
     format!(
         "{} {}",
-        number(unit.from_canonical(metres), 3),
+        number(unit.from_canonical(meters), 3),
         symbol(unit)
     )
 }
@@ -202,7 +202,7 @@ fn describe(d: &Dimensions, units: UnitSystem) -> String {
 /// Main dimensions in a sentence.
 pub fn dimensions(d: &Dimensions, units: UnitSystem) -> String {
     format!(
-        "Diameter {}, height {}, nose radius {}, shoulder radius {}, centre of gravity {} behind the nose.",
+        "Diameter {}, height {}, nose radius {}, shoulder radius {}, center of gravity {} behind the nose.",
         length(d.diameter_m, units),
         length(d.vehicle_height_m, units),
         length(d.nose_radius_m, units),

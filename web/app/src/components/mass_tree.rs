@@ -146,8 +146,8 @@ pub fn Detail() -> impl IntoView {
                 format!("{} {}", number(unit.from_canonical(value), 4), symbol(unit))
             };
             let thin = |value: f64| {
-                let centimetre = Unit::find("cm").unwrap_or_else(|| canonical(Dimension::Length));
-                let unit = units.get().unit(Dimension::Length, centimetre);
+                let centimeter = Unit::find("cm").unwrap_or_else(|| canonical(Dimension::Length));
+                let unit = units.get().unit(Dimension::Length, centimeter);
                 format!("{} {}", number(unit.from_canonical(value), 4), symbol(unit))
             };
             let density = format!("{} ({})", shown(component.density_kg_m3, Dimension::Density), basis(component.density_basis));

@@ -20,7 +20,7 @@ use stage::{Paint, PaintedPart, Stage, Subject};
 
 /// Meaning of the colors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Colours {
+pub enum Colors {
     /// One color for each component.
     Component,
     /// One color for each material.
@@ -37,7 +37,7 @@ const UNHEATED: Color = [0.62, 0.65, 0.69];
 pub fn View3d() -> impl IntoView {
     let state = State::expect();
     let view = VehicleView::expect();
-    let colors = RwSignal::new(Colours::Component);
+    let colors = RwSignal::new(Colors::Component);
     let subject = Signal::derive(move || view.solved.get().map(Subject::Design));
     let parts = Memo::new(move |_| {
         let (lit, chosen) = (view.lit.get(), view.chosen.get());
@@ -46,9 +46,9 @@ pub fn View3d() -> impl IntoView {
             let materials = materials(vehicle);
             let part = |component: &Component| PaintedPart {
                 paint: match colors.get() {
-                    Colours::Component => Paint::Variable(variable(component.kind)),
-                    Colours::Material => Paint::Fixed(material_color(&materials, component)),
-                    Colours::HeatFlux => Paint::Fixed(UNHEATED),
+                    Colors::Component => Paint::Variable(variable(component.kind)),
+                    Colors::Material => Paint::Fixed(material_color(&materials, component)),
+                    Colors::HeatFlux => Paint::Fixed(UNHEATED),
                 },
                 shown: view.shows(component.kind),
                 lit: lit == Some(component.kind) || chosen == Some(component.kind),
@@ -57,7 +57,7 @@ pub fn View3d() -> impl IntoView {
         })
     });
     let parts = Signal::derive(move || parts.get().unwrap_or_default());
-    let by_scale = Signal::derive(move || colors.get() == Colours::HeatFlux);
+    let by_scale = Signal::derive(move || colors.get() == Colors::HeatFlux);
     let pick = move |place: usize| {
         let kind = view
             .vehicle
@@ -72,15 +72,15 @@ pub fn View3d() -> impl IntoView {
             let vehicle = vehicle.as_ref()?;
             let component = vehicle.component(kind)?;
             match colors.get() {
-                Colours::Component => None,
-                Colours::Material => {
+                Colors::Component => None,
+                Colors::Material => {
                     let color = material_color(&materials(vehicle), component);
                     Some(paint::css(color))
                 }
-                Colours::HeatFlux if component.wetted_area_m2 > 0.0 => {
+                Colors::HeatFlux if component.wetted_area_m2 > 0.0 => {
                     Some(format!("url(#{})", scale::GRADIENT))
                 }
-                Colours::HeatFlux => Some(paint::css(UNHEATED)),
+                Colors::HeatFlux => Some(paint::css(UNHEATED)),
             }
         })
     };
@@ -103,13 +103,13 @@ pub fn View3d() -> impl IntoView {
     });
     view! {
         <div class="vehicle">
-            <div class="tools" role="group" aria-label="Colours">
+            <div class="tools" role="group" aria-label="Colors">
                 <Segments
-                    legend="Coloured by"
+                    legend="Colored by"
                     choices=vec![
-                        (Colours::Component, "Component"),
-                        (Colours::Material, "Material"),
-                        (Colours::HeatFlux, "Heat flux"),
+                        (Colors::Component, "Component"),
+                        (Colors::Material, "Material"),
+                        (Colors::HeatFlux, "Heat flux"),
                     ]
                     now=colors
                     choose=move |choice| colors.set(choice)
@@ -119,9 +119,9 @@ pub fn View3d() -> impl IntoView {
             <div class="beside">
                 <Legend fill=Callback::new(fill) />
                 {move || match colors.get() {
-                    Colours::Component => ().into_any(),
-                    Colours::Material => view! { <Materials /> }.into_any(),
-                    Colours::HeatFlux => view! { <HeatScale /> }.into_any(),
+                    Colors::Component => ().into_any(),
+                    Colors::Material => view! { <Materials /> }.into_any(),
+                    Colors::HeatFlux => view! { <HeatScale /> }.into_any(),
                 }}
             </div>
             <Detail />
@@ -160,7 +160,7 @@ fn Materials() -> impl IntoView {
     });
     view! {
         <h3>"Materials"</h3>
-        <ul class="materials" aria-label="Colours of materials">
+        <ul class="materials" aria-label="Colors of materials">
             {move || names.get().into_iter().enumerate().map(|(place, name)| view! {
                 <li>
                     <svg viewBox="0 0 10 10" aria-hidden="true"><rect width="10" height="10" rx="2" fill=paint::css(paint::of_material(place))></rect></svg>

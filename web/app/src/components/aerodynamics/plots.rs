@@ -44,7 +44,7 @@ fn Plot(coefficient: Coefficient, over: Over) -> impl IntoView {
             fallback=|| view! {
                 <div class="chart-panel empty">
                     <h3>{Coefficient::CmCg.label()}</h3>
-                    <p class="quiet">"The centre of gravity of this outline is not known. Give it, in diameters aft of the virtual apex, and the moment and its trim points are drawn."</p>
+                    <p class="quiet">"The center of gravity of this outline is not known. Give it, in diameters aft of the virtual apex, and the moment and its trim points are drawn."</p>
                 </div>
             }>
             <FigurePanel title=over.title(coefficient) figure=drawn stem

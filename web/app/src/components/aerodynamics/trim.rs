@@ -36,11 +36,11 @@ pub fn TrimTable() -> impl IntoView {
     view! {
         <div class="wide-table" tabindex="0" role="region" aria-label="Trim and stability">
             <table class="facts">
-                <caption>"Trim and stability about the centre of gravity"</caption>
+                <caption>"Trim and stability about the center of gravity"</caption>
                 <thead>
                     <tr>
                         <th scope="col">"Curve"</th>
-                        <th scope="col">"Centre of pressure (D)"</th>
+                        <th scope="col">"Center of pressure (D)"</th>
                         <th scope="col">"Static margin (D)"</th>
                         <th scope="col">"Trim angles"</th>
                     </tr>

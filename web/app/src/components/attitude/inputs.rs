@@ -24,6 +24,6 @@ pub fn Inputs() -> impl IntoView {
                 _ => view! { <NumberField input /> }.into_any(),
             }).collect_view()}
         </div>
-        <p class="quiet">"Empty: along the velocity, without rates, with the centre of gravity of the design. Coefficients are computed over the design's own outline; the "<a href="#/library/aerodynamics?o=design">"Aerodynamics page"</a>" shows and changes them."</p>
+        <p class="quiet">"Empty: along the velocity, without rates, with the center of gravity of the design. Coefficients are computed over the design's own outline; the "<a href="#/library/aerodynamics?o=design">"Aerodynamics page"</a>" shows and changes them."</p>
     }
 }

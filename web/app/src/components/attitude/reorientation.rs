@@ -206,7 +206,7 @@ fn Trims() -> impl IntoView {
     view! {
         <div class="wide-table" tabindex="0" role="region" aria-label="Static stability of the design">
             <table class="facts">
-                <caption>"Static stability of the design about its own centre of gravity"</caption>
+                <caption>"Static stability of the design about its own center of gravity"</caption>
                 <thead>
                     <tr>
                         <th scope="col">"Flow"</th>

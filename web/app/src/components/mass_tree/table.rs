@@ -82,7 +82,7 @@ pub fn MassTree() -> impl IntoView {
     view! {
         <div class="mass-tree" tabindex="0" role="region" aria-label="Mass tree">{table}</div>
         <div class="stage-foot">
-            <p class="quiet">"Components are without margin; the margin stands once, below them. Inertia is about the centre of gravity of the line."</p>
+            <p class="quiet">"Components are without margin; the margin stands once, below them. Inertia is about the center of gravity of the line."</p>
             <button type="button" class="small" aria-label="CSV of the mass tree" on:click=csv>"CSV"</button>
         </div>
     }

@@ -7,9 +7,9 @@ use msape::units::{Dimension, canonical};
 use msape::vehicle::body::RigidBody;
 use msape_kit::display::{UnitSystem, number, symbol};
 
-fn length(metres: f64, units: UnitSystem) -> String {
+fn length(meters: f64, units: UnitSystem) -> String {
     let unit = units.unit(Dimension::Length, canonical(Dimension::Length));
-    let shown = number(unit.from_canonical(metres), 4);
+    let shown = number(unit.from_canonical(meters), 4);
     format!("{shown} {}", symbol(unit))
 }
 

@@ -89,7 +89,7 @@ pub fn Facts(
         body.with(|body| {
             body.as_ref().map(|body| {
                 let facts = body.facts();
-                let length = |metres: f64| shown(metres, Dimension::Length, units);
+                let length = |meters: f64| shown(meters, Dimension::Length, units);
                 let area = |area: f64| shown(area, Dimension::Area, units);
                 let place = |x: Option<f64>, r: Option<f64>| Some(format!("{}, r {}", length(x?), length(r?)));
                 let rows = [

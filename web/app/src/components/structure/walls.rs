@@ -67,8 +67,8 @@ fn row(
     let material = vehicle
         .component(component(wall))
         .map(|c| c.material.clone());
-    let millimetre = units.named("mm");
-    let shown = |m: f64| number(millimetre.from_canonical(m), 3);
+    let millimeter = units.named("mm");
+    let shown = |m: f64| number(millimeter.from_canonical(m), 3);
     let faces = (built.face_thickness_m > 0.0)
         .then(|| format!("faces of {}", shown(built.face_thickness_m)));
     let critical = structural.critical(wall).map(|check| {
@@ -84,7 +84,7 @@ fn row(
             } else {
                 ("stress", part.at)
             };
-            let place = format!("{what}; {} from the axis", with_unit(at.r_m, 3, millimetre));
+            let place = format!("{what}; {} from the axis", with_unit(at.r_m, 3, millimeter));
             Some(cell(part.least_margin(), place))
         })
     };
