@@ -70,6 +70,7 @@ async fn a_number_is_typed_with_a_unit_and_stepped_by_keys() {
     let (place, heard) = (place(), Heard::default());
     let _mounted = number(&place, heard.clone());
     let field: HtmlInputElement = find(&place, "input[type=text]");
+    tick().await;
     assert_eq!(field.value(), "0.9");
     fire(&field, "focus");
     field.set_value("120 cm");
