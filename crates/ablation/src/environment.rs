@@ -1,0 +1,179 @@
+//! Conditions at the wall in time.
+//!
+//! ```text
+//! y(t) = yᵢ + (t − tᵢ) (yᵢ₊₁ − yᵢ) / (tᵢ₊₁ − tᵢ)
+//! ```
+//!
+//! of pressure in Pa, transfer coefficient in kg/(m² s), recovery enthalpy in J/kg, radiative flux in W/m², wall temperature in
+//! K and recession in m/s. Chemistry is that of the row before.
+//!
+//! # Valid
+//! Between the first and the last row; the ends hold.
+//!
+//! # References
+//! - \[pato\]: the columns of its boundary conditions.
+
+use crate::fault::Fault;
+
+/// Conditions at one time: those of the boundary layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heating {
+    /// Pressure, Pa.
+    pub pressure_pa: f64,
+    /// Transfer coefficient C_H without blowing, kg/(m² s).
+    pub transfer_kg_m2s: f64,
+    /// Recovery enthalpy against the elements at 298.15 K, J/kg.
+    pub recovery_j_kg: f64,
+    /// Radiative heat flux to the wall, W/m².
+    pub radiative_w_m2: f64,
+    /// Whether the boundary layer reaches the wall; otherwise it only radiates.
+    pub chemistry: bool,
+}
+
+/// Conditions at one time: a wall that follows a measurement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    /// Temperature of the wall, K.
+    pub temperature_k: f64,
+    /// Pressure, Pa.
+    pub pressure_pa: f64,
+    /// Speed of the wall into the solid, m/s.
+    pub recession_m_s: f64,
+}
+
+/// Conditions at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wall {
+    /// Heated by a boundary layer.
+    Heated(Heating),
+    /// Held at a temperature.
+    Held(Held),
+}
+
+/// Rows in time.
+#[derive(Clone, Debug, PartialEq)]
+enum Rows {
+    Heated(Vec<Heating>),
+    Held(Vec<Held>),
+}
+
+/// Conditions at the wall in time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Environment {
+    times_s: Vec<f64>,
+    rows: Rows,
+}
+
+const OF: &str = "environment";
+
+fn check_times(times: &[f64]) -> Result<(), Fault> {
+    if times.is_empty() {
+        return Err(Fault::TooFew { of: OF, key: "t_s", rows: 0, least: 1 });
+    }
+    for (i, (t, row)) in times.iter().zip(1..).enumerate() {
+        if !t.is_finite() {
+            return Err(Fault::NotFinite { of: OF, key: "t_s", row });
+        }
+        if i.checked_sub(1).and_then(|i| times.get(i)).is_some_and(|before| t <= before) {
+            return Err(Fault::Unsorted { of: OF, key: "t_s", row });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses numbers that are not finite or below their least.
+fn check_row(row: usize, numbers: &[(&'static str, f64, f64)]) -> Result<(), Fault> {
+    for &(key, value, least) in numbers {
+        if !value.is_finite() {
+            return Err(Fault::NotFinite { of: OF, key, row });
+        }
+        if value < least {
+            return Err(Fault::Range { of: OF, key, value, least, most: f64::MAX });
+        }
+    }
+    Ok(())
+}
+
+impl Environment {
+    /// Heating by a boundary layer: rows of time, s, and conditions.
+    ///
+    /// # Errors
+    /// Times that do not ascend; numbers that are not finite; negative pressure, transfer or radiation.
+    pub fn heated(rows: &[(f64, Heating)]) -> Result<Self, Fault> {
+        let times_s: Vec<f64> = rows.iter().map(|(t, _)| *t).collect();
+        check_times(&times_s)?;
+        for ((_, heating), row) in rows.iter().zip(1..) {
+            check_row(
+                row,
+                &[
+                    ("p_Pa", heating.pressure_pa, 0.0),
+                    ("CH_kg_m2s", heating.transfer_kg_m2s, 0.0),
+                    ("h_r_J_kg", heating.recovery_j_kg, f64::MIN),
+                    ("q_rad_W_m2", heating.radiative_w_m2, 0.0),
+                ],
+            )?;
+        }
+        Ok(Self { times_s, rows: Rows::Heated(rows.iter().map(|(_, row)| *row).collect()) })
+    }
+
+    /// A wall held at temperatures: rows of time, s, and conditions.
+    ///
+    /// # Errors
+    /// Times that do not ascend; numbers that are not finite; a temperature of zero, negative pressure or recession.
+    pub fn held(rows: &[(f64, Held)]) -> Result<Self, Fault> {
+        let times_s: Vec<f64> = rows.iter().map(|(t, _)| *t).collect();
+        check_times(&times_s)?;
+        for ((_, held), row) in rows.iter().zip(1..) {
+            check_row(
+                row,
+                &[
+                    ("T_K", held.temperature_k, f64::MIN_POSITIVE),
+                    ("p_Pa", held.pressure_pa, 0.0),
+                    ("recession_m_s", held.recession_m_s, 0.0),
+                ],
+            )?;
+        }
+        Ok(Self { times_s, rows: Rows::Held(rows.iter().map(|(_, row)| *row).collect()) })
+    }
+
+    /// Times of the rows, s: the solution bends there.
+    pub fn times_s(&self) -> &[f64] {
+        &self.times_s
+    }
+
+    /// Conditions at a time, s, of a step that began at `since_s`: the chemistry of a row ends where the next begins.
+    pub fn at(&self, time_s: f64, since_s: f64) -> Wall {
+        let row = self.times_s.partition_point(|t| *t <= since_s).saturating_sub(1);
+        let next = (row + 1).min(self.times_s.len().saturating_sub(1));
+        let (t0, t1) = match (self.times_s.get(row), self.times_s.get(next)) {
+            (Some(a), Some(b)) => (*a, *b),
+            _ => (0.0, 0.0),
+        };
+        let share = if t1 > t0 { ((time_s - t0) / (t1 - t0)).clamp(0.0, 1.0) } else { 0.0 };
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        match &self.rows {
+            Rows::Heated(rows) => {
+                let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
+                    return Wall::Heated(Heating { pressure_pa: 0.0, transfer_kg_m2s: 0.0, recovery_j_kg: 0.0, radiative_w_m2: 0.0, chemistry: false });
+                };
+                Wall::Heated(Heating {
+                    pressure_pa: mix(a.pressure_pa, b.pressure_pa),
+                    transfer_kg_m2s: mix(a.transfer_kg_m2s, b.transfer_kg_m2s),
+                    recovery_j_kg: mix(a.recovery_j_kg, b.recovery_j_kg),
+                    radiative_w_m2: mix(a.radiative_w_m2, b.radiative_w_m2),
+                    chemistry: a.chemistry,
+                })
+            }
+            Rows::Held(rows) => {
+                let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
+                    return Wall::Held(Held { temperature_k: 0.0, pressure_pa: 0.0, recession_m_s: 0.0 });
+                };
+                Wall::Held(Held {
+                    temperature_k: mix(a.temperature_k, b.temperature_k),
+                    pressure_pa: mix(a.pressure_pa, b.pressure_pa),
+                    recession_m_s: mix(a.recession_m_s, b.recession_m_s),
+                })
+            }
+        }
+    }
+}
