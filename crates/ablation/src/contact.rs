@@ -49,11 +49,18 @@ pub struct Flow {
 impl Joint {
     /// Flow between two places behind resistances, m² K/W.
     pub fn flow(self, t1: f64, r1: f64, t2: f64, r2: f64) -> Flow {
-        let series = |r: f64| Flow { q: (t1 - t2) / r, by_first: 1.0 / r, by_second: -1.0 / r };
+        let series = |r: f64| Flow {
+            q: (t1 - t2) / r,
+            by_first: 1.0 / r,
+            by_second: -1.0 / r,
+        };
         match self {
             Self::Perfect => series(r1 + r2),
             Self::Contact { resistance_m2k_w } => series(r1 + resistance_m2k_w + r2),
-            Self::Gap { conductance_w_m2k: h, emissivity } => {
+            Self::Gap {
+                conductance_w_m2k: h,
+                emissivity,
+            } => {
                 let es = emissivity * STEFAN_BOLTZMANN_W_M2K4;
                 let cube = |t: f64| 4.0 * es * t * t * t;
                 // F(q) = h (T_a − T_b) + ε σ (T_a⁴ − T_b⁴) − q falls with q.
@@ -71,7 +78,11 @@ impl Joint {
                 }
                 let [a, b] = ends.map(cube);
                 let by = 1.0 + r1 * (h + a) + r2 * (h + b);
-                Flow { q, by_first: (h + a) / by, by_second: -(h + b) / by }
+                Flow {
+                    q,
+                    by_first: (h + a) / by,
+                    by_second: -(h + b) / by,
+                }
             }
         }
     }
@@ -84,20 +95,29 @@ mod tests {
     #[test]
     fn resistances_add() {
         // 100 K over 0.1 + 0.3 + 0.1 m² K/W = 200 W/m²
-        let flow = Joint::Contact { resistance_m2k_w: 0.3 }.flow(400.0, 0.1, 300.0, 0.1);
+        let flow = Joint::Contact {
+            resistance_m2k_w: 0.3,
+        }
+        .flow(400.0, 0.1, 300.0, 0.1);
         assert!((flow.q - 200.0).abs() < 1e-12);
     }
 
     #[test]
     fn gap_without_resistance_radiates() {
         // σ (1000⁴ − 500⁴) = 5.670374419e-8 · 9.375e11 = 53159.76 W/m²
-        let gap = Joint::Gap { conductance_w_m2k: 0.0, emissivity: 1.0 };
+        let gap = Joint::Gap {
+            conductance_w_m2k: 0.0,
+            emissivity: 1.0,
+        };
         assert!((gap.flow(1000.0, 0.0, 500.0, 0.0).q - 53_159.760_178).abs() < 1e-5);
     }
 
     #[test]
     fn slopes_are_those_of_the_flow() {
-        let gap = Joint::Gap { conductance_w_m2k: 5.0, emissivity: 0.8 };
+        let gap = Joint::Gap {
+            conductance_w_m2k: 5.0,
+            emissivity: 0.8,
+        };
         let at = |t1: f64, t2: f64| gap.flow(t1, 0.01, t2, 0.02);
         let here = at(900.0, 400.0);
         let d = 1e-3;

@@ -68,14 +68,30 @@ const OF: &str = "environment";
 
 fn check_times(times: &[f64]) -> Result<(), Fault> {
     if times.is_empty() {
-        return Err(Fault::TooFew { of: OF, key: "t_s", rows: 0, least: 1 });
+        return Err(Fault::TooFew {
+            of: OF,
+            key: "t_s",
+            rows: 0,
+            least: 1,
+        });
     }
     for (i, (t, row)) in times.iter().zip(1..).enumerate() {
         if !t.is_finite() {
-            return Err(Fault::NotFinite { of: OF, key: "t_s", row });
+            return Err(Fault::NotFinite {
+                of: OF,
+                key: "t_s",
+                row,
+            });
         }
-        if i.checked_sub(1).and_then(|i| times.get(i)).is_some_and(|before| t <= before) {
-            return Err(Fault::Unsorted { of: OF, key: "t_s", row });
+        if i.checked_sub(1)
+            .and_then(|i| times.get(i))
+            .is_some_and(|before| t <= before)
+        {
+            return Err(Fault::Unsorted {
+                of: OF,
+                key: "t_s",
+                row,
+            });
         }
     }
     Ok(())
@@ -88,7 +104,13 @@ fn check_row(row: usize, numbers: &[(&'static str, f64, f64)]) -> Result<(), Fau
             return Err(Fault::NotFinite { of: OF, key, row });
         }
         if value < least {
-            return Err(Fault::Range { of: OF, key, value, least, most: f64::MAX });
+            return Err(Fault::Range {
+                of: OF,
+                key,
+                value,
+                least,
+                most: f64::MAX,
+            });
         }
     }
     Ok(())
@@ -113,7 +135,10 @@ impl Environment {
                 ],
             )?;
         }
-        Ok(Self { times_s, rows: Rows::Heated(rows.iter().map(|(_, row)| *row).collect()) })
+        Ok(Self {
+            times_s,
+            rows: Rows::Heated(rows.iter().map(|(_, row)| *row).collect()),
+        })
     }
 
     /// A wall held at temperatures: rows of time, s, and conditions.
@@ -133,7 +158,10 @@ impl Environment {
                 ],
             )?;
         }
-        Ok(Self { times_s, rows: Rows::Held(rows.iter().map(|(_, row)| *row).collect()) })
+        Ok(Self {
+            times_s,
+            rows: Rows::Held(rows.iter().map(|(_, row)| *row).collect()),
+        })
     }
 
     /// Times of the rows, s: the solution bends there.
@@ -143,18 +171,31 @@ impl Environment {
 
     /// Conditions at a time, s, of a step that began at `since_s`: the chemistry of a row ends where the next begins.
     pub fn at(&self, time_s: f64, since_s: f64) -> Wall {
-        let row = self.times_s.partition_point(|t| *t <= since_s).saturating_sub(1);
+        let row = self
+            .times_s
+            .partition_point(|t| *t <= since_s)
+            .saturating_sub(1);
         let next = (row + 1).min(self.times_s.len().saturating_sub(1));
         let (t0, t1) = match (self.times_s.get(row), self.times_s.get(next)) {
             (Some(a), Some(b)) => (*a, *b),
             _ => (0.0, 0.0),
         };
-        let share = if t1 > t0 { ((time_s - t0) / (t1 - t0)).clamp(0.0, 1.0) } else { 0.0 };
+        let share = if t1 > t0 {
+            ((time_s - t0) / (t1 - t0)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         let mix = |a: f64, b: f64| a + share * (b - a);
         match &self.rows {
             Rows::Heated(rows) => {
                 let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
-                    return Wall::Heated(Heating { pressure_pa: 0.0, transfer_kg_m2s: 0.0, recovery_j_kg: 0.0, radiative_w_m2: 0.0, chemistry: false });
+                    return Wall::Heated(Heating {
+                        pressure_pa: 0.0,
+                        transfer_kg_m2s: 0.0,
+                        recovery_j_kg: 0.0,
+                        radiative_w_m2: 0.0,
+                        chemistry: false,
+                    });
                 };
                 Wall::Heated(Heating {
                     pressure_pa: mix(a.pressure_pa, b.pressure_pa),
@@ -166,7 +207,11 @@ impl Environment {
             }
             Rows::Held(rows) => {
                 let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
-                    return Wall::Held(Held { temperature_k: 0.0, pressure_pa: 0.0, recession_m_s: 0.0 });
+                    return Wall::Held(Held {
+                        temperature_k: 0.0,
+                        pressure_pa: 0.0,
+                        recession_m_s: 0.0,
+                    });
                 };
                 Wall::Held(Held {
                     temperature_k: mix(a.temperature_k, b.temperature_k),

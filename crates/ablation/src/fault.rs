@@ -60,9 +60,19 @@ pub enum Fault {
 }
 
 /// Refuses rows of an abscissa and a value: empty, not ascending, not finite, values below `least`.
-pub(crate) fn column(of: &'static str, key: &'static str, rows: &[[f64; 2]], least: f64) -> Result<(), Fault> {
+pub(crate) fn column(
+    of: &'static str,
+    key: &'static str,
+    rows: &[[f64; 2]],
+    least: f64,
+) -> Result<(), Fault> {
     if rows.is_empty() {
-        return Err(Fault::TooFew { of, key, rows: 0, least: 1 });
+        return Err(Fault::TooFew {
+            of,
+            key,
+            rows: 0,
+            least: 1,
+        });
     }
     let mut before = f64::NEG_INFINITY;
     for (&[x, y], row) in rows.iter().zip(1..) {
@@ -73,7 +83,13 @@ pub(crate) fn column(of: &'static str, key: &'static str, rows: &[[f64; 2]], lea
             return Err(Fault::Unsorted { of, key, row });
         }
         if y < least {
-            return Err(Fault::Range { of, key, value: y, least, most: f64::MAX });
+            return Err(Fault::Range {
+                of,
+                key,
+                value: y,
+                least,
+                most: f64::MAX,
+            });
         }
         before = x;
     }

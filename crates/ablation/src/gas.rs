@@ -58,7 +58,10 @@ pub struct Gas {
 #[inline]
 pub(crate) fn place(knots: &[f64], x: f64) -> (usize, f64) {
     let last = knots.len().saturating_sub(2);
-    let i = knots.partition_point(|knot| *knot <= x).saturating_sub(1).min(last);
+    let i = knots
+        .partition_point(|knot| *knot <= x)
+        .saturating_sub(1)
+        .min(last);
     let (Some(a), Some(b)) = (knots.get(i), knots.get(i + 1)) else {
         return (0, 0.0);
     };
@@ -88,14 +91,28 @@ impl Gas {
                 ("mu_Pa_s", row.viscosity_pa_s),
             ] {
                 if !value.is_finite() {
-                    return Err(Fault::NotFinite { of: OF, key, row: n });
+                    return Err(Fault::NotFinite {
+                        of: OF,
+                        key,
+                        row: n,
+                    });
                 }
                 if value <= 0.0 {
-                    return Err(Fault::Range { of: OF, key, value, least: f64::MIN_POSITIVE, most: f64::MAX });
+                    return Err(Fault::Range {
+                        of: OF,
+                        key,
+                        value,
+                        least: f64::MIN_POSITIVE,
+                        most: f64::MAX,
+                    });
                 }
             }
             if !row.enthalpy_j_kg.is_finite() {
-                return Err(Fault::NotFinite { of: OF, key: "h_J_kg", row: n });
+                return Err(Fault::NotFinite {
+                    of: OF,
+                    key: "h_J_kg",
+                    row: n,
+                });
             }
         }
         rows.sort_by(|a, b| {
@@ -105,15 +122,34 @@ impl Gas {
         let p = distinct(rows.iter().map(|row| row.pressure_pa));
         let t = distinct(rows.iter().map(|row| row.temperature_k));
         if t.len() < 2 {
-            return Err(Fault::TooFew { of: OF, key: "T_K", rows: t.len(), least: 2 });
+            return Err(Fault::TooFew {
+                of: OF,
+                key: "T_K",
+                rows: t.len(),
+                least: 2,
+            });
         }
         let regular = rows.len() == p.len() * t.len()
-            && rows.chunks(t.len()).all(|sheet| sheet.iter().zip(&t).all(|(row, t)| row.temperature_k == *t));
+            && rows
+                .chunks(t.len())
+                .all(|sheet| sheet.iter().zip(&t).all(|(row, t)| row.temperature_k == *t));
         if !regular {
             return Err(Fault::Irregular { of: OF, key: "T_K" });
         }
-        let values = rows.iter().map(|row| [row.enthalpy_j_kg, row.viscosity_pa_s / row.molar_mass_kg_mol]).collect();
-        Ok(Self { ln_p: p.iter().map(|p| math::ln(*p)).collect(), t, values })
+        let values = rows
+            .iter()
+            .map(|row| {
+                [
+                    row.enthalpy_j_kg,
+                    row.viscosity_pa_s / row.molar_mass_kg_mol,
+                ]
+            })
+            .collect();
+        Ok(Self {
+            ln_p: p.iter().map(|p| math::ln(*p)).collect(),
+            t,
+            values,
+        })
     }
 
     /// Values at a pressure, Pa, and temperature, K.
@@ -126,7 +162,11 @@ impl Gas {
         };
         let n = self.t.len();
         let last = n.saturating_sub(2);
-        let i = self.t.partition_point(|t| *t <= temperature_k).saturating_sub(1).min(last);
+        let i = self
+            .t
+            .partition_point(|t| *t <= temperature_k)
+            .saturating_sub(1)
+            .min(last);
         let (Some(t0), Some(t1)) = (self.t.get(i), self.t.get(i + 1)) else {
             return GasValues::default();
         };
@@ -135,10 +175,15 @@ impl Gas {
         let held = share.clamp(0.0, 1.0);
         let at = |sheet: usize| {
             let j = sheet * n + i;
-            let (Some([h0, v0]), Some([h1, v1])) = (self.values.get(j), self.values.get(j + 1)) else {
+            let (Some([h0, v0]), Some([h1, v1])) = (self.values.get(j), self.values.get(j + 1))
+            else {
                 return [0.0; 3];
             };
-            [h0 + share * (h1 - h0), (h1 - h0) / (t1 - t0), v0 + held * (v1 - v0)]
+            [
+                h0 + share * (h1 - h0),
+                (h1 - h0) / (t1 - t0),
+                v0 + held * (v1 - v0),
+            ]
         };
         let low = at(sheet);
         let [h, c, v] = if share_p == 0.0 {
@@ -147,7 +192,11 @@ impl Gas {
             let high = at(sheet + 1);
             [0, 1, 2].map(|i| low[i] + share_p * (high[i] - low[i]))
         };
-        GasValues { enthalpy_j_kg: h, specific_heat_j_kgk: c, viscosity_per_molar_mass: v }
+        GasValues {
+            enthalpy_j_kg: h,
+            specific_heat_j_kgk: c,
+            viscosity_per_molar_mass: v,
+        }
     }
 
     /// Lowest and highest temperature, K.

@@ -41,7 +41,15 @@ pub struct Sample {
 }
 
 impl Sample {
-    pub(crate) fn new(stack: &Stack, grid: &Grid, state: &State, weights: &[f64], depths_m: &[f64], time_s: f64, edges: &Edges) -> Self {
+    pub(crate) fn new(
+        stack: &Stack,
+        grid: &Grid,
+        state: &State,
+        weights: &[f64],
+        depths_m: &[f64],
+        time_s: f64,
+        edges: &Edges,
+    ) -> Self {
         let n = grid.len();
         let area = grid.area[0];
         let mut behind_k = Vec::with_capacity(stack.layers.len());
@@ -54,13 +62,19 @@ impl Sample {
         Self {
             time_s,
             wall_k: state.wall_k,
-            depths_k: depths_m.iter().map(|x| temperature_k(grid, state, &behind_k, *x)).collect(),
+            depths_k: depths_m
+                .iter()
+                .map(|x| temperature_k(grid, state, &behind_k, *x))
+                .collect(),
             gas_kg_m2s: edges.gas / area,
             char_kg_m2s: edges.char / area,
             recession_m: grid.wall_depth_m(),
             behind_k,
             pressure_pa: state.pressure_pa.iter().copied().fold(0.0, f64::max),
-            char_depth_m: (0..grid.first).rev().find(|i| state.whole(weights, *i) < 0.98).map_or(0.0, |i| grid.face_m[i + 1]),
+            char_depth_m: (0..grid.first)
+                .rev()
+                .find(|i| state.whole(weights, *i) < 0.98)
+                .map_or(0.0, |i| grid.face_m[i + 1]),
         }
     }
 }
@@ -70,7 +84,10 @@ fn at_face(grid: &Grid, state: &State, i: usize) -> f64 {
     let layer = grid.layer[i];
     let x = grid.face_m[i + 1];
     let from = i.saturating_sub(2);
-    let points: Vec<[f64; 2]> = (from..=i).filter(|j| grid.layer[*j] == layer).map(|j| [grid.middle_m[j], state.t[j]]).collect();
+    let points: Vec<[f64; 2]> = (from..=i)
+        .filter(|j| grid.layer[*j] == layer)
+        .map(|j| [grid.middle_m[j], state.t[j]])
+        .collect();
     lagrange(&points, x)
 }
 
@@ -88,19 +105,39 @@ fn temperature_k(grid: &Grid, state: &State, behind_k: &[f64], x: f64) -> f64 {
         return 0.0;
     }
     let n = grid.len();
-    let cell = grid.face_m.iter().skip(1).position(|face| x <= *face).unwrap_or(n - 1);
+    let cell = grid
+        .face_m
+        .iter()
+        .skip(1)
+        .position(|face| x <= *face)
+        .unwrap_or(n - 1);
     let layer = grid.layer[cell];
-    let begin = grid.layer.iter().position(|l| *l == layer).unwrap_or_default();
+    let begin = grid
+        .layer
+        .iter()
+        .position(|l| *l == layer)
+        .unwrap_or_default();
     let end = begin + grid.layer.iter().filter(|l| **l == layer).count();
     let mut points = Vec::with_capacity(end - begin + 2);
     if begin == 0 {
         points.push([grid.face_m[0], state.wall_k]);
     }
     points.extend((begin..end).map(|i| [grid.middle_m[i], state.t[i]]));
-    points.push([grid.face_m[end], behind_k.get(layer).copied().unwrap_or_default()]);
-    let after = points.iter().position(|[at, _]| *at >= x).unwrap_or(points.len() - 1);
+    points.push([
+        grid.face_m[end],
+        behind_k.get(layer).copied().unwrap_or_default(),
+    ]);
+    let after = points
+        .iter()
+        .position(|[at, _]| *at >= x)
+        .unwrap_or(points.len() - 1);
     let first = after.saturating_sub(2).min(points.len().saturating_sub(4));
-    lagrange(points.get(first..(first + 4).min(points.len())).unwrap_or(&points), x)
+    lagrange(
+        points
+            .get(first..(first + 4).min(points.len()))
+            .unwrap_or(&points),
+        x,
+    )
 }
 
 /// Highest temperature at a place, and when.
@@ -129,7 +166,10 @@ pub struct History {
 
 impl History {
     pub(crate) fn new(layers: usize) -> Self {
-        Self { behind: vec![Peak::default(); layers], ..Self::default() }
+        Self {
+            behind: vec![Peak::default(); layers],
+            ..Self::default()
+        }
     }
 
     pub(crate) fn keep(&mut self, sample: Sample) {
@@ -141,7 +181,10 @@ impl History {
     pub(crate) fn follow(&mut self, sample: &Sample) {
         let rise = |peak: &mut Peak, temperature_k: f64| {
             if temperature_k > peak.temperature_k {
-                *peak = Peak { temperature_k, time_s: sample.time_s };
+                *peak = Peak {
+                    temperature_k,
+                    time_s: sample.time_s,
+                };
             }
         };
         rise(&mut self.wall, sample.wall_k);
@@ -154,7 +197,10 @@ impl History {
 
     /// Whether the temperature behind a layer is below its maximum by more than rounding.
     pub(crate) fn falls(&self, layer: usize, sample: &Sample) -> bool {
-        let peak = self.behind.get(layer).map_or(0.0, |peak| peak.temperature_k);
+        let peak = self
+            .behind
+            .get(layer)
+            .map_or(0.0, |peak| peak.temperature_k);
         sample.behind_k.get(layer).is_some_and(|t| *t < peak - 0.05)
     }
 }

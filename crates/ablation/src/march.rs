@@ -30,7 +30,7 @@ const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 /// Twice the error constant of the method, for the divided difference of F.
 const ERROR: f64 = 0.0808;
 /// Shortest step, s.
-const SHORTEST_S: f64 = 1e-10;
+const SHORTEST_S: f64 = 1e-13;
 /// Share of the first layer that counts as gone.
 const GONE: f64 = 1e-3;
 
@@ -94,31 +94,64 @@ impl Settings {
         };
         let step = self.output_step_s.unwrap_or(1.0);
         for (key, value, least, most) in [
-            ("initial_temperature_k", self.initial_temperature_k, 1.0, 5000.0),
-            ("sink_temperature_k", self.wall.sink_temperature_k, 0.0, 5000.0),
+            (
+                "initial_temperature_k",
+                self.initial_temperature_k,
+                1.0,
+                5000.0,
+            ),
+            (
+                "sink_temperature_k",
+                self.wall.sink_temperature_k,
+                0.0,
+                5000.0,
+            ),
             ("blowing", self.wall.blowing, 0.0, 2.0),
             ("until_s", end, -1e9, 1e9),
             ("output_step_s", step, 1e-6, 1e9),
             ("tolerance_k", self.tolerance_k, 1e-9, 1e3),
             ("cells", self.resolution.cells as f64, 3.0, 20_000.0),
-            ("cells_behind", self.resolution.cells_behind as f64, 1.0, 20_000.0),
+            (
+                "cells_behind",
+                self.resolution.cells_behind as f64,
+                1.0,
+                20_000.0,
+            ),
             ("stretch", self.resolution.stretch, 1.0, 1e6),
         ] {
             if !(least..=most).contains(&value) {
-                return Err(Fault::Range { of: OF, key, value, least, most });
+                return Err(Fault::Range {
+                    of: OF,
+                    key,
+                    value,
+                    least,
+                    most,
+                });
             }
         }
         let whole = stack.thickness_m();
         for &value in &self.depths_m {
             if !(0.0..=whole * (1.0 + 1e-12)).contains(&value) {
-                return Err(Fault::Range { of: OF, key: "depths_m", value, least: 0.0, most: whole });
+                return Err(Fault::Range {
+                    of: OF,
+                    key: "depths_m",
+                    value,
+                    least: 0.0,
+                    most: whole,
+                });
             }
         }
         if let Until::Cooled { layer, .. } = self.until
             && layer >= stack.layers.len()
         {
             let (value, most) = (layer as f64, stack.layers.len() as f64 - 1.0);
-            return Err(Fault::Range { of: OF, key: "layer", value, least: 0.0, most });
+            return Err(Fault::Range {
+                of: OF,
+                key: "layer",
+                value,
+                least: 0.0,
+                most,
+            });
         }
         Ok(())
     }
@@ -152,7 +185,8 @@ pub struct Account {
 impl Account {
     /// Energy that is missing over the energy that went over the edges.
     pub fn energy_imbalance(&self) -> f64 {
-        (self.stored_j_m2 - self.wall_j_m2 + self.back_j_m2) / self.turned_over_j_m2.max(f64::MIN_POSITIVE)
+        (self.stored_j_m2 - self.wall_j_m2 + self.back_j_m2)
+            / self.turned_over_j_m2.max(f64::MIN_POSITIVE)
     }
 
     /// Mass that is missing over the mass that left.
@@ -198,47 +232,97 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// Settings beyond their ranges.
-    pub fn try_new(stack: &'a Stack, environment: &'a Environment, settings: &'a Settings) -> Result<Self, Fault> {
+    pub fn try_new(
+        stack: &'a Stack,
+        environment: &'a Environment,
+        settings: &'a Settings,
+    ) -> Result<Self, Fault> {
         settings.check(stack)?;
-        let pyrolysis = stack.layers.first().and_then(|layer| layer.material.pyrolysis.as_ref());
+        let pyrolysis = stack
+            .layers
+            .first()
+            .and_then(|layer| layer.material.pyrolysis.as_ref());
         let reactions = pyrolysis.map_or(&[][..], |pyrolysis| &pyrolysis.reactions);
-        let total = reactions.iter().fold(0.0, |sum, reaction| sum + reaction.loss_kg_m3);
-        let weights: Vec<f64> = reactions.iter().map(|reaction| reaction.loss_kg_m3 / total).collect();
+        let total = reactions
+            .iter()
+            .fold(0.0, |sum, reaction| sum + reaction.loss_kg_m3);
+        let weights: Vec<f64> = reactions
+            .iter()
+            .map(|reaction| reaction.loss_kg_m3 / total)
+            .collect();
         let grid = Grid::new(stack, &settings.resolution);
         let state = State::new(&grid, weights.len(), settings.initial_temperature_k);
-        Ok(Self { stack, environment, settings, weights, grid, state, work: Work::default() })
+        Ok(Self {
+            stack,
+            environment,
+            settings,
+            weights,
+            grid,
+            state,
+            work: Work::default(),
+        })
     }
 
     fn stage(&mut self, known: &Content, h: f64, wall: Wall) -> Result<Edges, StageFault> {
-        let stage = Stage { stack: self.stack, settings: &self.settings.wall, weights: &self.weights, known, h, wall };
+        let stage = Stage {
+            stack: self.stack,
+            settings: &self.settings.wall,
+            weights: &self.weights,
+            known,
+            h,
+            wall,
+        };
         stage.solve(&mut self.grid, &mut self.state, &mut self.work)
     }
 
     fn content(&self, content: &mut Content) {
-        self.state.content(self.stack, &self.grid, &self.weights, content);
+        self.state
+            .content(self.stack, &self.grid, &self.weights, content);
     }
 
     fn sample(&self, time_s: f64, edges: &Edges) -> Sample {
-        Sample::new(self.stack, &self.grid, &self.state, &self.weights, &self.settings.depths_m, time_s, edges)
+        Sample::new(
+            self.stack,
+            &self.grid,
+            &self.state,
+            &self.weights,
+            &self.settings.depths_m,
+            time_s,
+            edges,
+        )
     }
 
     /// Runs to the end; `watch` hears of the time after each step, s, and may stop it.
     pub fn response(mut self, mut watch: impl FnMut(f64) -> ControlFlow<()>) -> Response {
-        let start_s = self.environment.times_s().first().copied().unwrap_or_default();
-        let last_s = self.environment.times_s().last().copied().unwrap_or_default();
+        let start_s = self
+            .environment
+            .times_s()
+            .first()
+            .copied()
+            .unwrap_or_default();
+        let last_s = self
+            .environment
+            .times_s()
+            .last()
+            .copied()
+            .unwrap_or_default();
         let (end_s, cooled) = match self.settings.until {
             Until::Time(t) => (t, None),
             Until::Cooled { layer, at_most_s } => (at_most_s, Some(layer)),
         };
         let mut time = start_s;
         let mut account = Account::default();
-        let [mut start, mut first, mut known, mut end] = [const { None }; 4].map(|none: Option<Content>| none.unwrap_or_default());
+        let [mut start, mut first, mut known, mut end] =
+            [const { None }; 4].map(|none: Option<Content>| none.unwrap_or_default());
         self.content(&mut start);
         let energy_0 = start.energy.iter().fold(0.0, |sum, e| sum + e);
         let mass_0 = self.state.mass_kg_m2(self.stack, &self.grid, &self.weights);
         let mut history = History::new(self.stack.layers.len());
         history.keep(self.sample(time, &Edges::default()));
-        let mut rates = Rates { energy: vec![0.0; self.grid.len()], wall_m: 0.0 };
+        let mut rates = Rates {
+            energy: vec![0.0; self.grid.len()],
+            wall_m: 0.0,
+        };
         let mut next_rates = rates.clone();
         let mut saved = self.state.clone();
         let mut step: f64 = 1e-3;
@@ -251,9 +335,17 @@ impl<'a> Run<'a> {
                 break;
             }
             // A row of the environment, an output or the end: the next place at which a step has to end.
-            let output = self.settings.output_step_s.map_or(end_s, |every| start_s + every * outputs as f64);
+            let output = self
+                .settings
+                .output_step_s
+                .map_or(end_s, |every| start_s + every * outputs as f64);
             let stop = output.min(end_s);
-            let row = self.environment.times_s().iter().copied().find(|t| *t > time);
+            let row = self
+                .environment
+                .times_s()
+                .iter()
+                .copied()
+                .find(|t| *t > time);
             let stop = row.map_or(stop, |t| t.min(stop));
             let left = stop - time;
             let dt = if step >= left * 0.999 {
@@ -265,9 +357,13 @@ impl<'a> Run<'a> {
             };
             let arrives = dt == left;
             saved.clone_from(&self.state);
-            let stages: Result<[Edges; 2], StageFault> = self.step([time, dt], &start, [&mut first, &mut known, &mut end]);
+            let stages: Result<[Edges; 2], StageFault> =
+                self.step([time, dt], &start, [&mut first, &mut known, &mut end]);
             let (error, edges) = match stages {
-                Ok(edges) => (self.error(dt, &start, &first, &end, &known, &rates, &mut next_rates), edges),
+                Ok(edges) => (
+                    self.error(dt, &start, &first, &end, &known, &rates, &mut next_rates),
+                    edges,
+                ),
                 Err(_) => (f64::INFINITY, [Edges::default(); 2]),
             };
             if !(error <= 1.0) {
@@ -275,13 +371,17 @@ impl<'a> Run<'a> {
                 let gone = matches!(stages, Err(StageFault::BurntThrough));
                 self.state.clone_from(&saved);
                 self.grid.move_wall(self.state.wall_m);
-                step = if error.is_finite() { dt * shrink(error) } else { 0.25 * dt };
+                step = if error.is_finite() {
+                    dt * shrink(error)
+                } else {
+                    0.25 * dt
+                };
                 let remaining = 1.0 - self.state.wall_m / self.grid.first_volume_m;
                 if remaining < GONE || gone && step < 1e-6 {
                     outcome = Outcome::BurntThrough;
                     break;
                 }
-                if step < SHORTEST_S {
+                if step < SHORTEST_S.max(1e-14 * time.abs()) {
                     outcome = Outcome::NotSettled;
                     break;
                 }
@@ -300,7 +400,11 @@ impl<'a> Run<'a> {
             core::mem::swap(&mut start, &mut end);
             core::mem::swap(&mut rates, &mut next_rates);
             // A step cut short by a stop says nothing about the next one.
-            step = if arrives { step.max(dt * shrink(error)) } else { dt * shrink(error) };
+            step = if arrives {
+                step.max(dt * shrink(error))
+            } else {
+                dt * shrink(error)
+            };
             let sample = self.sample(time, &last_edges);
             let falls = cooled.is_some_and(|layer| time >= last_s && history.falls(layer, &sample));
             history.follow(&sample);
@@ -325,12 +429,23 @@ impl<'a> Run<'a> {
         account.corrections = self.work.corrections;
         self.content(&mut end);
         account.stored_j_m2 = end.energy.iter().fold(0.0, |sum, e| sum + e) - energy_0;
-        account.stored_kg_m2 = self.state.mass_kg_m2(self.stack, &self.grid, &self.weights) - mass_0;
-        Response { outcome, end_s: time, history, account }
+        account.stored_kg_m2 =
+            self.state.mass_kg_m2(self.stack, &self.grid, &self.weights) - mass_0;
+        Response {
+            outcome,
+            end_s: time,
+            history,
+            account,
+        }
     }
 
     /// Both stages of a step from the amounts at its start; leaves those of the first, those from which the second goes on, and the end's.
-    fn step(&mut self, [time, dt]: [f64; 2], start: &Content, [first, known, end]: [&mut Content; 3]) -> Result<[Edges; 2], StageFault> {
+    fn step(
+        &mut self,
+        [time, dt]: [f64; 2],
+        start: &Content,
+        [first, known, end]: [&mut Content; 3],
+    ) -> Result<[Edges; 2], StageFault> {
         let h = GAMMA * dt;
         let wall = self.environment.at(time + h, time);
         let at_first = self.stage(start, h, wall)?;
@@ -352,10 +467,21 @@ impl<'a> Run<'a> {
 
     /// Error of a step over the tolerance, and the rates at its end.
     #[allow(clippy::too_many_arguments, reason = "amounts of one step")]
-    fn error(&self, dt: f64, start: &Content, first: &Content, end: &Content, known: &Content, rates: &Rates, next: &mut Rates) -> f64 {
+    fn error(
+        &self,
+        dt: f64,
+        start: &Content,
+        first: &Content,
+        end: &Content,
+        known: &Content,
+        rates: &Rates,
+        next: &mut Rates,
+    ) -> f64 {
         let h = GAMMA * dt;
         // Second difference of F over the step.
-        let bend = |f0: f64, f1: f64, f2: f64| ERROR * dt * ((f2 - f1) / (1.0 - GAMMA) - (f1 - f0) / GAMMA);
+        let bend = |f0: f64, f1: f64, f2: f64| {
+            ERROR * dt * ((f2 - f1) / (1.0 - GAMMA) - (f1 - f0) / GAMMA)
+        };
         next.energy.clear();
         let mut worst: f64 = 0.0;
         for i in 0..self.grid.len() {
@@ -365,7 +491,8 @@ impl<'a> Run<'a> {
             let solid = &self.stack.layers[self.grid.layer[i]].material.solid;
             let [c, c_char] = solid.at(self.state.t[i]).heat_capacity_j_m3k;
             let capacity = self.grid.volume_m[i] * c.min(c_char);
-            worst = worst.max(bend(rates.energy[i], f1, f2).abs() / (capacity * self.settings.tolerance_k));
+            worst = worst
+                .max(bend(rates.energy[i], f1, f2).abs() / (capacity * self.settings.tolerance_k));
         }
         let f1 = (first.wall_m - start.wall_m) / h;
         let f2 = (end.wall_m - known.wall_m) / h;

@@ -46,13 +46,27 @@ impl State {
             ("emissivity", self.emissivity, 1.0),
             ("absorptivity", self.absorptivity, 1.0),
         ] {
-            let least = if key == "density_kg_m3" { f64::MIN_POSITIVE } else { 0.0 };
+            let least = if key == "density_kg_m3" {
+                f64::MIN_POSITIVE
+            } else {
+                0.0
+            };
             if !(least..=most).contains(&value) {
-                return Err(Fault::Range { of, key, value, least, most });
+                return Err(Fault::Range {
+                    of,
+                    key,
+                    value,
+                    least,
+                    most,
+                });
             }
         }
         if !self.formation_j_kg.is_finite() {
-            return Err(Fault::NotFinite { of, key: "formation_j_kg", row: 0 });
+            return Err(Fault::NotFinite {
+                of,
+                key: "formation_j_kg",
+                row: 0,
+            });
         }
         Ok(())
     }
@@ -95,7 +109,10 @@ pub struct Solid {
 /// Value and slope of a table of rows at a temperature, held beyond its ends.
 fn linear(rows: &[[f64; 2]], t: f64) -> [f64; 2] {
     let after = rows.partition_point(|row| row[0] <= t);
-    match (after.checked_sub(1).and_then(|i| rows.get(i)), rows.get(after)) {
+    match (
+        after.checked_sub(1).and_then(|i| rows.get(i)),
+        rows.get(after),
+    ) {
         (Some([t0, y0]), Some([t1, y1])) => {
             let slope = (y1 - y0) / (t1 - t0);
             [y0 + slope * (t - t0), slope]
@@ -122,8 +139,16 @@ impl Solid {
                 most: virgin.density_kg_m3,
             });
         }
-        let tables = [&virgin.specific_heat, &virgin.conductivity, &char.specific_heat, &char.conductivity];
-        let mut knots: Vec<f64> = tables.iter().flat_map(|rows| rows.iter().map(|row| row[0])).collect();
+        let tables = [
+            &virgin.specific_heat,
+            &virgin.conductivity,
+            &char.specific_heat,
+            &char.conductivity,
+        ];
+        let mut knots: Vec<f64> = tables
+            .iter()
+            .flat_map(|rows| rows.iter().map(|row| row[0]))
+            .collect();
         knots.push(REFERENCE_TEMPERATURE_K);
         knots.sort_by(f64::total_cmp);
         knots.dedup();
@@ -132,7 +157,10 @@ impl Solid {
         let states = [&virgin, &char];
         let mut rows: Vec<Row> = Vec::with_capacity(knots.len());
         for &t in &knots {
-            let mut row = Row { t, ..Row::default() };
+            let mut row = Row {
+                t,
+                ..Row::default()
+            };
             for (i, state) in states.into_iter().enumerate() {
                 let [c, slope] = linear(&state.specific_heat, t);
                 let rho = state.density_kg_m3;
@@ -148,7 +176,8 @@ impl Solid {
         }
         let mut solid = Self { virgin, char, rows };
         let at = solid.at(REFERENCE_TEMPERATURE_K).enthalpy_j_m3;
-        let formation = [&solid.virgin, &solid.char].map(|state| state.density_kg_m3 * state.formation_j_kg);
+        let formation =
+            [&solid.virgin, &solid.char].map(|state| state.density_kg_m3 * state.formation_j_kg);
         for row in &mut solid.rows {
             for i in 0..2 {
                 row.enthalpy[i][0] += formation[i] - at[i];
@@ -174,7 +203,9 @@ impl Solid {
         };
         let dt = temperature_k - row.t;
         Values {
-            enthalpy_j_m3: row.enthalpy.map(|[h, c, slope]| h + dt * (c + 0.5 * slope * dt)),
+            enthalpy_j_m3: row
+                .enthalpy
+                .map(|[h, c, slope]| h + dt * (c + 0.5 * slope * dt)),
             heat_capacity_j_m3k: row.enthalpy.map(|[_, c, slope]| c + slope * dt),
             conductivity_w_mk: row.conductivity.map(|[k, slope]| k + slope * dt),
             conductivity_slope: row.conductivity.map(|[_, slope]| slope),
@@ -197,7 +228,9 @@ impl Solid {
     /// Lowest and highest temperature that every table covers, K.
     pub fn covered_k(&self) -> [f64; 2] {
         let states = [&self.virgin, &self.char];
-        let tables = states.iter().flat_map(|state| [&state.specific_heat, &state.conductivity]);
+        let tables = states
+            .iter()
+            .flat_map(|state| [&state.specific_heat, &state.conductivity]);
         tables.fold([0.0, f64::INFINITY], |[low, high], rows| {
             // One row is a constant, not a range.
             match rows.as_slice() {

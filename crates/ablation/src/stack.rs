@@ -37,7 +37,12 @@ impl Material {
     ///
     /// # Errors
     /// Reactions beyond their ranges, or that do not add up to the difference of the densities; impermeable solids.
-    pub fn try_new(name: String, solid: Solid, pyrolysis: Option<Pyrolysis>, surface: Surface) -> Result<Self, Fault> {
+    pub fn try_new(
+        name: String,
+        solid: Solid,
+        pyrolysis: Option<Pyrolysis>,
+        surface: Surface,
+    ) -> Result<Self, Fault> {
         if let Some(pyrolysis) = &pyrolysis {
             let mut total = 0.0;
             for reaction in &pyrolysis.reactions {
@@ -46,15 +51,32 @@ impl Material {
             }
             let loss = solid.virgin.density_kg_m3 - solid.char.density_kg_m3;
             if (total - loss).abs() > 1e-6 * solid.virgin.density_kg_m3 {
-                return Err(Fault::Range { of: "reactions", key: "density_kg_m3", value: total, least: loss, most: loss });
+                return Err(Fault::Range {
+                    of: "reactions",
+                    key: "density_kg_m3",
+                    value: total,
+                    least: loss,
+                    most: loss,
+                });
             }
             for value in pyrolysis.permeability_m2 {
                 if !(f64::MIN_POSITIVE..=1.0).contains(&value) {
-                    return Err(Fault::Range { of: "pyrolysis", key: "permeability_m2", value, least: f64::MIN_POSITIVE, most: 1.0 });
+                    return Err(Fault::Range {
+                        of: "pyrolysis",
+                        key: "permeability_m2",
+                        value,
+                        least: f64::MIN_POSITIVE,
+                        most: 1.0,
+                    });
                 }
             }
         }
-        Ok(Self { name, solid, pyrolysis, surface })
+        Ok(Self {
+            name,
+            solid,
+            pyrolysis,
+            surface,
+        })
     }
 }
 
@@ -109,13 +131,24 @@ impl Stack {
     pub fn try_new(layers: Vec<Layer>, geometry: Geometry, back: Back) -> Result<Self, Fault> {
         const OF: &str = "stack";
         if layers.is_empty() {
-            return Err(Fault::TooFew { of: OF, key: "layer", rows: 0, least: 1 });
+            return Err(Fault::TooFew {
+                of: OF,
+                key: "layer",
+                rows: 0,
+                least: 1,
+            });
         }
         let range = |key: &'static str, value: f64, least: f64, most: f64| {
             if (least..=most).contains(&value) {
                 return Ok(());
             }
-            Err(Fault::Range { of: OF, key, value, least, most })
+            Err(Fault::Range {
+                of: OF,
+                key,
+                value,
+                least,
+                most,
+            })
         };
         let mut total = 0.0;
         for layer in &layers {
@@ -123,16 +156,31 @@ impl Stack {
             total += layer.thickness_m;
             match layer.joint {
                 Joint::Perfect => {}
-                Joint::Contact { resistance_m2k_w } => range("contact_m2k_w", resistance_m2k_w, 0.0, 1e6)?,
-                Joint::Gap { conductance_w_m2k, emissivity } => {
+                Joint::Contact { resistance_m2k_w } => {
+                    range("contact_m2k_w", resistance_m2k_w, 0.0, 1e6)?
+                }
+                Joint::Gap {
+                    conductance_w_m2k,
+                    emissivity,
+                } => {
                     range("gap_conductance_w_m2k", conductance_w_m2k, 0.0, 1e9)?;
                     range("gap_emissivity", emissivity, 0.0, 1.0)?;
                 }
             }
         }
-        if let Some(layer) = layers.iter().skip(1).find(|layer| layer.material.pyrolysis.is_some()) {
+        if let Some(layer) = layers
+            .iter()
+            .skip(1)
+            .find(|layer| layer.material.pyrolysis.is_some())
+        {
             let value = layer.thickness_m;
-            return Err(Fault::Range { of: "a layer that chars behind the first", key: "thickness_m", value, least: 0.0, most: 0.0 });
+            return Err(Fault::Range {
+                of: "a layer that chars behind the first",
+                key: "thickness_m",
+                value,
+                least: 0.0,
+                most: 0.0,
+            });
         }
         if let Some(radius) = geometry.radius_m() {
             range("radius_m", radius, total, f64::MAX)?;
@@ -140,17 +188,27 @@ impl Stack {
         match back {
             Back::Adiabatic => {}
             Back::Held { temperature_k } => range("back_temperature_k", temperature_k, 1.0, 1e4)?,
-            Back::Exposed { temperature_k, emissivity, film_w_m2k } => {
+            Back::Exposed {
+                temperature_k,
+                emissivity,
+                film_w_m2k,
+            } => {
                 range("back_temperature_k", temperature_k, 0.0, 1e4)?;
                 range("back_emissivity", emissivity, 0.0, 1.0)?;
                 range("back_film_w_m2k", film_w_m2k, 0.0, 1e9)?;
             }
         }
-        Ok(Self { layers, geometry, back })
+        Ok(Self {
+            layers,
+            geometry,
+            back,
+        })
     }
 
     /// Thickness of all layers, m.
     pub fn thickness_m(&self) -> f64 {
-        self.layers.iter().fold(0.0, |sum, layer| sum + layer.thickness_m)
+        self.layers
+            .iter()
+            .fold(0.0, |sum, layer| sum + layer.thickness_m)
     }
 }

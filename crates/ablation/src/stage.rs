@@ -110,7 +110,10 @@ struct Through {
 
 impl Stage<'_> {
     fn pyrolysis(&self) -> Option<&Pyrolysis> {
-        self.stack.layers.first().and_then(|layer| layer.material.pyrolysis.as_ref())
+        self.stack
+            .layers
+            .first()
+            .and_then(|layer| layer.material.pyrolysis.as_ref())
     }
 
     fn pressure_pa(&self) -> f64 {
@@ -121,7 +124,12 @@ impl Stage<'_> {
     }
 
     /// Solves the stage, from the state as a first guess.
-    pub fn solve(&self, grid: &mut Grid, state: &mut State, work: &mut Work) -> Result<Edges, StageFault> {
+    pub fn solve(
+        &self,
+        grid: &mut Grid,
+        state: &mut State,
+        work: &mut Work,
+    ) -> Result<Edges, StageFault> {
         let n = grid.len();
         work.cells.resize(n, Cell::default());
         work.flows.resize(n + 1, Flow::default());
@@ -173,7 +181,11 @@ impl Stage<'_> {
                 let length = grid.middle_m[f] - grid.middle_m[f - 1];
                 let g = (share * a.k + (1.0 - share) * b.k) / length;
                 let slope = (t1 - t2) / length;
-                Flow { q: g * (t1 - t2), by_first: g + share * a.k_t * slope, by_second: -g + (1.0 - share) * b.k_t * slope }
+                Flow {
+                    q: g * (t1 - t2),
+                    by_first: g + share * a.k_t * slope,
+                    by_second: -g + (1.0 - share) * b.k_t * slope,
+                }
             } else {
                 let r1 = (grid.face_m[f] - grid.middle_m[f - 1]) / a.k;
                 let r2 = (grid.middle_m[f] - grid.face_m[f]) / b.k;
@@ -183,7 +195,10 @@ impl Stage<'_> {
         }
         let last = n - 1;
         let resistance = (grid.face_m[n] - grid.middle_m[last]) / work.cells[last].k;
-        work.flows[n] = scaled(back_flow(self.stack.back, state.t[last], resistance), grid.area[n]);
+        work.flows[n] = scaled(
+            back_flow(self.stack.back, state.t[last], resistance),
+            grid.area[n],
+        );
     }
 
     /// Pressure from the wall inwards, and the gas of each cell there.
@@ -197,8 +212,11 @@ impl Stage<'_> {
             let tau = solid.virgin_fraction(state.whole(self.weights, i));
             let permeability = tau * k_v + (1.0 - tau) * k_c;
             // d(p²)/dx = 2 μ R T ṁ / (M K)
-            let flow = 0.5 * (state.gas[i] / grid.area[i] + state.gas[i + 1] / grid.area[i + 1].max(1e-12));
-            let slope = 2.0 * gas.viscosity_per_molar_mass * GAS_CONSTANT_J_MOLK * state.t[i] * flow / permeability;
+            let flow = 0.5
+                * (state.gas[i] / grid.area[i] + state.gas[i + 1] / grid.area[i + 1].max(1e-12));
+            let slope =
+                2.0 * gas.viscosity_per_molar_mass * GAS_CONSTANT_J_MOLK * state.t[i] * flow
+                    / permeability;
             let length = grid.face_m[i + 1] - grid.face_m[i];
             state.pressure_pa[i + 1] = (p * p + (slope * length).max(0.0)).sqrt();
             work.cells[i].gas = gas;
@@ -214,7 +232,11 @@ impl Stage<'_> {
         let passed = state.wall_m - self.known.wall_m;
         let left = grid.first_volume_m - state.wall_m;
         let back = work.flows[n];
-        let mut right = Through { value: back.q, by_before: 0.0, form: [back.by_first, 0.0, 0.0] };
+        let mut right = Through {
+            value: back.q,
+            by_before: 0.0,
+            form: [back.by_first, 0.0, 0.0],
+        };
         let mut gas_right = (0.0, [0.0; 3]);
         let reactions = self.weights.len();
         work.right.clear();
@@ -231,7 +253,11 @@ impl Stage<'_> {
             let (mut z, mut dz) = (1.0, [0.0; 3]);
             let (mut z_left, mut dz_left) = (1.0, [0.0; 3]);
             let mut gas_left = gas_right;
-            let by_y = if charring { grid.motion[i + 1] - grid.motion[i] } else { 0.0 };
+            let by_y = if charring {
+                grid.motion[i + 1] - grid.motion[i]
+            } else {
+                0.0
+            };
             if charring && reactions > 0 {
                 let made = self.shares(grid, state, work, i, passed);
                 (z, dz, z_left, dz_left) = (made.z, made.dz, made.z_left, made.dz_left);
@@ -257,7 +283,11 @@ impl Stage<'_> {
             } else {
                 work.flows[i]
             };
-            let mut through = Through { value: flow.q, by_before: flow.by_first, form: [flow.by_second, 0.0, 0.0] };
+            let mut through = Through {
+                value: flow.q,
+                by_before: flow.by_first,
+                form: [flow.by_second, 0.0, 0.0],
+            };
             if charring {
                 // Values at the face between two neighbors; at the wall those of the wall.
                 let share = if i == 0 { 1.0 } else { grid.first_share[i] };
@@ -280,7 +310,8 @@ impl Stage<'_> {
                 let h_g = mix(gas_other.enthalpy_j_kg, own.gas.enthalpy_j_kg);
                 through.value -= m * h_g + v * e_left;
                 through.by_before -= share * (m * gas_other.specific_heat_j_kgk + v * c(&other));
-                through.form[0] -= (1.0 - share) * (m * own.gas.specific_heat_j_kgk + v * c(&own.values));
+                through.form[0] -=
+                    (1.0 - share) * (m * own.gas.specific_heat_j_kgk + v * c(&own.values));
                 through.form[1] += flow.q / left - grid.motion[i] * e_left / h;
                 for k in 0..3 {
                     through.form[k] -= h_g * gas_left.1[k] + v * by_z * dz_left[k];
@@ -296,10 +327,18 @@ impl Stage<'_> {
             form[0] += volume * (z * c_v + (1.0 - z) * c_c);
             form[1] += by_y * e;
             form[2] += residual;
-            let solved = [h * through.by_before / form[0], -form[1] / form[0], -form[2] / form[0]];
+            let solved = [
+                h * through.by_before / form[0],
+                -form[1] / form[0],
+                -form[2] / form[0],
+            ];
             work.eliminated[i] = solved;
             // What goes on to the cell before, in its terms.
-            right = Through { value: through.value, by_before: 0.0, form: before(through.form, solved) };
+            right = Through {
+                value: through.value,
+                by_before: 0.0,
+                form: before(through.form, solved),
+            };
             right.form[0] += through.by_before;
             gas_right = (gas_left.0, before(gas_left.1, solved));
             z_wall = (z_left, before(dz_left, solved));
@@ -307,12 +346,35 @@ impl Stage<'_> {
                 entry.1 = before(entry.1, solved);
             }
         }
-        let edges = Edges { wall_w_m2: right.value, back_w_m2: work.flows[n].q, gas: gas_right.0, char: 0.0 };
-        self.correct_wall(grid, state, work, &WallRows { through: right, gas: gas_right, z: z_wall, cell: wall_cell }, edges)
+        let edges = Edges {
+            wall_w_m2: right.value,
+            back_w_m2: work.flows[n].q,
+            gas: gas_right.0,
+            char: 0.0,
+        };
+        self.correct_wall(
+            grid,
+            state,
+            work,
+            &WallRows {
+                through: right,
+                gas: gas_right,
+                z: z_wall,
+                cell: wall_cell,
+            },
+            edges,
+        )
     }
 
     /// Shares of a cell for its temperature, those at its left face, and the gas that it sets free.
-    fn shares(&self, grid: &Grid, state: &mut State, work: &mut Work, i: usize, passed: f64) -> Made {
+    fn shares(
+        &self,
+        grid: &Grid,
+        state: &mut State,
+        work: &mut Work,
+        i: usize,
+        passed: f64,
+    ) -> Made {
         let mut made = Made::default();
         let Some(pyrolysis) = self.pyrolysis() else {
             return made;
@@ -337,7 +399,11 @@ impl Stage<'_> {
             let (vl, hk) = (passed * m_l, self.h * volume * k);
             let face = |x: f64| {
                 let carried = x + reach * (x - x_behind);
-                if (0.0..=1.0).contains(&carried) { (carried, 1.0 + reach, -reach) } else { (carried.clamp(0.0, 1.0), 0.0, 0.0) }
+                if (0.0..=1.0).contains(&carried) {
+                    (carried, 1.0 + reach, -reach)
+                } else {
+                    (carried.clamp(0.0, 1.0), 0.0, 0.0)
+                }
             };
             // V X + h V k X^ψ + h v_L X_L = known + h v_R X_R
             let mut x = state.share[index];
@@ -382,7 +448,14 @@ impl Stage<'_> {
     }
 
     /// Solves the wall's two equations and moves all cells; the size of the largest move.
-    fn correct_wall(&self, grid: &Grid, state: &mut State, work: &mut Work, rows: &WallRows, mut edges: Edges) -> (Edges, f64) {
+    fn correct_wall(
+        &self,
+        grid: &Grid,
+        state: &mut State,
+        work: &mut Work,
+        rows: &WallRows,
+        mut edges: Edges,
+    ) -> (Edges, f64) {
         let area = grid.area[0];
         let solid = &self.stack.layers[0].material.solid;
         let (d_wall, d_y) = match self.wall {
@@ -405,7 +478,12 @@ impl Stage<'_> {
                     emissivity: cell.emissivity,
                     absorptivity: cell.absorptivity,
                 };
-                let Balance { heat, char } = balance(&self.stack.layers[0].material.surface, self.settings, &heating, &at);
+                let Balance { heat, char } = balance(
+                    &self.stack.layers[0].material.surface,
+                    self.settings,
+                    &heating,
+                    &at,
+                );
                 // The energy through the wall's face holds gas and solid that leave; conduction alone is in the balance.
                 let m = rows.gas.0;
                 let v = (state.wall_m - self.known.wall_m) / self.h;
@@ -422,7 +500,8 @@ impl Stage<'_> {
                 first[2] += area * heat[0] - q;
                 // Y − known − h A ṁ_c / ρ_w = 0
                 let speed = self.h * area / rho;
-                let mut second = [0, 1, 2].map(|k| -speed * (char[2] * gas[k] - char[0] * by_z * rows.z.1[k] / rho));
+                let mut second = [0, 1, 2]
+                    .map(|k| -speed * (char[2] * gas[k] - char[0] * by_z * rows.z.1[k] / rho));
                 second[0] -= speed * char[1];
                 second[1] += 1.0;
                 second[2] += state.wall_m - self.known.wall_m - speed * char[0];
@@ -454,7 +533,14 @@ impl Stage<'_> {
         }
         state.wall_k += d_wall_limited;
         state.wall_m += d_y_limited;
-        (edges, if d_wall.is_finite() && d_y.is_finite() { moved } else { f64::NAN })
+        (
+            edges,
+            if d_wall.is_finite() && d_y.is_finite() {
+                moved
+            } else {
+                f64::NAN
+            },
+        )
     }
 }
 
@@ -496,7 +582,9 @@ impl AtWallCell {
         let values = solid.at(state.wall_k);
         let tau = solid.virgin_fraction(z);
         let mix = |[v, c]: [f64; 2], share: f64| share * v + (1.0 - share) * c;
-        let gas = stage.pyrolysis().map(|pyrolysis| pyrolysis.gas.at(stage.pressure_pa(), state.wall_k));
+        let gas = stage
+            .pyrolysis()
+            .map(|pyrolysis| pyrolysis.gas.at(stage.pressure_pa(), state.wall_k));
         let of = |f: fn(&crate::solid::State) -> f64| mix([f(&solid.virgin), f(&solid.char)], tau);
         Self {
             gas: gas.unwrap_or_default(),
@@ -513,7 +601,11 @@ impl AtWallCell {
 }
 
 fn scaled(flow: Flow, area: f64) -> Flow {
-    Flow { q: area * flow.q, by_first: area * flow.by_first, by_second: area * flow.by_second }
+    Flow {
+        q: area * flow.q,
+        by_first: area * flow.by_first,
+        by_second: area * flow.by_second,
+    }
 }
 
 /// Flow out of the last cell, with its slope over the cell's temperature.
@@ -521,8 +613,15 @@ fn back_flow(back: Back, t: f64, resistance: f64) -> Flow {
     match back {
         Back::Adiabatic => Flow::default(),
         Back::Held { temperature_k } => Joint::Perfect.flow(t, resistance, temperature_k, 0.0),
-        Back::Exposed { temperature_k, emissivity, film_w_m2k } => {
-            let gap = Joint::Gap { conductance_w_m2k: film_w_m2k, emissivity };
+        Back::Exposed {
+            temperature_k,
+            emissivity,
+            film_w_m2k,
+        } => {
+            let gap = Joint::Gap {
+                conductance_w_m2k: film_w_m2k,
+                emissivity,
+            };
             gap.flow(t, resistance, temperature_k, 0.0)
         }
     }

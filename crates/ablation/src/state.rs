@@ -33,7 +33,10 @@ pub(crate) struct Content {
 
 /// Undecomposed share of all reactions together, weighted with the density they take.
 pub(crate) fn whole_share(weights: &[f64], shares: &[f64]) -> f64 {
-    weights.iter().zip(shares).fold(0.0, |sum, (w, x)| sum + w * x)
+    weights
+        .iter()
+        .zip(shares)
+        .fold(0.0, |sum, (w, x)| sum + w * x)
 }
 
 impl State {
@@ -66,10 +69,14 @@ impl State {
             let solid = &stack.layers[grid.layer[i]].material.solid;
             let [virgin, char] = solid.at(self.t[i]).enthalpy_j_m3;
             let z = self.whole(weights, i);
-            content.energy.push(grid.volume_m[i] * (z * virgin + (1.0 - z) * char));
+            content
+                .energy
+                .push(grid.volume_m[i] * (z * virgin + (1.0 - z) * char));
         }
         for (j, x) in self.share.iter().enumerate() {
-            content.share.push(x * grid.volume_m[j / weights.len().max(1)]);
+            content
+                .share
+                .push(x * grid.volume_m[j / weights.len().max(1)]);
         }
     }
 

@@ -63,43 +63,75 @@ impl WallTable {
                 ("hw_J_kg", row.enthalpy_j_kg, f64::MIN),
             ] {
                 if !value.is_finite() {
-                    return Err(Fault::NotFinite { of: OF, key, row: n });
+                    return Err(Fault::NotFinite {
+                        of: OF,
+                        key,
+                        row: n,
+                    });
                 }
                 if value < least {
-                    return Err(Fault::Range { of: OF, key, value, least, most: f64::MAX });
+                    return Err(Fault::Range {
+                        of: OF,
+                        key,
+                        value,
+                        least,
+                        most: f64::MAX,
+                    });
                 }
             }
         }
         rows.sort_by(|a, b| {
             let pressure = b.pressure_pa.total_cmp(&a.pressure_pa);
             let gas = a.gas_rate.total_cmp(&b.gas_rate);
-            pressure.then(gas).then(a.temperature_k.total_cmp(&b.temperature_k))
+            pressure
+                .then(gas)
+                .then(a.temperature_k.total_cmp(&b.temperature_k))
         });
         let inverse_p = distinct(rows.iter().map(|row| 1.0 / row.pressure_pa));
         let b_g = distinct(rows.iter().map(|row| row.gas_rate));
         let t = distinct(rows.iter().map(|row| row.temperature_k));
         if t.len() < 2 {
-            return Err(Fault::TooFew { of: OF, key: "T_K", rows: t.len(), least: 2 });
+            return Err(Fault::TooFew {
+                of: OF,
+                key: "T_K",
+                rows: t.len(),
+                least: 2,
+            });
         }
         let sheet = b_g.len() * t.len();
         let fits = |(i, row): (usize, &WallRow)| {
-            b_g.get(i % sheet / t.len()) == Some(&row.gas_rate) && t.get(i % t.len()) == Some(&row.temperature_k)
+            b_g.get(i % sheet / t.len()) == Some(&row.gas_rate)
+                && t.get(i % t.len()) == Some(&row.temperature_k)
         };
         if rows.len() != inverse_p.len() * sheet || !rows.iter().enumerate().all(fits) {
             return Err(Fault::Irregular { of: OF, key: "T_K" });
         }
-        let values = rows.iter().map(|row| [row.char_rate, row.enthalpy_j_kg]).collect();
-        Ok(Self { inverse_p, b_g, t, values })
+        let values = rows
+            .iter()
+            .map(|row| [row.char_rate, row.enthalpy_j_kg])
+            .collect();
+        Ok(Self {
+            inverse_p,
+            b_g,
+            t,
+            values,
+        })
     }
 
     /// Lowest and highest pressure, Pa, B'_g and temperature, K.
     pub fn covered(&self) -> [[f64; 2]; 3] {
-        let ends = |knots: &[f64]| [knots.first(), knots.last()].map(|x| x.copied().unwrap_or_default());
+        let ends =
+            |knots: &[f64]| [knots.first(), knots.last()].map(|x| x.copied().unwrap_or_default());
         let [most, least] = ends(&self.inverse_p).map(|inverse| 1.0 / inverse);
         [[least, most], ends(&self.b_g), ends(&self.t)]
     }
 
-    fn sheet(&self, sheet: usize, (j, share_g, per_g): (usize, f64, f64), (i, share_t, per_t): (usize, f64, f64)) -> Looked {
+    fn sheet(
+        &self,
+        sheet: usize,
+        (j, share_g, per_g): (usize, f64, f64),
+        (i, share_t, per_t): (usize, f64, f64),
+    ) -> Looked {
         let n = self.t.len();
         let at = |j: usize, i: usize| {
             let found = self.values.get((sheet * self.b_g.len() + j) * n + i);
@@ -112,7 +144,11 @@ impl WallTable {
             let low = a[k] + share_t * (b[k] - a[k]);
             let high = c[k] + share_t * (d[k] - c[k]);
             let slope = (1.0 - share_g) * (b[k] - a[k]) + share_g * (d[k] - c[k]);
-            [low + share_g * (high - low), (high - low) * per_g, slope * per_t]
+            [
+                low + share_g * (high - low),
+                (high - low) * per_g,
+                slope * per_t,
+            ]
         })
     }
 
@@ -141,14 +177,21 @@ impl WallTable {
         let moving = if g.2 > 0.0 { 1.0 } else { 0.0 };
         let fraction = |[b, b_g, b_t]: [f64; 3]| {
             let n = one + b;
-            [b / n, (one * b_g - b * moving) / (n * n), one * b_t / (n * n)]
+            [
+                b / n,
+                (one * b_g - b * moving) / (n * n),
+                one * b_t / (n * n),
+            ]
         };
         let blend = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]));
         let [y, y_g, y_t] = blend(fraction(low[0]), fraction(high[0]));
         let rest = 1.0 - y;
         let b_c = one * y / rest;
         let per = one / (rest * rest);
-        [[b_c, moving * y / rest + per * y_g, per * y_t], blend(low[1], high[1])]
+        [
+            [b_c, moving * y / rest + per * y_g, per * y_t],
+            blend(low[1], high[1]),
+        ]
     }
 }
 
@@ -197,7 +240,9 @@ impl Surface {
                 looked
             }
             Self::Inert(rows) => {
-                let i = rows.partition_point(|row| row[0] <= temperature_k).saturating_sub(1);
+                let i = rows
+                    .partition_point(|row| row[0] <= temperature_k)
+                    .saturating_sub(1);
                 let i = i.min(rows.len().saturating_sub(2));
                 let slope = match (rows.get(i), rows.get(i + 1)) {
                     (Some([t0, h0]), Some([t1, h1])) => (h1 - h0) / (t1 - t0),
@@ -238,7 +283,8 @@ impl Surface {
         let free = 1.0 - k * (b_c - b_g * b_c_g);
         let u_t = k * u * b_c_t / free;
         let u_m = k * (1.0 + b_c_g) / free;
-        let char = |du: f64, dm: f64, dt: f64| (b_c - b_g * b_c_g) * du + b_c_g * dm + u * b_c_t * dt;
+        let char =
+            |du: f64, dm: f64, dt: f64| (b_c - b_g * b_c_g) * du + b_c_g * dm + u * b_c_t * dt;
         let gas_rate = [-b_g * u_t / u, (1.0 - b_g * u_m) / u];
         Blown {
             transfer: [u, u_t, u_m],

@@ -52,7 +52,12 @@ pub(crate) struct Balance {
 }
 
 /// The balance without its conduction.
-pub(crate) fn balance(surface: &Surface, settings: &WallSettings, heating: &Heating, at: &AtWall) -> Balance {
+pub(crate) fn balance(
+    surface: &Surface,
+    settings: &WallSettings,
+    heating: &Heating,
+    at: &AtWall,
+) -> Balance {
     let es = at.emissivity * STEFAN_BOLTZMANN_W_M2K4;
     let (t, sink) = (at.t, settings.sink_temperature_k);
     let fourth = |t: f64| t * t * t * t;
@@ -77,7 +82,8 @@ pub(crate) fn balance(surface: &Surface, settings: &WallSettings, heating: &Heat
         let m_g = at.gas;
         let whole = u + c + m_g;
         heat[0] += u * (heating.recovery_j_kg - h) + c * (h_s - h) + m_g * (h_g - h);
-        heat[1] += u_t * (heating.recovery_j_kg - h) + c_t * (h_s - h) + c * h_s_t + m_g * h_g_t - whole * h_t;
+        heat[1] += u_t * (heating.recovery_j_kg - h) + c_t * (h_s - h) + c * h_s_t + m_g * h_g_t
+            - whole * h_t;
         heat[2] += u_m * (heating.recovery_j_kg - h) + c_m * (h_s - h) + (h_g - h) - whole * h_m;
         char = blown.char;
     }
