@@ -36,7 +36,9 @@ pub struct Sample {
     pub behind_k: Vec<f64>,
     /// Highest pressure of the gas in the solid, Pa.
     pub pressure_pa: f64,
-    /// Least undecomposed share, which is of the wall, and depth to which less than 98 % is virgin, m.
+    /// Pressure at the wall where it reacts, Pa, and B'_g there.
+    pub exposed: Option<[f64; 2]>,
+    /// Depth to which less than 98 % is virgin, m.
     pub char_depth_m: f64,
 }
 
@@ -71,6 +73,7 @@ impl Sample {
             recession_m: grid.wall_depth_m(),
             behind_k,
             pressure_pa: state.pressure_pa.iter().copied().fold(0.0, f64::max),
+            exposed: edges.gas_ratio.map(|ratio| [state.pressure_pa[0], ratio]),
             char_depth_m: (0..grid.first)
                 .rev()
                 .find(|i| state.whole(weights, *i) < 0.98)
@@ -162,12 +165,17 @@ pub struct History {
     pub pressure_pa: f64,
     /// Greatest depth to which less than 98 % was virgin, m.
     pub char_depth_m: f64,
+    /// Lowest and highest pressure at which the wall reacted, Pa; from above to below where it never did.
+    pub exposed_pa: [f64; 2],
+    /// Highest B'_g.
+    pub gas_ratio: f64,
 }
 
 impl History {
     pub(crate) fn new(layers: usize) -> Self {
         Self {
             behind: vec![Peak::default(); layers],
+            exposed_pa: [f64::INFINITY, f64::NEG_INFINITY],
             ..Self::default()
         }
     }
@@ -190,6 +198,11 @@ impl History {
         rise(&mut self.wall, sample.wall_k);
         for (peak, t) in self.behind.iter_mut().zip(&sample.behind_k) {
             rise(peak, *t);
+        }
+        if let Some([pressure_pa, ratio]) = sample.exposed {
+            let [least, most] = self.exposed_pa;
+            self.exposed_pa = [least.min(pressure_pa), most.max(pressure_pa)];
+            self.gas_ratio = self.gas_ratio.max(ratio);
         }
         self.pressure_pa = self.pressure_pa.max(sample.pressure_pa);
         self.char_depth_m = self.char_depth_m.max(sample.char_depth_m);

@@ -52,6 +52,8 @@ pub(crate) struct Edges {
     pub gas: f64,
     /// Char out of the wall, kg/s.
     pub char: f64,
+    /// Pyrolysis gas over the transfer coefficient with blowing; none without chemistry.
+    pub gas_ratio: Option<f64>,
 }
 
 /// Way in which a stage failed.
@@ -169,6 +171,9 @@ impl Stage<'_> {
             cell.k_t = mix(values.conductivity_slope);
             cell.values = values;
         }
+        if let Some(place) = state.pressure_pa.first_mut() {
+            *place = self.pressure_pa();
+        }
         if let Some(pyrolysis) = self.pyrolysis() {
             self.look_up_gas(grid, pyrolysis, state, work);
         }
@@ -205,7 +210,6 @@ impl Stage<'_> {
     fn look_up_gas(&self, grid: &Grid, pyrolysis: &Pyrolysis, state: &mut State, work: &mut Work) {
         let solid = &self.stack.layers[0].material.solid;
         let [k_v, k_c] = pyrolysis.permeability_m2;
-        state.pressure_pa[0] = self.pressure_pa();
         for i in 0..grid.first {
             let p = state.pressure_pa[i];
             let gas = pyrolysis.gas.at(p, state.t[i]);
@@ -351,6 +355,7 @@ impl Stage<'_> {
             back_w_m2: work.flows[n].q,
             gas: gas_right.0,
             char: 0.0,
+            gas_ratio: None,
         };
         self.correct_wall(
             grid,
@@ -478,7 +483,11 @@ impl Stage<'_> {
                     emissivity: cell.emissivity,
                     absorptivity: cell.absorptivity,
                 };
-                let Balance { heat, char } = balance(
+                let Balance {
+                    heat,
+                    char,
+                    gas_ratio,
+                } = balance(
                     &self.stack.layers[0].material.surface,
                     self.settings,
                     &heating,
@@ -506,6 +515,7 @@ impl Stage<'_> {
                 second[1] += 1.0;
                 second[2] += state.wall_m - self.known.wall_m - speed * char[0];
                 edges.char = area * char[0];
+                edges.gas_ratio = gas_ratio;
                 let determinant = first[0] * second[1] - first[1] * second[0];
                 (
                     (first[1] * second[2] - first[2] * second[1]) / determinant,

@@ -49,6 +49,8 @@ pub(crate) struct Balance {
     pub heat: [f64; 3],
     /// Char taken away, kg/(m² s).
     pub char: [f64; 3],
+    /// Pyrolysis gas over the transfer coefficient with blowing; none without chemistry.
+    pub gas_ratio: Option<f64>,
 }
 
 /// The balance without its conduction.
@@ -67,6 +69,7 @@ pub(crate) fn balance(
         0.0,
     ];
     let mut char = [0.0; 3];
+    let mut gas_ratio = None;
     if heating.chemistry && heating.transfer_kg_m2s > 0.0 {
         let exposure = Exposure {
             pressure_pa: heating.pressure_pa,
@@ -86,6 +89,11 @@ pub(crate) fn balance(
             - whole * h_t;
         heat[2] += u_m * (heating.recovery_j_kg - h) + c_m * (h_s - h) + (h_g - h) - whole * h_m;
         char = blown.char;
+        gas_ratio = Some(m_g / u);
     }
-    Balance { heat, char }
+    Balance {
+        heat,
+        char,
+        gas_ratio,
+    }
 }

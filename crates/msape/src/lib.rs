@@ -54,6 +54,8 @@
 //! - Drawing, storage and concurrency: they belong to the crates around this one.
 //! - In-depth ablation, transient conduction, trade studies, optimization, surrogates: not written yet. What stands in for each is named in the result.
 
+#[cfg(feature = "ablation")]
+pub mod ablation;
 pub mod aero;
 pub mod answer;
 pub mod case;

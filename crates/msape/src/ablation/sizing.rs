@@ -1,0 +1,124 @@
+//! Thickness of the first layer at which the temperature behind a layer keeps its limit.
+//!
+//! ```text
+//! max over t of T_behind(t; L) = T_limit − ΔT
+//! L_total = L + m s(L)
+//! ```
+//!
+//! with the limit and its margin ΔT in K, the recession s in m and its margin m.
+//!
+//! # Valid
+//! The temperature behind falls with thickness. Each run goes on until the temperature behind has passed its maximum.
+//!
+//! # References
+//! - \[samareh-2014\] section 3.5: the bond line governs.
+
+use ::ablation::environment::Environment;
+use ::ablation::fault::Fault;
+use ::ablation::march::{Outcome, Response, Run, Settings};
+use ::ablation::stack::Stack;
+use core::ops::ControlFlow;
+use numerics::math;
+use numerics::root;
+
+/// Limit of the temperature behind a layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// Layer, from 0.
+    pub layer: usize,
+    /// Highest temperature allowed behind it, K, its margin taken off.
+    pub temperature_k: f64,
+    /// Share of the recession that is added to the thickness.
+    pub recession_margin: f64,
+}
+
+/// Least and greatest thickness that is tried, m. Assumed: thinner and thicker heat shields are not made.
+pub const THICKNESS_M: [f64; 2] = [0.001, 0.3];
+/// Width of the bracket of the thickness, relative. Assumed.
+const WIDTH: f64 = 1e-5;
+
+/// Result of a sizing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sized {
+    /// Thickness at which the limit is kept, m; none where it is not kept in the range.
+    pub thickness_m: Option<f64>,
+    /// Thickness with the margin on recession, m.
+    pub with_margin_m: Option<f64>,
+    /// Response at the thickness, or at the greatest.
+    pub response: Response,
+    /// Stack of that response.
+    pub stack: Stack,
+    /// Runs.
+    pub runs: usize,
+}
+
+/// The response of a stack whose first layer has a thickness, m; `watch` may stop it.
+fn respond(
+    stack: &mut Stack,
+    thickness_m: f64,
+    (environment, settings): (&Environment, &Settings),
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Response, Fault> {
+    if let Some(first) = stack.layers.first_mut() {
+        first.thickness_m = thickness_m;
+    }
+    Ok(Run::try_new(stack, environment, settings)?.response(watch))
+}
+
+/// Sizes the first layer of a stack.
+///
+/// # Errors
+/// Settings beyond their ranges.
+pub fn size(
+    stack: &Stack,
+    environment: &Environment,
+    settings: &Settings,
+    limit: &Limit,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Sized, Fault> {
+    let mut stack = stack.clone();
+    let with = (environment, settings);
+    let mut runs = 0;
+    let mut fault = None;
+    let mut excess = |ln_l: f64| {
+        runs += 1;
+        match respond(&mut stack, math::exp(ln_l), with, watch) {
+            Ok(response) => above(&response, limit),
+            Err(found) => {
+                fault = Some(found);
+                f64::NAN
+            }
+        }
+    };
+    let [low, high] = THICKNESS_M.map(math::ln);
+    let found = if excess(low) <= 0.0 {
+        Some(low)
+    } else {
+        let bracket = root::bracket(&mut excess, low, high, WIDTH);
+        // Of the two sides of the root the thicker keeps the limit.
+        bracket.map(|[a, b]| a.max(b))
+    };
+    if let Some(fault) = fault {
+        return Err(fault);
+    }
+    let thickness_m = found.map(math::exp);
+    let response = respond(&mut stack, thickness_m.unwrap_or(THICKNESS_M[1]), with, watch)?;
+    let recession = response.history.rows.last().map_or(0.0, |row| row.recession_m);
+    Ok(Sized {
+        thickness_m,
+        with_margin_m: thickness_m.map(|l| l + limit.recession_margin * recession),
+        response,
+        stack,
+        runs: runs + 1,
+    })
+}
+
+/// Temperature above the limit, K; that of the wall where the layer is gone.
+fn above(response: &Response, limit: &Limit) -> f64 {
+    let history = &response.history;
+    let peak = match response.outcome {
+        Outcome::BurntThrough => history.wall.temperature_k,
+        _ => history.behind.get(limit.layer).map_or(0.0, |peak| peak.temperature_k),
+    };
+    peak - limit.temperature_k
+}
