@@ -41,9 +41,8 @@ fn main() -> io::Result<()> {
         |(name, _): &Listed, with: &[&str]| with.iter().any(|start| name.starts_with(start));
     let (cases, others): (Vec<Listed>, _) =
         files.into_iter().partition(|file| begins(file, &CASES));
-    let (mut ablators, others): (Vec<Listed>, Vec<Listed>) = others
-        .into_iter()
-        .partition(|file| begins(file, &ABLATORS));
+    let (mut ablators, others): (Vec<Listed>, Vec<Listed>) =
+        others.into_iter().partition(|file| begins(file, &ABLATORS));
     let (mut validation, library): (Vec<Listed>, Vec<Listed>) = others
         .into_iter()
         .partition(|file| begins(file, &VALIDATION));

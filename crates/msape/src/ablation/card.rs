@@ -111,7 +111,11 @@ fn pairs(key: &str, temperature_k: &[f64], values: &[f64]) -> Result<Vec<[f64; 2
         let (a, b) = (temperature_k.len(), values.len());
         return Err(format!("{key}: {a} temperatures, but {b} values"));
     }
-    Ok(temperature_k.iter().zip(values).map(|(t, y)| [*t, *y]).collect())
+    Ok(temperature_k
+        .iter()
+        .zip(values)
+        .map(|(t, y)| [*t, *y])
+        .collect())
 }
 
 impl OfState {
@@ -121,8 +125,16 @@ impl OfState {
         Ok(State {
             density_kg_m3: self.density_kg_m3,
             formation_j_kg: self.formation_j_kg.unwrap_or_default(),
-            specific_heat: pairs(&format!("{of}.specific_heat"), &heat.temperature_k, &heat.specific_heat_j_kg_k)?,
-            conductivity: pairs(&format!("{of}.conductivity"), &conduction.temperature_k, &conduction.conductivity_w_m_k)?,
+            specific_heat: pairs(
+                &format!("{of}.specific_heat"),
+                &heat.temperature_k,
+                &heat.specific_heat_j_kg_k,
+            )?,
+            conductivity: pairs(
+                &format!("{of}.conductivity"),
+                &conduction.temperature_k,
+                &conduction.conductivity_w_m_k,
+            )?,
             emissivity: self.emissivity,
             absorptivity: self.absorptivity.unwrap_or(self.emissivity),
         })
@@ -150,7 +162,8 @@ pub struct Cards<'a> {
 impl Cards<'_> {
     fn text(&self, path: &str) -> Option<&str> {
         let own = self.own.iter().find(|(known, _)| known == path);
-        own.map(|(_, text)| text.as_str()).or_else(|| data_file(path))
+        own.map(|(_, text)| text.as_str())
+            .or_else(|| data_file(path))
     }
 
     /// Names of all cards, in order.
@@ -158,7 +171,10 @@ impl Cards<'_> {
         let shipped = crate::library::data_folder(FOLDER).map(|(path, _)| path);
         let own = self.own.iter().map(|(path, _)| path.as_str());
         let name = |path: &str| {
-            let name = path.strip_prefix(FOLDER)?.strip_prefix('/')?.strip_suffix(".toml")?;
+            let name = path
+                .strip_prefix(FOLDER)?
+                .strip_prefix('/')?
+                .strip_suffix(".toml")?;
             Some(name.to_string())
         };
         let mut names: Vec<String> = shipped.chain(own).filter_map(name).collect();
@@ -174,7 +190,10 @@ impl Cards<'_> {
     pub fn card(&self, name: &str) -> Result<Card, String> {
         let path = format!("{FOLDER}/{name}.toml");
         let Some(text) = self.text(&path) else {
-            return Err(format!("got \"{name}\", must be one of {}", self.names().join(", ")));
+            return Err(format!(
+                "got \"{name}\", must be one of {}",
+                self.names().join(", ")
+            ));
         };
         let of = |message: String| format!("{path}: {message}");
         let file: File = toml::from_str(text).map_err(|error| of(error.to_string()))?;
@@ -184,7 +203,9 @@ impl Cards<'_> {
     fn material(&self, file: File) -> Result<Card, String> {
         let said = |fault: Fault| fault.to_string();
         let formation = |of: &str, state: &OfState| match (state.formation_j_kg, &file.pyrolysis) {
-            (None, Some(_)) => Err(format!("{of}.formation_j_kg: missing; the enthalpy at 298.15 K against the elements, J/kg")),
+            (None, Some(_)) => Err(format!(
+                "{of}.formation_j_kg: missing; the enthalpy at 298.15 K against the elements, J/kg"
+            )),
             _ => Ok(()),
         };
         formation("virgin", &file.r#virgin)?;
@@ -197,8 +218,12 @@ impl Cards<'_> {
             None => Solid::inert(virgin).map_err(said)?,
         };
         let pyrolysis = match &file.pyrolysis {
-            Some(_) if file.char.is_none() => return Err("char: missing; what chars has a char".to_string()),
-            None if file.char.is_some() => return Err("pyrolysis: missing; a char comes of a pyrolysis".to_string()),
+            Some(_) if file.char.is_none() => {
+                return Err("char: missing; what chars has a char".to_string());
+            }
+            None if file.char.is_some() => {
+                return Err("pyrolysis: missing; a char comes of a pyrolysis".to_string());
+            }
             Some(pyrolysis) => Some(self.pyrolysis(pyrolysis)?),
             None => None,
         };
@@ -207,19 +232,36 @@ impl Cards<'_> {
             None => Surface::Inert(self.air.to_vec()),
         };
         let material = Material::try_new(file.name, solid, pyrolysis, surface).map_err(said)?;
-        Ok(Card { material, note: file.note })
+        Ok(Card {
+            material,
+            note: file.note,
+        })
     }
 
     /// Rows of a table beside the card.
     fn rows<const N: usize>(&self, file: &str, names: [&str; N]) -> Result<Vec<[f64; N]>, String> {
         let path = format!("{FOLDER}/{file}");
-        let text = self.text(&path).ok_or_else(|| format!("{path}: is not there"))?;
+        let text = self
+            .text(&path)
+            .ok_or_else(|| format!("{path}: is not there"))?;
         table::rows(text, names).map_err(|message| format!("{path}: {message}"))
     }
 
     fn pyrolysis(&self, file: &OfPyrolysis) -> Result<Pyrolysis, String> {
-        let columns = ["pressure_pa", "temperature_k", "molar_mass_kg_mol", "enthalpy_j_kg", "viscosity_pa_s"];
-        let row = |[pressure_pa, temperature_k, molar_mass_kg_mol, enthalpy_j_kg, viscosity_pa_s]: [f64; 5]| GasRow {
+        let columns = [
+            "pressure_pa",
+            "temperature_k",
+            "molar_mass_kg_mol",
+            "enthalpy_j_kg",
+            "viscosity_pa_s",
+        ];
+        let row = |[
+            pressure_pa,
+            temperature_k,
+            molar_mass_kg_mol,
+            enthalpy_j_kg,
+            viscosity_pa_s,
+        ]: [f64; 5]| GasRow {
             pressure_pa,
             temperature_k,
             molar_mass_kg_mol,
@@ -230,7 +272,13 @@ impl Cards<'_> {
         let gas = Gas::try_new(rows.into_iter().map(row).collect());
         let reaction = |of: &OfReaction| {
             let densities = [of.virgin_kg_m3, of.char_kg_m3];
-            Reaction::of_component(densities, of.rate_per_s, of.activation_k, of.order_exponent, of.start_k)
+            Reaction::of_component(
+                densities,
+                of.rate_per_s,
+                of.activation_k,
+                of.order_exponent,
+                of.start_k,
+            )
         };
         Ok(Pyrolysis {
             reactions: file.reaction.iter().map(reaction).collect(),
@@ -240,8 +288,20 @@ impl Cards<'_> {
     }
 
     fn surface(&self, file: &str) -> Result<Surface, String> {
-        let columns = ["pressure_pa", "gas_ratio", "char_ratio", "temperature_k", "enthalpy_j_kg"];
-        let row = |[pressure_pa, gas_rate, char_rate, temperature_k, enthalpy_j_kg]: [f64; 5]| WallRow {
+        let columns = [
+            "pressure_pa",
+            "gas_ratio",
+            "char_ratio",
+            "temperature_k",
+            "enthalpy_j_kg",
+        ];
+        let row = |[
+            pressure_pa,
+            gas_rate,
+            char_rate,
+            temperature_k,
+            enthalpy_j_kg,
+        ]: [f64; 5]| WallRow {
             pressure_pa,
             gas_rate,
             char_rate,
@@ -250,7 +310,9 @@ impl Cards<'_> {
         };
         let rows = self.rows(file, columns)?;
         let table = WallTable::try_new(rows.into_iter().map(row).collect());
-        Ok(Surface::Reacting(table.map_err(|fault| format!("{file}: {fault}"))?))
+        Ok(Surface::Reacting(
+            table.map_err(|fault| format!("{file}: {fault}"))?,
+        ))
     }
 }
 
@@ -266,7 +328,10 @@ mod tests {
 
     #[test]
     fn every_shipped_card_is_read() {
-        let cards = Cards { own: &[], air: &AIR };
+        let cards = Cards {
+            own: &[],
+            air: &AIR,
+        };
         let names = cards.names();
         assert!(names.len() >= 10, "{names:?}");
         for name in names {
@@ -299,22 +364,64 @@ mod tests {
         let shipped = data_file("ablators/tacot.toml").unwrap();
         let of = |from: &str, to: &str| {
             assert!(shipped.contains(from), "{from}");
-            let own = [("ablators/mine.toml".to_string(), shipped.replacen(from, to, 1))];
+            let own = [(
+                "ablators/mine.toml".to_string(),
+                shipped.replacen(from, to, 1),
+            )];
             with(&own, "mine").unwrap_err()
         };
         for (from, to, said) in [
-            ("specific_heat_j_kg_k", "specific_heat_cal_g_k", "unknown field `specific_heat_cal_g_k`"),
-            ("density_kg_m3 = 280.0", "density_kg_m3 = -1.0", "virgin: density_kg_m3: got -1, must be"),
-            ("emissivity = 0.8", "emissivity = 1.8", "virgin: emissivity: got 1.8, must be 0 to 1"),
-            ("formation_j_kg = -857142.857\n", "", "virgin.formation_j_kg: missing"),
-            ("[255.6, 298.0", "[298.0, 255.6", "virgin: specific_heat: row 2 is not above"),
-            ("[255.6, 298.0", "[298.0", "virgin.specific_heat: 12 temperatures, but 13 values"),
-            ("virgin_kg_m3 = 30.0", "virgin_kg_m3 = 31.0", "reactions: density_kg_m3: got 61, must be 60 to 60"),
-            ("tacot-gas.csv", "none.csv", "ablators/none.csv: is not there"),
+            (
+                "specific_heat_j_kg_k",
+                "specific_heat_cal_g_k",
+                "unknown field `specific_heat_cal_g_k`",
+            ),
+            (
+                "density_kg_m3 = 280.0",
+                "density_kg_m3 = -1.0",
+                "virgin: density_kg_m3: got -1, must be",
+            ),
+            (
+                "emissivity = 0.8",
+                "emissivity = 1.8",
+                "virgin: emissivity: got 1.8, must be 0 to 1",
+            ),
+            (
+                "formation_j_kg = -857142.857\n",
+                "",
+                "virgin.formation_j_kg: missing",
+            ),
+            (
+                "[255.6, 298.0",
+                "[298.0, 255.6",
+                "virgin: specific_heat: row 2 is not above",
+            ),
+            (
+                "[255.6, 298.0",
+                "[298.0",
+                "virgin.specific_heat: 12 temperatures, but 13 values",
+            ),
+            (
+                "virgin_kg_m3 = 30.0",
+                "virgin_kg_m3 = 31.0",
+                "reactions: density_kg_m3: got 61, must be 60 to 60",
+            ),
+            (
+                "tacot-gas.csv",
+                "none.csv",
+                "ablators/none.csv: is not there",
+            ),
         ] {
             let fault = of(from, to);
-            assert!(fault.starts_with("ablators/mine.toml: ") && fault.contains(said), "{fault}");
+            assert!(
+                fault.starts_with("ablators/mine.toml: ") && fault.contains(said),
+                "{fault}"
+            );
         }
-        assert!(with(&[], "tacos").unwrap_err().starts_with("got \"tacos\", must be one of acc, aluminum"));
+        assert!(
+            with(&[], "tacos")
+                .unwrap_err()
+                .starts_with("got \"tacos\", must be one of acc, aluminum")
+        );
     }
 }

@@ -46,21 +46,51 @@ pub fn findings(stack: &Stack, response: &Response) -> Vec<Finding> {
     for (i, layer) in stack.layers.iter().enumerate() {
         let material = &layer.material;
         let ends = material.solid.covered_k();
-        found.extend(beyond(&material.name, "the solid", "K", hottest, [0.0, ends[1]]));
+        found.extend(beyond(
+            &material.name,
+            "the solid",
+            "K",
+            hottest,
+            [0.0, ends[1]],
+        ));
         if i == 0 {
             if let Some(pyrolysis) = &material.pyrolysis {
-                found.extend(beyond(&material.name, "the gas", "K", hottest, [0.0, pyrolysis.gas.covered_k()[1]]));
+                found.extend(beyond(
+                    &material.name,
+                    "the gas",
+                    "K",
+                    hottest,
+                    [0.0, pyrolysis.gas.covered_k()[1]],
+                ));
             }
             if let Surface::Reacting(table) = &material.surface {
                 let [pressure, gas, temperature] = table.covered();
-                found.extend(beyond(&material.name, "the wall", "K", hottest, temperature));
+                found.extend(beyond(
+                    &material.name,
+                    "the wall",
+                    "K",
+                    hottest,
+                    temperature,
+                ));
                 let [least, most] = history.exposed_pa;
                 for pressure_pa in [least, most] {
                     if pressure_pa.is_finite() && pressure_pa > 0.0 {
-                        found.extend(beyond(&material.name, "the pressure at the wall", "Pa", pressure_pa, pressure));
+                        found.extend(beyond(
+                            &material.name,
+                            "the pressure at the wall",
+                            "Pa",
+                            pressure_pa,
+                            pressure,
+                        ));
                     }
                 }
-                found.extend(beyond(&material.name, "pyrolysis gas over the transfer coefficient", "", history.gas_ratio, gas));
+                found.extend(beyond(
+                    &material.name,
+                    "pyrolysis gas over the transfer coefficient",
+                    "",
+                    history.gas_ratio,
+                    gas,
+                ));
             }
         }
         hottest = history.behind.get(i).map_or(0.0, |peak| peak.temperature_k);

@@ -102,8 +102,17 @@ pub fn size(
         return Err(fault);
     }
     let thickness_m = found.map(math::exp);
-    let response = respond(&mut stack, thickness_m.unwrap_or(THICKNESS_M[1]), with, watch)?;
-    let recession = response.history.rows.last().map_or(0.0, |row| row.recession_m);
+    let response = respond(
+        &mut stack,
+        thickness_m.unwrap_or(THICKNESS_M[1]),
+        with,
+        watch,
+    )?;
+    let recession = response
+        .history
+        .rows
+        .last()
+        .map_or(0.0, |row| row.recession_m);
     Ok(Sized {
         thickness_m,
         with_margin_m: thickness_m.map(|l| l + limit.recession_margin * recession),
@@ -118,7 +127,10 @@ fn above(response: &Response, limit: &Limit) -> f64 {
     let history = &response.history;
     let peak = match response.outcome {
         Outcome::BurntThrough => history.wall.temperature_k,
-        _ => history.behind.get(limit.layer).map_or(0.0, |peak| peak.temperature_k),
+        _ => history
+            .behind
+            .get(limit.layer)
+            .map_or(0.0, |peak| peak.temperature_k),
     };
     peak - limit.temperature_k
 }
