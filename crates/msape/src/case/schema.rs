@@ -249,6 +249,7 @@ fn require(root: &mut Map<String, Value>, key: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::input::repeated::Section;
 
     fn built() -> Value {
         schema(&Library::builtin().unwrap())
