@@ -7,7 +7,7 @@ type Files = &'static [(&'static str, &'static str)];
 /// Files of the library, as converted by the build script.
 pub(super) static SHIPPED: Files = include!(concat!(env!("OUT_DIR"), "/shipped_files.rs"));
 /// Texts of the files of the library.
-static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
+pub(super) static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_files.rs"));
 /// Shipped cases, and the defaults of earlier versions.
 static CASES: Files = include!(concat!(env!("OUT_DIR"), "/case_files.rs"));
 /// References; empty without the feature `validation`.

@@ -49,6 +49,18 @@ impl<'f> Files<'f> {
         }
     }
 
+    /// The shipped files, as those of a user are read.
+    #[cfg(test)]
+    pub fn as_own() -> Self {
+        let library = files::LIBRARY.iter();
+        Self {
+            files: library
+                .map(|(path, text)| (*path, Data::Own(text)))
+                .collect(),
+            faults: Vec::new(),
+        }
+    }
+
     /// These files and those of the user.
     #[cfg(feature = "own-data")]
     pub fn with(mut self, own: &'f [(String, String)]) -> Self {

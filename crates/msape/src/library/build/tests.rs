@@ -1,5 +1,6 @@
 //! Files of the user: the names that they may use, and the faults of those that use an unknown name.
 
+use super::super::read::Files;
 use super::super::{Library, data_file};
 use crate::{Case, Outcome, Request, design, fly};
 
@@ -28,6 +29,13 @@ fn dusty() -> String {
     shipped("planets/mars.toml")
         .replace("name = \"mars\"", "name = \"dusty\"")
         .replace("\natmosphere = ", "\nheating_as = \"mars\"\natmosphere = ")
+}
+
+#[test]
+fn the_shipped_library_is_what_its_files_say_and_they_have_no_unknown_key() {
+    let [shipped, own] = [Files::shipped(), Files::as_own()]
+        .map(|files| format!("{:?}", super::library(files).unwrap()));
+    assert!(shipped == own, "the build made something else of a file");
 }
 
 #[test]
