@@ -102,12 +102,12 @@ fn lagrange(points: &[[f64; 2]], x: f64) -> f64 {
     })
 }
 
-/// Temperature at a depth, K; 0 where the solid is gone.
+/// Temperature at a depth, K; 0 where there is no solid.
 fn temperature_k(grid: &Grid, state: &State, behind_k: &[f64], x: f64) -> f64 {
-    if x < grid.wall_depth_m() {
+    let n = grid.len();
+    if x < grid.wall_depth_m() || x > grid.face_m[n] * (1.0 + 1e-12) {
         return 0.0;
     }
-    let n = grid.len();
     let cell = grid
         .face_m
         .iter()

@@ -76,7 +76,7 @@ pub struct Settings {
     pub until: Until,
     /// Interval of the rows of the history, s; none keeps the first and the last.
     pub output_step_s: Option<f64>,
-    /// Depths from the initial wall at which temperatures are kept, m.
+    /// Depths from the initial wall at which temperatures are kept, m; beyond the back there is none.
     pub depths_m: Vec<f64>,
     /// Cells.
     pub resolution: Resolution,
@@ -129,15 +129,14 @@ impl Settings {
                 });
             }
         }
-        let whole = stack.thickness_m();
         for &value in &self.depths_m {
-            if !(0.0..=whole * (1.0 + 1e-12)).contains(&value) {
+            if !(0.0..=f64::MAX).contains(&value) {
                 return Err(Fault::Range {
                     of: OF,
                     key: "depths_m",
                     value,
                     least: 0.0,
-                    most: whole,
+                    most: f64::MAX,
                 });
             }
         }
