@@ -61,6 +61,7 @@ enum Rows {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     times_s: Vec<f64>,
+    bends_s: Vec<f64>,
     rows: Rows,
 }
 
@@ -95,6 +96,37 @@ fn check_times(times: &[f64]) -> Result<(), Fault> {
         }
     }
     Ok(())
+}
+
+/// Distance of a row from the line between its neighbors, as a share of the largest value, from which on it is a bend. Assumed.
+const BEND: f64 = 0.02;
+
+/// Times of the first and last row, of the bends of the columns, and of the changes of a switch.
+fn bends(times_s: &[f64], columns: &[Vec<f64>], switches: &[bool]) -> Vec<f64> {
+    let most: Vec<f64> = columns
+        .iter()
+        .map(|column| column.iter().fold(0.0, |most: f64, y| most.max(y.abs())))
+        .collect();
+    let is_bend = |i: usize| {
+        let switched = i > 0 && switches.get(i) != switches.get(i - 1);
+        let ([Some(t0), Some(t), Some(t1)], false) = (
+            [i.checked_sub(1), Some(i), i.checked_add(1)].map(|i| times_s.get(i?)),
+            switched,
+        ) else {
+            return true;
+        };
+        let share = (t - t0) / (t1 - t0);
+        columns.iter().zip(&most).any(|(y, most)| {
+            let between = y[i - 1] + share * (y[i + 1] - y[i - 1]);
+            (y[i] - between).abs() > BEND * most
+        })
+    };
+    times_s
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| is_bend(*i))
+        .map(|(_, t)| *t)
+        .collect()
 }
 
 /// Refuses numbers that are not finite or below their least.
@@ -135,7 +167,15 @@ impl Environment {
                 ],
             )?;
         }
+        let column = |of: fn(&Heating) -> f64| rows.iter().map(|(_, row)| of(row)).collect();
+        let columns = [
+            column(|row| row.transfer_kg_m2s),
+            column(|row| row.transfer_kg_m2s * row.recovery_j_kg),
+            column(|row| row.radiative_w_m2),
+        ];
+        let switches: Vec<bool> = rows.iter().map(|(_, row)| row.chemistry).collect();
         Ok(Self {
+            bends_s: bends(&times_s, &columns, &switches),
             times_s,
             rows: Rows::Heated(rows.iter().map(|(_, row)| *row).collect()),
         })
@@ -158,23 +198,37 @@ impl Environment {
                 ],
             )?;
         }
+        let column = |of: fn(&Held) -> f64| rows.iter().map(|(_, row)| of(row)).collect();
+        let columns = [
+            column(|row| row.temperature_k),
+            column(|row| row.recession_m_s),
+        ];
         Ok(Self {
+            bends_s: bends(&times_s, &columns, &[]),
             times_s,
             rows: Rows::Held(rows.iter().map(|(_, row)| *row).collect()),
         })
     }
 
-    /// Times of the rows, s: the solution bends there.
+    /// Times of the rows, s.
     pub fn times_s(&self) -> &[f64] {
         &self.times_s
     }
 
-    /// Conditions at a time, s, of a step that began at `since_s`: the chemistry of a row ends where the next begins.
+    /// Times at which a step has to end, s: rows that bend by more than the steps' error control should meet unprepared.
+    pub fn bends_s(&self) -> &[f64] {
+        &self.bends_s
+    }
+
+    /// Conditions at a time, s, of a step that began at `since_s`, whose chemistry it has.
     pub fn at(&self, time_s: f64, since_s: f64) -> Wall {
-        let row = self
-            .times_s
-            .partition_point(|t| *t <= since_s)
-            .saturating_sub(1);
+        let before = |time: f64| {
+            self.times_s
+                .partition_point(|t| *t <= time)
+                .saturating_sub(1)
+        };
+        let since = before(since_s);
+        let row = before(time_s);
         let next = (row + 1).min(self.times_s.len().saturating_sub(1));
         let (t0, t1) = match (self.times_s.get(row), self.times_s.get(next)) {
             (Some(a), Some(b)) => (*a, *b),
@@ -202,7 +256,7 @@ impl Environment {
                     transfer_kg_m2s: mix(a.transfer_kg_m2s, b.transfer_kg_m2s),
                     recovery_j_kg: mix(a.recovery_j_kg, b.recovery_j_kg),
                     radiative_w_m2: mix(a.radiative_w_m2, b.radiative_w_m2),
-                    chemistry: a.chemistry,
+                    chemistry: rows.get(since).is_some_and(|row| row.chemistry),
                 })
             }
             Rows::Held(rows) => {

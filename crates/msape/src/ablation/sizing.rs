@@ -35,7 +35,9 @@ pub struct Limit {
 /// Least and greatest thickness that is tried, m. Assumed: thinner and thicker heat shields are not made.
 pub const THICKNESS_M: [f64; 2] = [0.001, 0.3];
 /// Width of the bracket of the thickness, relative. Assumed.
-const WIDTH: f64 = 1e-5;
+const WIDTH: f64 = 1e-4;
+/// First step of the search in the logarithm of the thickness.
+const STEP: f64 = 0.2;
 
 /// Result of a sizing.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,12 +79,18 @@ pub fn size(
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Sized, Fault> {
     let mut stack = stack.clone();
-    let with = (environment, settings);
+    let given = stack.layers.first().map_or(0.0, |layer| layer.thickness_m);
+    // Of the search only the peak counts.
+    let silent = Settings {
+        output_step_s: None,
+        depths_m: Vec::new(),
+        ..settings.clone()
+    };
     let mut runs = 0;
     let mut fault = None;
     let mut excess = |ln_l: f64| {
         runs += 1;
-        match respond(&mut stack, math::exp(ln_l), with, watch) {
+        match respond(&mut stack, math::exp(ln_l), (environment, &silent), watch) {
             Ok(response) => above(&response, limit),
             Err(found) => {
                 fault = Some(found);
@@ -91,13 +99,8 @@ pub fn size(
         }
     };
     let [low, high] = THICKNESS_M.map(math::ln);
-    let found = if excess(low) <= 0.0 {
-        Some(low)
-    } else {
-        let bracket = root::bracket(&mut excess, low, high, WIDTH);
-        // Of the two sides of the root the thicker keeps the limit.
-        bracket.map(|[a, b]| a.max(b))
-    };
+    let start = math::ln(given.clamp(THICKNESS_M[0], THICKNESS_M[1]));
+    let found = bracketed(&mut excess, start, [low, high]);
     if let Some(fault) = fault {
         return Err(fault);
     }
@@ -105,7 +108,7 @@ pub fn size(
     let response = respond(
         &mut stack,
         thickness_m.unwrap_or(THICKNESS_M[1]),
-        with,
+        (environment, settings),
         watch,
     )?;
     let recession = response
@@ -120,6 +123,34 @@ pub fn size(
         stack,
         runs: runs + 1,
     })
+}
+
+/// Logarithm of the thickness from which on the limit is kept, searched from a start; none where it is not kept in the range.
+fn bracketed(
+    excess: &mut impl FnMut(f64) -> f64,
+    start: f64,
+    [low, high]: [f64; 2],
+) -> Option<f64> {
+    let kept = excess(start) <= 0.0;
+    let (mut inside, mut step) = (start, STEP);
+    loop {
+        let next = if kept {
+            (inside - step).max(low)
+        } else {
+            (inside + step).min(high)
+        };
+        let above = excess(next);
+        if (above <= 0.0) != kept {
+            let bracket = root::bracket(&mut *excess, inside, next, WIDTH)?;
+            // Of the two sides of the root the thicker keeps the limit.
+            return bracket.into_iter().reduce(f64::max);
+        }
+        if above.is_nan() || next == low || next == high {
+            return kept.then_some(low).filter(|_| !above.is_nan());
+        }
+        inside = next;
+        step *= 2.0;
+    }
 }
 
 /// Temperature above the limit, K; that of the wall where the layer is gone.
