@@ -215,9 +215,11 @@ impl Environment {
         &self.times_s
     }
 
-    /// Times at which a step has to end, s: rows that bend by more than the steps' error control should meet unprepared.
-    pub fn bends_s(&self) -> &[f64] {
-        &self.bends_s
+    /// Next time after another at which a step has to end, s: a row that bends by more than the control of the error should
+    /// meet unprepared.
+    pub(crate) fn next_bend_s(&self, time_s: f64) -> f64 {
+        let next = self.bends_s.partition_point(|t| *t <= time_s);
+        self.bends_s.get(next).copied().unwrap_or(f64::INFINITY)
     }
 
     /// Conditions at a time, s, of a step that began at `since_s`, whose chemistry it has.

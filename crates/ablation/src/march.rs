@@ -17,12 +17,12 @@
 
 use crate::environment::{Environment, Wall};
 use crate::fault::Fault;
-use crate::grid::{Grid, Resolution};
+use crate::grid::Grid;
 use crate::history::{History, Sample};
+use crate::settings::{Account, Outcome, Settings, Until};
 use crate::stack::Stack;
 use crate::stage::{Edges, Stage, StageFault, Work};
 use crate::state::{Content, State};
-use crate::wall::WallSettings;
 use core::ops::ControlFlow;
 
 /// γ of the two implicit stages, 1 − 1/√2.
@@ -31,171 +31,14 @@ const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 const ERROR: f64 = 0.0808;
 /// Share of the rise of the first stage that the guess of the second goes on with.
 const PREDICTED: f64 = 0.8;
-/// Shortest step, s.
+/// First step, s. Assumed.
+const FIRST_STEP_S: f64 = 1e-3;
+/// Step, s, below which a wall that would pass its layer has passed it. Assumed.
+const GONE_S: f64 = 1e-6;
+/// Shortest step, s. Assumed, as the following.
 const SHORTEST_S: f64 = 1e-13;
 /// Share of the first layer that counts as gone.
 const GONE: f64 = 1e-3;
-
-/// Way in which a run ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outcome {
-    /// At the time asked for.
-    Finished,
-    /// When the joint's temperature had passed its maximum and no heat came any more.
-    Cooled,
-    /// The first layer was gone.
-    BurntThrough,
-    /// At the limit of work.
-    OutOfWork,
-    /// No step was short enough.
-    NotSettled,
-    /// By whoever watched.
-    Stopped,
-}
-
-/// End of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Until {
-    /// A time, s.
-    Time(f64),
-    /// The fall of the temperature behind a layer after the last row of the environment, or a time, s, at the latest.
-    Cooled {
-        /// Layer, from 0.
-        layer: usize,
-        /// Latest time, s.
-        at_most_s: f64,
-    },
-}
-
-/// Settings of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Temperature of all layers at the start, K.
-    pub initial_temperature_k: f64,
-    /// Wall.
-    pub wall: WallSettings,
-    /// End.
-    pub until: Until,
-    /// Interval of the rows of the history, s; none keeps the first and the last.
-    pub output_step_s: Option<f64>,
-    /// Depths from the initial wall at which temperatures are kept, m; beyond the back there is none.
-    pub depths_m: Vec<f64>,
-    /// Cells.
-    pub resolution: Resolution,
-    /// Error of a step, K.
-    pub tolerance_k: f64,
-    /// Most steps, those that were taken back included.
-    pub most_steps: usize,
-}
-
-impl Settings {
-    fn check(&self, stack: &Stack) -> Result<(), Fault> {
-        const OF: &str = "settings";
-        let end = match self.until {
-            Until::Time(t) | Until::Cooled { at_most_s: t, .. } => t,
-        };
-        let step = self.output_step_s.unwrap_or(1.0);
-        for (key, value, least, most) in [
-            (
-                "initial_temperature_k",
-                self.initial_temperature_k,
-                1.0,
-                5000.0,
-            ),
-            (
-                "sink_temperature_k",
-                self.wall.sink_temperature_k,
-                0.0,
-                5000.0,
-            ),
-            ("blowing", self.wall.blowing, 0.0, 2.0),
-            ("until_s", end, -1e9, 1e9),
-            ("output_step_s", step, 1e-6, 1e9),
-            ("tolerance_k", self.tolerance_k, 1e-9, 1e3),
-            ("cells", self.resolution.cells as f64, 3.0, 20_000.0),
-            (
-                "cells_behind",
-                self.resolution.cells_behind as f64,
-                1.0,
-                20_000.0,
-            ),
-            ("stretch", self.resolution.stretch, 1.0, 1e6),
-        ] {
-            if !(least..=most).contains(&value) {
-                return Err(Fault::Range {
-                    of: OF,
-                    key,
-                    value,
-                    least,
-                    most,
-                });
-            }
-        }
-        for &value in &self.depths_m {
-            if !(0.0..=f64::MAX).contains(&value) {
-                return Err(Fault::Range {
-                    of: OF,
-                    key: "depths_m",
-                    value,
-                    least: 0.0,
-                    most: f64::MAX,
-                });
-            }
-        }
-        if let Until::Cooled { layer, .. } = self.until
-            && layer >= stack.layers.len()
-        {
-            let (value, most) = (layer as f64, stack.layers.len() as f64 - 1.0);
-            return Err(Fault::Range {
-                of: OF,
-                key: "layer",
-                value,
-                least: 0.0,
-                most,
-            });
-        }
-        Ok(())
-    }
-}
-
-/// Account of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Account {
-    /// Steps taken.
-    pub steps: usize,
-    /// Steps taken back.
-    pub taken_back: usize,
-    /// Corrections in all stages.
-    pub corrections: usize,
-    /// Energy in through the wall, gas and char that leave counted, J per m² of the initial wall.
-    pub wall_j_m2: f64,
-    /// Energy out through the back, J/m².
-    pub back_j_m2: f64,
-    /// Gas that left, kg/m².
-    pub gas_kg_m2: f64,
-    /// Char that left, kg/m².
-    pub char_kg_m2: f64,
-    /// Energy of all layers less that at the start, J/m².
-    pub stored_j_m2: f64,
-    /// Mass of all layers less that at the start, kg/m².
-    pub stored_kg_m2: f64,
-    /// Sum of the sizes of all flows of energy over the edges, J/m²: the scale of the balance.
-    pub turned_over_j_m2: f64,
-}
-
-impl Account {
-    /// Energy that is missing over the energy that went over the edges.
-    pub fn energy_imbalance(&self) -> f64 {
-        (self.stored_j_m2 - self.wall_j_m2 + self.back_j_m2)
-            / self.turned_over_j_m2.max(f64::MIN_POSITIVE)
-    }
-
-    /// Mass that is missing over the mass that left.
-    pub fn mass_imbalance(&self) -> f64 {
-        let left = self.gas_kg_m2 + self.char_kg_m2;
-        (self.stored_kg_m2 + left) / left.max(f64::MIN_POSITIVE)
-    }
-}
 
 /// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -221,6 +64,19 @@ pub struct Run<'a> {
     work: Work,
     /// Slope of each cell's temperature over the last step, K/s, for the first guess of the next.
     slope: Vec<f64>,
+}
+
+/// Amounts of a step.
+#[derive(Clone, Debug, Default)]
+struct Amounts {
+    /// At its start.
+    start: Content,
+    /// At the first stage.
+    first: Content,
+    /// From which the second stage goes on.
+    known: Content,
+    /// At its end.
+    end: Content,
 }
 
 /// Rates of the amounts at the end of a step.
@@ -298,29 +154,19 @@ impl<'a> Run<'a> {
 
     /// Runs to the end; `watch` hears of the time after each step, s, and may stop it.
     pub fn response(mut self, mut watch: impl FnMut(f64) -> ControlFlow<()>) -> Response {
-        let start_s = self
-            .environment
-            .times_s()
-            .first()
-            .copied()
-            .unwrap_or_default();
-        let last_s = self
-            .environment
-            .times_s()
-            .last()
-            .copied()
-            .unwrap_or_default();
+        let times_s = self.environment.times_s();
+        let [start_s, last_s] =
+            [times_s.first(), times_s.last()].map(|t| t.copied().unwrap_or(0.0));
         let (end_s, cooled) = match self.settings.until {
             Until::Time(t) => (t, None),
             Until::Cooled { layer, at_most_s } => (at_most_s, Some(layer)),
         };
         let mut time = start_s;
         let mut account = Account::default();
-        let [mut start, mut first, mut known, mut end] =
-            [const { None }; 4].map(|none: Option<Content>| none.unwrap_or_default());
-        self.content(&mut start);
-        let energy_0 = start.energy.iter().fold(0.0, |sum, e| sum + e);
-        let mass_0 = self.state.mass_kg_m2(self.stack, &self.grid, &self.weights);
+        let mut amounts = Amounts::default();
+        self.content(&mut amounts.start);
+        let energy_0 = amounts.start.total_j_m2();
+        let mass_0 = self.mass_kg_m2();
         let mut history = History::new(self.stack.layers.len());
         history.keep(self.sample(time, &Edges::default()));
         let mut rates = Rates {
@@ -329,7 +175,7 @@ impl<'a> Run<'a> {
         };
         let mut next_rates = rates.clone();
         let mut saved = self.state.clone();
-        let mut step: f64 = 1e-3;
+        let mut step = FIRST_STEP_S;
         let mut outputs = 1_u64;
         let mut last_edges = Edges::default();
         let mut outcome = Outcome::Finished;
@@ -338,50 +184,32 @@ impl<'a> Run<'a> {
                 outcome = Outcome::OutOfWork;
                 break;
             }
-            // A row of the environment, an output or the end: the next place at which a step has to end.
-            let output = self
-                .settings
-                .output_step_s
-                .map_or(end_s, |every| start_s + every * outputs as f64);
-            let stop = output.min(end_s);
-            let row = self
-                .environment
-                .bends_s()
-                .iter()
-                .copied()
-                .find(|t| *t > time);
-            let stop = row.map_or(stop, |t| t.min(stop));
+            let every = self.settings.output_step_s;
+            let output = every.map_or(end_s, |every| start_s + every * outputs as f64);
+            let stop = self.environment.next_bend_s(time).min(output).min(end_s);
             let left = stop - time;
-            let dt = if step >= left * 0.999 {
-                left
-            } else if step > 0.5 * left {
-                0.5 * left
-            } else {
-                step
+            let dt = match step / left {
+                share if share >= 0.999 => left,
+                share if share > 0.5 => 0.5 * left,
+                _ => step,
             };
             let arrives = dt == left;
             saved.clone_from(&self.state);
-            let stages: Result<[Edges; 2], StageFault> =
-                self.step([time, dt], &start, [&mut first, &mut known, &mut end]);
-            let (error, edges) = match stages {
-                Ok(edges) => (
-                    self.error(dt, &start, &first, &end, &known, &rates, &mut next_rates),
-                    edges,
-                ),
-                Err(_) => (f64::INFINITY, [Edges::default(); 2]),
+            let stages = self.step([time, dt], rates.wall_m, &mut amounts);
+            let error = match &stages {
+                Ok(_) => self.error(dt, &amounts, &rates, &mut next_rates),
+                Err(_) => f64::INFINITY,
             };
-            if !(error <= 1.0) {
+            let (Ok(edges), true) = (stages, error <= 1.0) else {
                 account.taken_back += 1;
-                let gone = matches!(stages, Err(StageFault::BurntThrough));
                 self.state.clone_from(&saved);
                 self.grid.move_wall(self.state.wall_m);
-                step = if error.is_finite() {
-                    dt * shrink(error)
-                } else {
-                    0.25 * dt
+                step = match error.is_finite() {
+                    true => dt * shrink(error),
+                    false => 0.25 * dt,
                 };
-                let remaining = 1.0 - self.state.wall_m / self.grid.first_volume_m;
-                if remaining < GONE || gone && step < 1e-6 {
+                let gone = stages == Err(StageFault::BurntThrough) && step < GONE_S;
+                if gone || self.remaining() < GONE {
                     outcome = Outcome::BurntThrough;
                     break;
                 }
@@ -390,24 +218,16 @@ impl<'a> Run<'a> {
                     break;
                 }
                 continue;
-            }
-            account.steps += 1;
-            for (edges, h) in edges.iter().zip([(1.0 - GAMMA) * dt, GAMMA * dt]) {
-                account.wall_j_m2 += h * edges.wall_w_m2;
-                account.back_j_m2 += h * edges.back_w_m2;
-                account.gas_kg_m2 += h * edges.gas;
-                account.char_kg_m2 += h * edges.char;
-                account.turned_over_j_m2 += h * (edges.wall_w_m2.abs() + edges.back_w_m2.abs());
-            }
+            };
+            account.add([(1.0 - GAMMA) * dt, GAMMA * dt], &edges);
             last_edges = edges[1];
             time = if arrives { stop } else { time + dt };
-            core::mem::swap(&mut start, &mut end);
+            core::mem::swap(&mut amounts.start, &mut amounts.end);
             core::mem::swap(&mut rates, &mut next_rates);
             // A step cut short by a stop says nothing about the next one.
-            step = if arrives {
-                step.max(dt * shrink(error))
-            } else {
-                dt * shrink(error)
+            step = match arrives {
+                true => step.max(dt * shrink(error)),
+                false => dt * shrink(error),
             };
             let sample = self.sample(time, &last_edges);
             let falls = cooled.is_some_and(|layer| time >= last_s && history.falls(layer, &sample));
@@ -420,7 +240,7 @@ impl<'a> Run<'a> {
                 outcome = Outcome::Cooled;
                 break;
             }
-            if 1.0 - self.state.wall_m / self.grid.first_volume_m < GONE {
+            if self.remaining() < GONE {
                 outcome = Outcome::BurntThrough;
                 break;
             }
@@ -431,10 +251,9 @@ impl<'a> Run<'a> {
         }
         history.keep(self.sample(time, &last_edges));
         account.corrections = self.work.corrections;
-        self.content(&mut end);
-        account.stored_j_m2 = end.energy.iter().fold(0.0, |sum, e| sum + e) - energy_0;
-        account.stored_kg_m2 =
-            self.state.mass_kg_m2(self.stack, &self.grid, &self.weights) - mass_0;
+        self.content(&mut amounts.end);
+        account.stored_j_m2 = amounts.end.total_j_m2() - energy_0;
+        account.stored_kg_m2 = self.mass_kg_m2() - mass_0;
         Response {
             outcome,
             end_s: time,
@@ -443,16 +262,34 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Both stages of a step from the amounts at its start; leaves those of the first, those from which the second goes on, and the end's.
+    /// Share of the first layer that is left.
+    fn remaining(&self) -> f64 {
+        1.0 - self.state.wall_m / self.grid.first_volume_m
+    }
+
+    fn mass_kg_m2(&self) -> f64 {
+        self.state.mass_kg_m2(self.stack, &self.grid, &self.weights)
+    }
+
+    /// Both stages of a step from the amounts at its start and the speed of the wall there, m/s.
     fn step(
         &mut self,
         [time, dt]: [f64; 2],
-        start: &Content,
-        [first, known, end]: [&mut Content; 3],
+        wall_speed: f64,
+        amounts: &mut Amounts,
     ) -> Result<[Edges; 2], StageFault> {
+        let Amounts {
+            start,
+            first,
+            known,
+            end,
+        } = amounts;
         let h = GAMMA * dt;
         let wall = self.environment.at(time + h, time);
         let at_start = self.state.t.clone();
+        let [wall_k, wall_m] = [self.state.wall_k, self.state.wall_m];
+        let left = self.grid.first_volume_m - wall_m;
+        self.state.wall_m += (h * wall_speed).min(0.5 * left);
         for (t, slope) in self.state.t.iter_mut().zip(&self.slope) {
             *t = (*t + h * slope).max(0.5 * *t);
         }
@@ -467,6 +304,11 @@ impl<'a> Run<'a> {
         on(&start.energy, &first.energy, &mut known.energy);
         on(&start.share, &first.share, &mut known.share);
         known.wall_m = start.wall_m + ratio * (first.wall_m - start.wall_m);
+        self.state.wall_k = (self.state.wall_k + ratio * PREDICTED * (self.state.wall_k - wall_k))
+            .max(0.5 * self.state.wall_k);
+        let left = self.grid.first_volume_m - self.state.wall_m;
+        let passed = ratio * (self.state.wall_m - wall_m);
+        self.state.wall_m += passed.clamp(0.0, 0.5 * left);
         for (t, before) in self.state.t.iter_mut().zip(&at_start) {
             *t = (*t + ratio * PREDICTED * (*t - before)).max(0.5 * *t);
         }
@@ -485,17 +327,13 @@ impl<'a> Run<'a> {
     }
 
     /// Error of a step over the tolerance, and the rates at its end.
-    #[allow(clippy::too_many_arguments, reason = "amounts of one step")]
-    fn error(
-        &self,
-        dt: f64,
-        start: &Content,
-        first: &Content,
-        end: &Content,
-        known: &Content,
-        rates: &Rates,
-        next: &mut Rates,
-    ) -> f64 {
+    fn error(&self, dt: f64, amounts: &Amounts, rates: &Rates, next: &mut Rates) -> f64 {
+        let Amounts {
+            start,
+            first,
+            known,
+            end,
+        } = amounts;
         let h = GAMMA * dt;
         // Second difference of F over the step.
         let bend = |f0: f64, f1: f64, f2: f64| {

@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn phenolic_of_the_workshop_has_a_ninth_of_its_rate() {
         // 4.48e9 · (300/900)² = 4.9778e8, the factor of the three-reaction form of the same material.
-        let reaction = Reaction::of_component([90.0, 60.0], 4.48e9, 20_444.4444, 3.0, 555.5556);
+        let reaction = Reaction::of_component([90.0, 60.0], 4.48e9, 20_444.444, 3.0, 555.5556);
         assert!((reaction.rate_per_s - 4.48e9 / 9.0).abs() < 1.0);
         assert!((reaction.loss_kg_m3 - 30.0).abs() < 1e-12);
     }

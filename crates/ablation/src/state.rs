@@ -31,6 +31,13 @@ pub(crate) struct Content {
     pub share: Vec<f64>,
 }
 
+impl Content {
+    /// Energy of all cells, J/m².
+    pub fn total_j_m2(&self) -> f64 {
+        self.energy.iter().fold(0.0, |sum, e| sum + e)
+    }
+}
+
 /// Undecomposed share of all reactions together, weighted with the density they take.
 pub(crate) fn whole_share(weights: &[f64], shares: &[f64]) -> f64 {
     weights

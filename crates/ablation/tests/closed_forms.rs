@@ -5,7 +5,8 @@ use ablation::environment::{Environment, Heating, Held};
 use ablation::geometry::Geometry;
 use ablation::grid::Resolution;
 use ablation::history::Sample;
-use ablation::march::{Outcome, Response, Run, Settings, Until};
+use ablation::march::{Response, Run};
+use ablation::settings::{Outcome, Settings, Until};
 use ablation::solid::{Solid, State};
 use ablation::stack::{Back, Layer, Material, Stack};
 use ablation::surface::Surface;
@@ -136,8 +137,8 @@ fn body(geometry: Geometry, cells: usize) -> [f64; 2] {
 }
 
 fn body_is_second_order(geometry: Geometry, exact: [f64; 2]) {
-    for side in 0..2 {
-        second_order(exact[side], 1000.0, |cells| body(geometry, cells)[side]);
+    for (side, exact) in exact.into_iter().enumerate() {
+        second_order(exact, 1000.0, |cells| body(geometry, cells)[side]);
     }
 }
 

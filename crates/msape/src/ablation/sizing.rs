@@ -15,7 +15,8 @@
 
 use ::ablation::environment::Environment;
 use ::ablation::fault::Fault;
-use ::ablation::march::{Outcome, Response, Run, Settings};
+use ::ablation::march::{Response, Run};
+use ::ablation::settings::{Outcome, Settings};
 use ::ablation::stack::Stack;
 use core::ops::ControlFlow;
 use numerics::math;

@@ -4,7 +4,7 @@ use super::Table;
 use crate::problem::in_depth::InDepth;
 use crate::units::number::shortest;
 use ::ablation::history::Sample;
-use ::ablation::march::Outcome;
+use ::ablation::settings::Outcome;
 use serde_json::{Value, json};
 
 /// Name of an outcome.

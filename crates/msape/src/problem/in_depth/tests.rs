@@ -134,7 +134,7 @@ fn burn_through_is_an_outcome_with_its_time() {
     let answer = answer(&text, Ask::Response);
     assert_eq!(
         answer.response.outcome,
-        ::ablation::march::Outcome::BurntThrough
+        ::ablation::settings::Outcome::BurntThrough
     );
     // 12 mm a minute: a millimeter is gone after some 5 s.
     assert!(
@@ -156,7 +156,10 @@ fn flight_without_environment_is_its_own() {
         "{:?}",
         history.wall
     );
-    assert_eq!(answer.response.outcome, ::ablation::march::Outcome::Cooled);
+    assert_eq!(
+        answer.response.outcome,
+        ::ablation::settings::Outcome::Cooled
+    );
     assert!(
         answer
             .findings
