@@ -92,6 +92,8 @@ pub(crate) struct Work {
     flows: Vec<Flow>,
     /// Each cell's temperature by that before.
     eliminated: Vec<Linear>,
+    /// Forms of the shares of each cell, by its own temperature.
+    shares: Vec<Linear>,
     /// Shares at the right face of a cell, with their forms.
     right: Vec<(f64, Linear)>,
     /// Shares of the cell behind, with their forms.
@@ -147,6 +149,7 @@ impl Stage<'_> {
         work.cells.resize(n, Cell::default());
         work.flows.resize(n + 1, Flow::default());
         work.eliminated.resize(n, [0.0; 3]);
+        work.shares.resize(state.share.len(), [0.0; 3]);
         if let Wall::Held(held) = self.wall {
             state.wall_k = held.temperature_k;
         }

@@ -100,6 +100,7 @@ impl Stage<'_> {
             made.gas += scale * k * rate.value;
             made.dgas[0] += scale * k_t * rate.value;
             made.dgas[1] += loss * w * (m_r - m_l) * k * rate.value;
+            work.shares[index] = dx;
             work.right[j] = (at.0, dx_left);
             work.behind[j] = (x, dx);
         }

@@ -22,9 +22,9 @@ use crate::state::State;
 use crate::wall::{AtWall, Balance, balance};
 
 /// Largest last correction of a temperature, K: the next would be some thousand times smaller.
-const SETTLED_K: f64 = 5e-7;
+const SETTLED_K: f64 = 1e-4;
 /// Largest last correction of the wall's place, of the volume of the first layer.
-const SETTLED_VOLUME: f64 = 1e-10;
+const SETTLED_VOLUME: f64 = 1e-9;
 
 /// What the sweep leaves at the wall, in terms of its temperature.
 pub(super) struct WallRows {
@@ -87,7 +87,6 @@ impl Stage<'_> {
             Wall::Held(held) => {
                 // Moves by itself: h dY/dt = h A ṡ.
                 let target = self.known.wall_m + self.h * area * held.recession_m_s;
-                edges.char = held.recession_m_s * area * solid.density_kg_m3(rows.z.0);
                 (0.0, target - state.wall_m)
             }
             Wall::Heated(heating) => {
@@ -132,7 +131,6 @@ impl Stage<'_> {
                 second[0] -= speed * char[1];
                 second[1] += 1.0;
                 second[2] += state.wall_m - self.known.wall_m - speed * char[0];
-                edges.char = area * char[0];
                 edges.gas_ratio = gas_ratio;
                 let determinant = first[0] * second[1] - first[1] * second[0];
                 (
@@ -148,6 +146,7 @@ impl Stage<'_> {
         let d_y_limited = d_y.clamp(-0.5 * left, 2.0 * left);
         let mut moved = d_wall.abs() / SETTLED_K;
         moved = moved.max(d_y.abs() / (SETTLED_VOLUME * grid.first_volume_m));
+        let reactions = self.weights.len();
         let mut d = d_wall_limited;
         for i in 0..grid.len() {
             let [a, b, c] = work.eliminated[i];
@@ -158,9 +157,24 @@ impl Stage<'_> {
             moved = moved.max(d.abs() / SETTLED_K);
             d = limit(d, state.t[i]);
             state.t[i] += d;
+            // Shares and flows over the edges move with the temperatures, so that what is left over is of second order.
+            let shares = i * reactions..(i + 1) * reactions;
+            if i < grid.first {
+                let forms = work.shares.get(shares.clone()).into_iter().flatten();
+                let shares = state.share.get_mut(shares).into_iter().flatten();
+                for (x, form) in shares.zip(forms) {
+                    *x += moved_by(form, d, d_y_limited);
+                }
+            }
         }
+        edges.wall_w_m2 += moved_by(&rows.through.form, d_wall_limited, d_y_limited);
+        edges.gas += moved_by(&rows.gas.1, d_wall_limited, d_y_limited);
+        let back = work.flows.last().map_or(0.0, |flow| flow.by_first);
+        edges.back_w_m2 += back * d;
         state.wall_k += d_wall_limited;
         state.wall_m += d_y_limited;
+        let z = rows.z.0 + moved_by(&rows.z.1, d_wall_limited, d_y_limited);
+        edges.char = (state.wall_m - self.known.wall_m) / self.h * solid.density_kg_m3(z);
         (
             edges,
             if d_wall.is_finite() && d_y.is_finite() {
@@ -170,4 +184,9 @@ impl Stage<'_> {
             },
         )
     }
+}
+
+/// Value of a form for corrections of the temperature and of Y.
+fn moved_by([t, y, c]: &Linear, d_t: f64, d_y: f64) -> f64 {
+    t * d_t + y * d_y + c
 }
