@@ -39,7 +39,7 @@ pub struct Sample {
     /// Pressure at the wall where it reacts, Pa, and B'_g there.
     pub exposed: Option<[f64; 2]>,
     /// Depth to which less than 98 % is virgin, m.
-    pub char_depth_m: f64,
+    pub pyrolysis_depth_m: f64,
 }
 
 impl Sample {
@@ -74,7 +74,7 @@ impl Sample {
             behind_k,
             pressure_pa: state.pressure_pa.iter().copied().fold(0.0, f64::max),
             exposed: edges.gas_ratio.map(|ratio| [state.pressure_pa[0], ratio]),
-            char_depth_m: (0..grid.first)
+            pyrolysis_depth_m: (0..grid.first)
                 .rev()
                 .find(|i| state.whole(weights, *i) < 0.98)
                 .map_or(0.0, |i| grid.face_m[i + 1]),
@@ -164,7 +164,7 @@ pub struct History {
     /// Highest pressure of the gas in the solid, Pa.
     pub pressure_pa: f64,
     /// Greatest depth to which less than 98 % was virgin, m.
-    pub char_depth_m: f64,
+    pub pyrolysis_depth_m: f64,
     /// Lowest and highest pressure at which the wall reacted, Pa; from above to below where it never did.
     pub exposed_pa: [f64; 2],
     /// Highest B'_g.
@@ -205,7 +205,7 @@ impl History {
             self.gas_ratio = self.gas_ratio.max(ratio);
         }
         self.pressure_pa = self.pressure_pa.max(sample.pressure_pa);
-        self.char_depth_m = self.char_depth_m.max(sample.char_depth_m);
+        self.pyrolysis_depth_m = self.pyrolysis_depth_m.max(sample.pyrolysis_depth_m);
     }
 
     /// Whether the temperature behind a layer is below its maximum by more than rounding.

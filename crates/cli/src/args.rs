@@ -20,7 +20,7 @@ Examples:
   msape fly my-case.toml --data my-data                   with planets, materials ... of the folder my-data
   msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
-  msape tps cases/tacot-slab.toml --csv -o history.csv    a charring heat shield in an environment of its own
+  msape tps cases/tps/ablation-2-2.toml --csv             a charring heat shield in an environment of its own
   msape tps my-flight.toml --size                         thickness for the bond limit, in the heating of the flight
   msape quantities inputs                                 every key of a case, with unit, range and default
 

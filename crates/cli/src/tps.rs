@@ -69,7 +69,11 @@ fn shown(answer: &InDepth) -> String {
         last.map_or(0.0, |row| 1e3 * row.recession_m),
         "mm",
     );
-    line("Depth of the char", 1e3 * history.char_depth_m, "mm");
+    line(
+        "Depth to which 2 % is pyrolyzed",
+        1e3 * history.pyrolysis_depth_m,
+        "mm",
+    );
     line(
         "Gas and char that left",
         response.account.gas_kg_m2 + response.account.char_kg_m2,

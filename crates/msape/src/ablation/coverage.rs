@@ -28,7 +28,7 @@ fn beyond(name: &str, of: &str, unit: &str, value: f64, [low, high]: [f64; 2]) -
         value: Some(value),
         valid: (Some(low), Some(high)),
         message: format!(
-            "{name}: {of} reached {} {unit}; its table ends at {} and {} {unit}, beyond which the end holds.",
+            "{name}: {of} reached {}{unit}; its table ends at {} and {}{unit}, beyond which the end holds.",
             crate::units::number::rounded(value, 4),
             crate::units::number::rounded(low, 4),
             crate::units::number::rounded(high, 4),
@@ -49,7 +49,7 @@ pub fn findings(stack: &Stack, response: &Response) -> Vec<Finding> {
         found.extend(beyond(
             &material.name,
             "the solid",
-            "K",
+            " K",
             hottest,
             [0.0, ends[1]],
         ));
@@ -58,7 +58,7 @@ pub fn findings(stack: &Stack, response: &Response) -> Vec<Finding> {
                 found.extend(beyond(
                     &material.name,
                     "the gas",
-                    "K",
+                    " K",
                     hottest,
                     [0.0, pyrolysis.gas.covered_k()[1]],
                 ));
@@ -68,7 +68,7 @@ pub fn findings(stack: &Stack, response: &Response) -> Vec<Finding> {
                 found.extend(beyond(
                     &material.name,
                     "the wall",
-                    "K",
+                    " K",
                     hottest,
                     temperature,
                 ));
@@ -78,7 +78,7 @@ pub fn findings(stack: &Stack, response: &Response) -> Vec<Finding> {
                         found.extend(beyond(
                             &material.name,
                             "the pressure at the wall",
-                            "Pa",
+                            " Pa",
                             pressure_pa,
                             pressure,
                         ));

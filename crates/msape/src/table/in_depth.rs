@@ -113,7 +113,7 @@ pub fn in_depth_json(answer: &InDepth) -> Value {
         "sized": sized,
         "wall": peak(&history.wall),
         "recession_m": last.map(|row| row.recession_m),
-        "char_depth_m": history.char_depth_m,
+        "pyrolysis_depth_m": history.pyrolysis_depth_m,
         "gas_pressure_pa": history.pressure_pa,
         "energy": {
             "wall_j_m2": account.wall_j_m2,
