@@ -96,9 +96,13 @@ fn at_face(grid: &Grid, state: &State, i: usize) -> f64 {
 
 /// Value at x of the polynomial through points.
 fn lagrange(points: &[[f64; 2]], x: f64) -> f64 {
-    points.iter().enumerate().fold(0.0, |sum, (i, [xi, yi])| {
+    // Above the first, so that equal values stay equal.
+    let base = points.first().map_or(0.0, |[_, y]| *y);
+    points.iter().enumerate().fold(base, |sum, (i, [xi, yi])| {
         let others = points.iter().enumerate().filter(|(j, _)| *j != i);
-        sum + others.fold(*yi, |product, (_, [xj, _])| product * (x - xj) / (xi - xj))
+        sum + others.fold(yi - base, |product, (_, [xj, _])| {
+            product * (x - xj) / (xi - xj)
+        })
     })
 }
 

@@ -154,15 +154,16 @@ fn bracketed(
     }
 }
 
-/// Temperature above the limit, K; that of the wall where the layer is gone.
+/// Temperature above the limit, K; that of the wall where the layer is gone, no number where the run did not end.
 fn above(response: &Response, limit: &Limit) -> f64 {
     let history = &response.history;
     let peak = match response.outcome {
-        Outcome::BurntThrough => history.wall.temperature_k,
-        _ => history
+        Outcome::Finished | Outcome::Cooled => history
             .behind
             .get(limit.layer)
-            .map_or(0.0, |peak| peak.temperature_k),
+            .map_or(f64::NAN, |peak| peak.temperature_k),
+        Outcome::BurntThrough => history.wall.temperature_k,
+        Outcome::OutOfWork | Outcome::NotSettled | Outcome::Stopped => f64::NAN,
     };
     peak - limit.temperature_k
 }
