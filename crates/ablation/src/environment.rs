@@ -8,7 +8,7 @@
 //! K and recession in m/s. Chemistry is that of the row before.
 //!
 //! # Valid
-//! Between the first and the last row; the ends hold.
+//! From the first row on. After the last row of a boundary layer nothing reaches the wall, which only radiates; a held wall stays held.
 //!
 //! # References
 //! - \[pato\]: the columns of its boundary conditions.
@@ -253,6 +253,15 @@ impl Environment {
                         chemistry: false,
                     });
                 };
+                if self.times_s.last().is_some_and(|last| since_s >= *last) {
+                    return Wall::Heated(Heating {
+                        pressure_pa: b.pressure_pa,
+                        transfer_kg_m2s: 0.0,
+                        recovery_j_kg: 0.0,
+                        radiative_w_m2: 0.0,
+                        chemistry: false,
+                    });
+                }
                 Wall::Heated(Heating {
                     pressure_pa: mix(a.pressure_pa, b.pressure_pa),
                     transfer_kg_m2s: mix(a.transfer_kg_m2s, b.transfer_kg_m2s),

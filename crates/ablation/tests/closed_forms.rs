@@ -205,8 +205,8 @@ fn flux_into_a_slab_settles_on_its_parabola() {
         radiative_w_m2: 5000.0,
         chemistry: false,
     };
-    let environment = Environment::heated(&[(0.0, heating)]).unwrap();
     let until_s = 4000.0;
+    let environment = Environment::heated(&[(0.0, heating), (until_s, heating)]).unwrap();
     let exact = 300.0 + 5000.0 * until_s / (RHO * C * L) + 5000.0 * L / K / 3.0;
     second_order(exact, 1000.0, |cells| {
         let layers = vec![layer(material(RHO, C, K), L, Joint::Perfect)];

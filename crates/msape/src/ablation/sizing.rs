@@ -37,6 +37,8 @@ pub struct Limit {
 pub const THICKNESS_M: [f64; 2] = [0.001, 0.3];
 /// Width of the bracket of the thickness, relative. Assumed.
 const WIDTH: f64 = 1e-4;
+/// Least rise of a temperature that counts, K. Assumed.
+const LEAST_RISE_K: f64 = 1e-6;
 /// First step of the search in the logarithm of the thickness.
 const STEP: f64 = 0.2;
 
@@ -154,7 +156,8 @@ fn bracketed(
     }
 }
 
-/// Temperature above the limit, K; that of the wall where the layer is gone, no number where the run did not end.
+/// Logarithm of the rise behind over the rise allowed, nearly linear in the thickness; the rise of the wall where the layer is
+/// gone, no number where the run did not end.
 fn above(response: &Response, limit: &Limit) -> f64 {
     let history = &response.history;
     let peak = match response.outcome {
@@ -165,5 +168,7 @@ fn above(response: &Response, limit: &Limit) -> f64 {
         Outcome::BurntThrough => history.wall.temperature_k,
         Outcome::OutOfWork | Outcome::NotSettled | Outcome::Stopped => f64::NAN,
     };
-    peak - limit.temperature_k
+    let start = history.rows.first().map_or(0.0, |row| row.wall_k);
+    let allowed = (limit.temperature_k - start).max(LEAST_RISE_K);
+    math::ln((peak - start).max(LEAST_RISE_K) / allowed)
 }

@@ -53,7 +53,7 @@ inputs! {
         column::CHEMISTRY.optional(),
     ]))
         .one_way_of(&WALL)
-        .help("Time, pressure, transfer coefficient without blowing, recovery enthalpy against the elements at 298 K, radiative heat flux, and whether the boundary layer reaches the wall (1) or it only radiates (0), which holds until the next row.", PATO);
+        .help("Time, pressure, transfer coefficient without blowing, recovery enthalpy against the elements at 298 K, radiative heat flux, and whether the boundary layer reaches the wall (1) or it only radiates (0), which holds until the next row. After the last row the wall only radiates.", PATO);
     ENVIRONMENT: "tps.environment" = Input::new("Environment File", Group::HeatShield, Kind::Text)
         .file_of(&[&ENVIRONMENT_TABLE])
         .one_way_of(&WALL)
