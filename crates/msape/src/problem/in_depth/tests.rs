@@ -58,7 +58,8 @@ fn sized_thickness_keeps_the_limit_at_its_joint() {
     let answer = answer(&text, Ask::Thickness);
     let thickness = answer.sized.unwrap().thickness_m.unwrap();
     let peak = answer.response.history.behind[0].temperature_k;
-    assert!((440.0..=450.0).contains(&peak), "{peak}");
+    // The search goes without the steps that end at outputs: within the error of a step.
+    assert!((peak - 450.0).abs() < 0.1, "{peak}");
     assert!((0.005..0.05).contains(&thickness), "{thickness}");
 }
 
