@@ -1,5 +1,5 @@
 //! Embeds the folder `data`, and the cases that ship with the program as its folder `cases`, as sorted lists of
-//! (path, text): one of the files that a library is made of, one of the cases, one of what only validation reads. Those of
+//! (path, text): one of the files that a library is made of, one of the cases, one of the materials in depth, one of what only validation reads. Those of
 //! the library are embedded a second time, with the same keys and values, as JSON: the program reads it several times faster
 //! than TOML, and needs no second reader for it, because cases come as JSON too.
 #![allow(
@@ -21,6 +21,8 @@ type Listed = (String, String);
 
 /// Folders of the shipped cases, and of the defaults of earlier versions.
 const CASES: [&str; 2] = ["cases/", "versions/"];
+/// Materials in depth, and what only their validation reads.
+const ABLATORS: [&str; 2] = ["ablators/", "validation/ablation-"];
 /// Files and folders that only validation reads.
 const VALIDATION: [&str; 4] = [
     "aero-models/mmeev-60-database.csv",
@@ -39,6 +41,8 @@ fn main() -> io::Result<()> {
         |(name, _): &Listed, with: &[&str]| with.iter().any(|start| name.starts_with(start));
     let (cases, others): (Vec<Listed>, _) =
         files.into_iter().partition(|file| begins(file, &CASES));
+    let (mut ablators, others): (Vec<Listed>, Vec<Listed>) =
+        others.into_iter().partition(|file| begins(file, &ABLATORS));
     let (mut validation, library): (Vec<Listed>, Vec<Listed>) = others
         .into_iter()
         .partition(|file| begins(file, &VALIDATION));
@@ -48,12 +52,16 @@ fn main() -> io::Result<()> {
     if env::var_os("CARGO_FEATURE_PREPARED_AIR").is_some() {
         write_gases(&here.join("data/atmospheres/us-1976.toml"))?;
     }
+    if env::var_os("CARGO_FEATURE_ABLATION").is_none() {
+        ablators.clear();
+    }
     let included = |file: &str| Ok(format!("include_str!({file:?})"));
     write("shipped_files.rs", &library, |file| {
         Ok(format!("{:?}", shipped(file)?.to_string()))
     })?;
     write("library_files.rs", &library, included)?;
     write("case_files.rs", &cases, included)?;
+    write("ablator_files.rs", &ablators, included)?;
     write("validation_files.rs", &validation, included)
 }
 

@@ -96,7 +96,7 @@ fn for_each(path: &str, value: &Value, visit: &mut impl FnMut(&str, &Value)) {
 }
 
 /// Suffixes of names that state a unit.
-const UNITS: [&str; 36] = [
+const UNITS: [&str; 41] = [
     "_m",
     "_m2",
     "_m3",
@@ -123,6 +123,11 @@ const UNITS: [&str; 36] = [
     "_j_cm2",
     "_j_m2",
     "_j_k",
+    "_j_kg",
+    "_w_m_k",
+    "_pa_s",
+    "_kg_mol",
+    "_per_s",
     "_j_kg_k",
     "_j_kmol_k",
     "_kg_kmol",

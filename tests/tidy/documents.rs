@@ -52,7 +52,7 @@ fn commands_and_links_of_the_documents_exist() {
             }
         }
         for name in after(&document, "cases/") {
-            let folder = name.is_empty();
+            let folder = root().join("cases").join(name).is_dir();
             if !folder && !root().join("cases").join(format!("{name}.toml")).exists() {
                 faults.push(format!("{path}: cases/{name}"));
             }

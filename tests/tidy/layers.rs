@@ -3,7 +3,7 @@
 use crate::{assert_none, files};
 
 /// Modules of `crates/msape/src` from the bottom up; each may use only those before it.
-const LAYERS: [&str; 21] = [
+const LAYERS: [&str; 22] = [
     "data",
     "progress",
     "units",
@@ -18,6 +18,7 @@ const LAYERS: [&str; 21] = [
     "tps",
     "soak",
     "library",
+    "ablation",
     "flight",
     "design",
     "case",

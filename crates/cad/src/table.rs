@@ -14,6 +14,7 @@ mod curve;
 mod fault;
 mod heading;
 mod heating;
+mod in_depth;
 pub(crate) mod layout;
 mod number;
 mod places;
@@ -119,7 +120,13 @@ pub struct Table {
 type Rows = fn(&str, Option<&Input>, &Ground) -> Result<Table, Vec<TableFault>>;
 
 /// Inputs that name a file, each with its reader.
-static READERS: [(&Input, Rows); 8] = [
+static READERS: [(&Input, Rows); 10] = [
+    (&input::tps::ENVIRONMENT, |text, _, _| {
+        in_depth::environment(text)
+    }),
+    (&input::tps::SURFACE_TEMPERATURE, |text, _, _| {
+        in_depth::surface_temperature(text)
+    }),
     (&input::atmosphere::FILE, |text, _, ground| {
         atmosphere::read(text, ground)
     }),

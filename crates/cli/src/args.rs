@@ -20,6 +20,8 @@ Examples:
   msape fly my-case.toml --data my-data                   with planets, materials ... of the folder my-data
   msape export cases/galahad.toml -o galahad.step         solids for CAD; the ending names the format
   msape aero cases/msr-eev-cp.toml --regime blended --mach 20 --alpha 0:180:5
+  msape tps cases/tps/ablation-2-2.toml --csv             a charring heat shield in an environment of its own
+  msape tps my-flight.toml --size                         thickness for the bond limit, in the heating of the flight
   msape quantities inputs                                 every key of a case, with unit, range and default
 
 Exit status: 0 when the case was answered, whatever the outcome; 2 for bad input, and nothing is written;
@@ -58,6 +60,9 @@ pub enum Command {
     /// Coefficients of an [outline], or of the vehicle of a design, over the angle of attack
     #[command(after_help = EXAMPLES)]
     Aero(crate::aero::Aero),
+    /// The heat shield in depth: [tps] in an environment of its own, or in that of the case's flight or design
+    #[command(after_help = EXAMPLES)]
+    Tps(Tps),
     /// Solve every documented case that ships with the program and compare it with its reference
     Validate(Validate),
     /// Facts of the [outline] of a case: tangent points, areas, volume, centroid
@@ -141,6 +146,26 @@ pub struct Form {
     /// The mass tree of a design as CSV: components with material, density, volume, areas, mass, center of gravity, inertias
     #[arg(long)]
     pub mass_tree: bool,
+}
+
+/// Arguments of `tps`.
+#[derive(Args)]
+pub struct Tps {
+    /// The case.
+    #[command(flatten)]
+    pub source: Source,
+    /// Size the first layer, so that the temperature behind the bond layer keeps tps.bond_limit_k
+    #[arg(long)]
+    pub size: bool,
+    /// One JSON object: outcome, layers, peaks, energy, mass, work, history, findings
+    #[arg(long, conflicts_with = "csv")]
+    pub json: bool,
+    /// The history as CSV: t_s, Tw_K, T_1mm_K ..., mdot_g_kg_m2s, mdot_c_kg_m2s, recession_m, T_bond_K, T_back_K
+    #[arg(long)]
+    pub csv: bool,
+    /// Write to a file, which is replaced only when all went well
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `export`.

@@ -14,6 +14,7 @@ mod show;
 mod signal;
 mod source;
 mod terminal;
+mod tps;
 mod validate;
 
 use args::{Arguments, Command, Design};
@@ -60,6 +61,7 @@ fn done(Arguments { command, data }: Arguments) -> Done {
         Command::Reorientation(arguments) => reorientation::reorientation(&arguments, data),
         Command::Export(arguments) => export::export(&arguments, data),
         Command::Aero(arguments) => aero::run(&arguments, data),
+        Command::Tps(arguments) => tps::tps(&arguments, data),
         Command::Validate(arguments) => validate::validate(&arguments, library),
         Command::Outline(arguments) => outline::outline(&arguments, data),
         Command::Schema(arguments) => quantities::schema(&arguments, library),

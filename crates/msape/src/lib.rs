@@ -42,6 +42,7 @@
 //! - [`units`]: the only conversions. Memory holds SI and radians; files and results hold SI and degrees.
 //! - [`finding`]: use outside a model's range, as a value returned with the result.
 //! - [`aero`]: coefficients of any outline over the angle of attack, for rigid bodies and for `msape aero`.
+//! - `ablation`: materials and sizing of a heat shield in depth; a feature of that name, on by default.
 //! - `validation`: the shipped cases compared with their references; a feature of that name, on by default.
 //!
 //! # What is deliberately absent
@@ -52,8 +53,10 @@
 //! - Errors after the check: "does not close", "skipped out" and "not converged" are outcomes.
 //! - Model limits as errors: a number outside a model's range is given, with a finding.
 //! - Drawing, storage and concurrency: they belong to the crates around this one.
-//! - In-depth ablation, transient conduction, trade studies, optimization, surrogates: not written yet. What stands in for each is named in the result.
+//! - Heat shields in depth within the passes of a design (they are answered beside it, with the feature `ablation`), trade studies, optimization, surrogates: not written yet. What stands in for each is named in the result.
 
+#[cfg(feature = "ablation")]
+pub mod ablation;
 pub mod aero;
 pub mod answer;
 pub mod case;

@@ -120,6 +120,8 @@ pub struct Library {
     pub euler: EulerCorrection,
     /// Outlines of rigid bodies by name.
     pub outlines: Named<OutlineData>,
+    /// Cards of materials in depth of the user, and tables beside them: paths and texts.
+    pub ablators: Vec<(String, String)>,
 }
 
 impl Library {

@@ -14,6 +14,8 @@ mod flight;
 mod forms;
 mod freedom;
 mod heating;
+#[cfg(feature = "ablation")]
+pub mod in_depth;
 mod materials;
 mod outline;
 mod phases;

@@ -4,9 +4,12 @@
 //! - [`history`]: one row for each time of a trajectory.
 //! - [`mass_tree`]: one row for each component of a vehicle.
 //! - [`turning`]: one row for each entry from a set of attitudes and rates.
+//! - `in_depth`: one row for each output time of a heat shield in depth; with the feature `ablation`.
 //! - [`kml`]: a trajectory for viewers of the globe.
 
 mod csv;
+#[cfg(feature = "ablation")]
+pub mod in_depth;
 mod input;
 pub mod kml;
 mod mass_tree;

@@ -9,7 +9,7 @@
 //!
 //! Loads are for a cold wall and include the user's margins; the relations themselves contain no margin (section 3.5.1).
 //!
-//! Deliberately absent: in-depth conduction and ablation, which a later model adds to the relations.
+//! Deliberately absent: conduction and ablation in depth, which are in `ablation` beside this folder.
 
 pub mod concept;
 pub mod environment;

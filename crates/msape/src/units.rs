@@ -57,6 +57,14 @@ pub enum Dimension {
     Frequency,
     /// Molar mass, kg/kmol.
     MolarMass,
+    /// Specific heat capacity, J/(kg K).
+    SpecificHeat,
+    /// Thermal conductivity, W/(m K).
+    Conductivity,
+    /// Heat transfer coefficient, W/(m² K).
+    HeatTransfer,
+    /// Thermal resistance of an area, m² K/W.
+    ThermalResistance,
 }
 
 /// A unit: `canonical = value * factor + offset`.
@@ -170,6 +178,10 @@ pub static UNITS: &[Unit] = &[
     unit("J/cm^2", Dimension::HeatLoad, 1e4),
     unit("kJ/cm^2", Dimension::HeatLoad, 1e7),
     unit("MJ/m^2", Dimension::HeatLoad, 1e6),
+    unit("J/(kg K)", Dimension::SpecificHeat, 1.0),
+    unit("W/(m K)", Dimension::Conductivity, 1.0),
+    unit("W/(m^2 K)", Dimension::HeatTransfer, 1.0),
+    unit("m^2 K/W", Dimension::ThermalResistance, 1.0),
     unit("K", Dimension::Temperature, 1.0),
     Unit {
         symbol: "C",

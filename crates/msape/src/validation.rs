@@ -5,10 +5,12 @@
 //! compute the comparison anew. Predictions of flown capsules, [`prediction`], are listed with the comparisons but are not a test.
 
 mod file;
+#[cfg(feature = "ablation")]
+mod in_depth;
 mod points;
 pub mod prediction;
 
-pub use file::{Command, Expectation, File, Points, Tolerance};
+pub use file::{Command, Expectation, File, Histories, Points, Tolerance};
 
 use crate::answer::Answer;
 use crate::answer::output;
@@ -139,6 +141,10 @@ fn run_file(
     progress: &mut dyn Progress,
 ) -> Result<(Vec<Row>, ControlFlow<()>), DataError> {
     let runner = Runner::new(library, name, file)?;
+    #[cfg(feature = "ablation")]
+    if file.command == Command::Tps {
+        return in_depth::rows(&runner, progress);
+    }
     let count = file.count();
     let mut rows = Vec::with_capacity(count);
     let mut told = |done: usize| progress.advance(done as f64 / count.max(1) as f64);
@@ -192,16 +198,23 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Solves the case with some keys set; an error states why the case was refused.
-    fn solve(&self, set: &Settings) -> Result<Answer, String> {
+    /// The case with some keys set.
+    fn case_with(&self, set: &Settings) -> Case {
         let mut case = self.case.clone();
         for (key, text) in set {
             case.set(key, text);
         }
+        case
+    }
+
+    /// Solves the case with some keys set; an error states why the case was refused.
+    fn solve(&self, set: &Settings) -> Result<Answer, String> {
+        let case = self.case_with(set);
         let request = self.file.step_s.map_or(Request::Nothing, Request::Uniform);
         let answer = match self.file.command {
             Command::Fly => fly(&case, self.library, request),
             Command::Design => design(&case, self.library, request),
+            Command::Tps => return Err("is no flight".to_string()),
         };
         answer.map_err(|faults| joined(&faults))
     }
@@ -213,16 +226,9 @@ impl<'a> Runner<'a> {
             .ok()
             .and_then(|answer| value(answer, &expected.quantity, expected.time_s))
             .map(|x| unit.map_or(x, |unit| unit.from_canonical(x)));
-        let mut label = label_of(&expected.quantity);
-        if let Some(time_s) = expected.time_s {
-            label.push_str(&format!(" at {time_s} s"));
-        }
-        for (key, text) in &expected.set {
-            label.push_str(&format!(", {key} = {text}"));
-        }
         Comparison {
             expected,
-            label,
+            label: label_of_row(expected),
             ours,
             fault: answer.as_ref().err().cloned(),
         }
@@ -301,6 +307,17 @@ fn value(answer: &Answer, key: &str, time_s: Option<f64>) -> Option<f64> {
         }
     };
     value.is_finite().then_some(value)
+}
+
+fn label_of_row(expected: &Expectation) -> String {
+    let mut label = label_of(&expected.quantity);
+    if let Some(time_s) = expected.time_s {
+        label.push_str(&format!(" at {time_s} s"));
+    }
+    for (key, text) in &expected.set {
+        label.push_str(&format!(", {key} = {text}"));
+    }
+    label
 }
 
 fn label_of(key: &str) -> String {

@@ -5,6 +5,7 @@ use super::words::{column_names, must_be, nearest, shown, squeezed, unknown_key,
 use super::{Case, Value};
 use crate::finding::{Finding, Severity};
 use crate::quantity::choice::Choice;
+use crate::quantity::input::repeated::Section;
 use crate::quantity::input::{self, Alternatives, Choices, Input, Key, Kind, Preset};
 use crate::units::{canonical, cut, parse_number, told};
 use std::fmt;
@@ -35,7 +36,7 @@ impl<'a> Reader<'a> {
             faults: Vec::new(),
             findings: case.version_note().into_iter().collect(),
         };
-        let known = |key: &str| input::find(key).is_some() && !input::phase::is_repeated(key);
+        let known = |key: &str| input::find(key).is_some() && !input::repeated::is_repeated(key);
         let mut unknown = case.values.keys().filter(|key| !known(key));
         for key in unknown.by_ref().take(UNKNOWN_MAX) {
             reader.fault(key, unknown_key(key));
@@ -106,12 +107,11 @@ impl<'a> Reader<'a> {
         self.case.text(input.key)
     }
 
-    /// The largest number of a phase in the case.
-    pub fn phases(&self) -> usize {
-        let most = input::phase::MOST;
-        let mut numbers = (1..=most).rev();
+    /// The largest number of a repeated section in the case.
+    pub fn count(&self, of: &Section) -> usize {
+        let mut numbers = (1..=of.most).rev();
         let given = |number: &usize| {
-            let section = format!("{}.{number}.", input::phase::SECTION);
+            let section = format!("{}.{number}.", of.name);
             let mut after = self.case.values.range(section.clone()..);
             after
                 .next()

@@ -2,7 +2,7 @@
 
 use super::node::{Node, describe, rows, spelled};
 use super::{Case, InputError, SCHEMA, Value, Version};
-use crate::quantity::input::phase::SECTION;
+use crate::quantity::input::repeated::Section;
 use crate::quantity::input::{self, Kind};
 use crate::units::cut;
 use std::collections::BTreeMap;
@@ -143,9 +143,9 @@ impl Case {
 
     fn flatten(&mut self, key: String, node: Node, taken: &mut Taken) {
         let node = match node {
-            Node::List(list) if key == SECTION && list.iter().all(Node::is_map) => {
-                for (i, phase) in list.into_iter().enumerate() {
-                    if let Node::Map(map) = phase {
+            Node::List(list) if Section::named(&key).is_some() && list.iter().all(Node::is_map) => {
+                for (i, one) in list.into_iter().enumerate() {
+                    if let Node::Map(map) = one {
                         for (part, child) in map {
                             self.flatten(format!("{key}.{}.{part}", i + 1), child, taken);
                         }

@@ -4,7 +4,7 @@
 
 use crate::case::{SCHEMA, Version};
 use crate::library::Library;
-use crate::quantity::input::phase::{MOST, SECTION};
+use crate::quantity::input::repeated::SECTIONS;
 use crate::quantity::input::{self, Input, Kind, Need, Preset, inputs};
 use crate::units::{canonical, units_of};
 use serde_json::{Map, Value, json};
@@ -31,11 +31,16 @@ pub fn schema(library: &Library) -> Value {
         "name",
         json!({ "type": "string", "description": "Free text." }),
     );
-    let mut phase = object("What begins on the way, and what it changes.");
+    let mut repeated = SECTIONS
+        .each_ref()
+        .map(|section| (section, object(section.help)));
     for input in inputs() {
         let described = input_schema(input, library);
-        if let Some(name) = input.key.strip_prefix("phase.") {
-            property(&mut phase, name, described.into());
+        let mut of = repeated.iter_mut();
+        if let Some((name, one)) =
+            of.find_map(|(section, one)| Some((section.after(input.key)?, one)))
+        {
+            property(one, name, described.into());
             continue;
         }
         insert(&mut root, input.key, described.clone().into());
@@ -48,14 +53,18 @@ pub fn schema(library: &Library) -> Value {
             require(&mut root, input.key);
         }
     }
-    phase.insert("required".to_string(), json!(["name"]));
-    let phases = json!({
-        "type": "array",
-        "maxItems": MOST,
-        "items": phase,
-        "description": "Phases of a flight, in the order in which they begin.",
-    });
-    property(&mut root, SECTION, phases);
+    for (section, mut one) in repeated {
+        if !section.required.is_empty() {
+            one.insert("required".to_string(), json!(section.required));
+        }
+        let list = json!({
+            "type": "array",
+            "maxItems": section.most,
+            "items": one,
+            "description": section.list_help,
+        });
+        insert(&mut root, section.name, list);
+    }
     // A table of numbers in the place of the name of a database is a drag table; a section holds constants.
     if let Some(Value::Object(mut by_name)) =
         find(&mut root, input::vehicle::AERODYNAMICS.key).map(Value::take)
@@ -76,14 +85,15 @@ pub fn schema(library: &Library) -> Value {
     );
     schema.insert("title".to_string(), json!(SCHEMA));
     schema.append(&mut root);
-    schema.insert("required".to_string(), json!(["schema", "entry"]));
+    schema.insert("required".to_string(), json!(["schema"]));
     schema.insert(
         "anyOf".to_string(),
         // An outline has the nose that a vehicle without one must be given.
         json!([
-            { "required": ["vehicle"], "properties": { "vehicle": { "required": ["nose_radius_m"] } } },
-            { "required": ["vehicle", "outline"] },
-            { "required": ["design"] },
+            { "required": ["tps"] },
+            { "required": ["entry", "vehicle"], "properties": { "vehicle": { "required": ["nose_radius_m"] } } },
+            { "required": ["entry", "vehicle", "outline"] },
+            { "required": ["entry", "design"] },
         ]),
     );
     Value::Object(schema)
@@ -239,6 +249,7 @@ fn require(root: &mut Map<String, Value>, key: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::input::repeated::Section;
 
     fn built() -> Value {
         schema(&Library::builtin().unwrap())
@@ -248,7 +259,14 @@ mod tests {
     fn every_input_stands_where_its_key_says() {
         let schema = built();
         for input in inputs() {
-            let place = input.key.replace("phase.", "phase.items.");
+            let place = match Section::of(input.key) {
+                Some(section) => {
+                    input
+                        .key
+                        .replacen(section.name, &format!("{}.items", section.name), 1)
+                }
+                None => input.key.to_string(),
+            };
             let pointer = place
                 .split('.')
                 .map(|part| match part {

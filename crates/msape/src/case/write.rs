@@ -1,7 +1,7 @@
 //! Writes a case as TOML or JSON, keys in the order of the quantity list.
 
 use super::{Case, SCHEMA, Value};
-use crate::quantity::input::phase::{MOST, SECTION, is_repeated};
+use crate::quantity::input::repeated::{SECTIONS, Section};
 use crate::quantity::input::{find, inputs};
 use std::fmt::Write;
 
@@ -12,16 +12,21 @@ impl Case {
     fn ordered(&self) -> Vec<(Place, &Value)> {
         let known = inputs().filter_map(|input| self.values.get_key_value(input.key));
         let is_known = |key: &str| inputs().any(|input| input.key == key);
-        let of_phase = |key: &str| find(key).is_some() && !is_known(key);
-        let unknown = (self.values.iter()).filter(|(key, _)| !is_known(key) && !of_phase(key));
-        let phases = (1..=MOST).flat_map(|number| {
+        let of_one = |key: &str| find(key).is_some() && !is_known(key);
+        let unknown = (self.values.iter()).filter(|(key, _)| !is_known(key) && !of_one(key));
+        let of_section = |section: &'static Section, number: usize| {
             inputs()
-                .filter(|input| is_repeated(input.key))
-                .filter_map(move |input| self.values.get_key_value(&*input.of_phase(number).text()))
+                .filter(|input| section.after(input.key).is_some())
+                .filter_map(move |input| {
+                    self.values.get_key_value(&*input.of_number(number).text())
+                })
+        };
+        let repeated = SECTIONS.iter().flat_map(|section| {
+            (1..=section.most).flat_map(move |number| of_section(section, number))
         });
         known
             .chain(unknown)
-            .chain(phases)
+            .chain(repeated)
             .map(|(key, value)| (self.place(key), value))
             .collect()
     }
@@ -45,7 +50,7 @@ impl Case {
         };
         match key.rsplit_once('.') {
             Some((section, name))
-                if !below_a_value && key.split('.').all(is_bare) && !is_odd_phase(section) =>
+                if !below_a_value && key.split('.').all(is_bare) && !is_odd(section) =>
             {
                 Place {
                     section: section.to_string(),
@@ -87,17 +92,19 @@ impl Case {
                 None => sections.push((section, line)),
             }
         }
-        // phases in their order, also where one has a key that is not known
-        sections.sort_by_key(|(section, _)| phase_number(section).unwrap_or_default());
-        let mut phases = 0;
+        // repeated ones in their order, also where one has a key that is not known
+        sections
+            .sort_by_key(|(section, _)| number_of(section).map(|(of, number)| (of.name, number)));
+        let mut before = ("", 0);
         for (section, lines) in sections {
-            match phase_number(section) {
-                Some(number) => {
-                    // Phases without inputs keep their place.
-                    let before = number.saturating_sub(phases);
-                    text.push_str(&format!("\n[[{SECTION}]]\n").repeat(before));
+            match number_of(section) {
+                Some((of, number)) => {
+                    let written = if before.0 == of.name { before.1 } else { 0 };
+                    // Those without inputs keep their place.
+                    let heads = number.saturating_sub(written);
+                    text.push_str(&format!("\n[[{}]]\n", of.name).repeat(heads));
                     text.push_str(&lines);
-                    phases = number;
+                    before = (of.name, number);
                 }
                 None => {
                     let _ = write!(text, "\n[{section}]\n{lines}");
@@ -123,18 +130,8 @@ impl Case {
             };
             insert(&mut root, &section, name, value);
         }
-        if let Some(serde_json::Value::Object(numbered)) = root.get_mut(SECTION)
-            && (numbered.keys())
-                .all(|number| phase_number(&format!("{SECTION}.{number}")).is_some())
-        {
-            let of = |number: usize| numbered.remove(&number.to_string());
-            let mut phases: Vec<_> = (1..=MOST).map(of).collect();
-            let last = phases.iter().rposition(Option::is_some);
-            phases.truncate(last.map_or(0, |last| last + 1));
-            let phases = phases
-                .into_iter()
-                .map(|phase| phase.unwrap_or_else(|| serde_json::json!({})));
-            root.insert(SECTION.to_string(), phases.collect());
+        for section in &SECTIONS {
+            as_list(&mut root, section.name, section);
         }
         format!("{:#}\n", serde_json::Value::Object(root))
     }
@@ -163,17 +160,42 @@ fn is_named_in_section(key: &str) -> bool {
     find(&format!("{key}.name")).is_some_and(|input| input.key == key)
 }
 
-/// Whether a section begins like the list of phases but belongs to no phase.
-fn is_odd_phase(section: &str) -> bool {
-    let first = section.split('.').next();
-    first == Some(SECTION) && phase_number(section).is_none()
+/// Whether a section begins like a repeated one but is none of them.
+fn is_odd(section: &str) -> bool {
+    let of = SECTIONS
+        .iter()
+        .any(|of| of.name == section || of.after(section).is_some());
+    of && number_of(section).is_none()
 }
 
-/// Number of the phase to which a section belongs.
-fn phase_number(section: &str) -> Option<usize> {
-    let number = section.strip_prefix(SECTION)?.strip_prefix('.')?;
-    let index: usize = number.parse().ok()?;
-    ((1..=MOST).contains(&index) && number == index.to_string()).then_some(index)
+/// The repeated section to which a section belongs, and its number.
+fn number_of(section: &str) -> Option<(&'static Section, usize)> {
+    let of = Section::of(section)?;
+    Some((of, of.number(of.after(section)?)?))
+}
+
+/// Makes a list of the tables that a repeated section has by number.
+fn as_list(map: &mut serde_json::Map<String, serde_json::Value>, name: &str, section: &Section) {
+    if let Some((first, rest)) = name.split_once('.') {
+        if let Some(serde_json::Value::Object(child)) = map.get_mut(first) {
+            as_list(child, rest, section);
+        }
+        return;
+    }
+    if let Some(serde_json::Value::Object(numbered)) = map.get_mut(name)
+        && numbered
+            .keys()
+            .all(|number| section.number(number).is_some())
+    {
+        let of = |number: usize| numbered.remove(&number.to_string());
+        let mut all: Vec<_> = (1..=section.most).map(of).collect();
+        let last = all.iter().rposition(Option::is_some);
+        all.truncate(last.map_or(0, |last| last + 1));
+        let all = all
+            .into_iter()
+            .map(|one| one.unwrap_or_else(|| serde_json::json!({})));
+        map.insert(name.to_string(), all.collect());
+    }
 }
 
 /// Puts a value into a section of dotted name.

@@ -212,7 +212,7 @@ pub fn findings(mission: &Mission, begun: &[Begun]) -> Vec<Finding> {
                 short(phase.begin.value)
             ),
             source: "the case".to_string(),
-            field: Some(input::phase::NAME.of_phase(index + 2).to_string()),
+            field: Some(input::phase::NAME.of_number(index + 2).to_string()),
         });
     }
     let late = mission.phases.iter().enumerate().skip(begun.len());

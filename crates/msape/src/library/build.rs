@@ -40,8 +40,10 @@ pub(super) fn library(mut files: Files) -> Result<Library, Vec<DataError>> {
     let impact_foam = files.one("foams/pmi.toml", FoamKind::parse);
     let damping = files.one("aero-models/damping.toml", DampingData::parse);
     let euler = files.one("aero-models/euler-correction.toml", EulerCorrection::parse);
+    let ablators = files.own_texts("ablators");
     let whole = || {
         Some(Library {
+            ablators,
             planets,
             atmospheres,
             heating: heating?,

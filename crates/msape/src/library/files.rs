@@ -12,17 +12,19 @@ pub(super) static LIBRARY: Files = include!(concat!(env!("OUT_DIR"), "/library_f
 static CASES: Files = include!(concat!(env!("OUT_DIR"), "/case_files.rs"));
 /// References; empty without the feature `validation`.
 static VALIDATION: Files = include!(concat!(env!("OUT_DIR"), "/validation_files.rs"));
+/// Materials in depth, and references for them; empty without the feature `ablation`.
+static ABLATORS: Files = include!(concat!(env!("OUT_DIR"), "/ablator_files.rs"));
 
 /// Text of a data file by its path below `data`, such as `planets/earth.toml`.
 pub fn data_file(path: &str) -> Option<&'static str> {
-    [LIBRARY, CASES, VALIDATION]
+    [LIBRARY, CASES, ABLATORS, VALIDATION]
         .into_iter()
         .find_map(|files| of(files, path))
 }
 
 /// Paths and texts of the data files in one folder, such as `planets`; folders in it left out.
 pub fn data_folder(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
-    let inside = [LIBRARY, CASES, VALIDATION].map(|files| within(files, folder));
+    let inside = [LIBRARY, CASES, ABLATORS, VALIDATION].map(|files| within(files, folder));
     inside.into_iter().flatten()
 }
 
@@ -78,7 +80,7 @@ mod tests {
 
     #[test]
     fn every_file_is_in_one_list_and_is_found_in_it() {
-        let lists = [LIBRARY, CASES, VALIDATION];
+        let lists = [LIBRARY, CASES, ABLATORS, VALIDATION];
         for (path, text) in lists.into_iter().flatten() {
             let holding = lists.iter().filter(|files| of(files, path).is_some());
             assert_eq!(

@@ -5,7 +5,7 @@ use crate::data::Data;
 
 /// Folders to which a user may add files, and the endings of the file names.
 #[cfg(feature = "own-data")]
-const FOLDERS: [(&str, &str); 8] = [
+const FOLDERS: [(&str, &str); 10] = [
     ("planets", ".toml"),
     ("atmospheres", ".toml"),
     ("materials", ".toml"),
@@ -14,6 +14,8 @@ const FOLDERS: [(&str, &str); 8] = [
     ("grounds", ".toml"),
     ("aerodynamics", ".csv"),
     ("outlines", ".toml"),
+    ("ablators", ".toml"),
+    ("ablators", ".csv"),
 ];
 /// Relations for some planets each, of which a user may add files.
 pub(super) const RELATIONS: [&str; 3] = [
@@ -81,6 +83,21 @@ impl<'f> Files<'f> {
             }
         }
         self
+    }
+
+    /// Paths and texts of the user's files in a folder.
+    pub fn own_texts(&self, folder: &str) -> Vec<(String, String)> {
+        let prefix = format!("{folder}/");
+        let inside = self
+            .files
+            .iter()
+            .filter(|(path, _)| path.starts_with(&prefix));
+        let text = |(path, data): &(&str, Data)| match data {
+            #[cfg(feature = "own-data")]
+            Data::Own(text) => Some((path.to_string(), text.to_string())),
+            Data::Shipped(_) => None,
+        };
+        inside.filter_map(text).collect()
     }
 
     /// Notes a fault.

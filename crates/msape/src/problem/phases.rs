@@ -5,7 +5,7 @@ use crate::case::Reader;
 use crate::finding::Finding;
 use crate::finding::range::short;
 use crate::flight::phase::{Begin, Canopy, Change, Direction, Mark, Phase};
-use crate::quantity::input::{self, Input, phase};
+use crate::quantity::input::{self, Input, phase, repeated};
 
 /// The inputs of which one begins a phase.
 const MARKS: [(&Input, Mark); 5] = [
@@ -28,7 +28,7 @@ pub(super) enum Flown {
 /// The phases of a case; none where it has none, `None` where one is at fault.
 pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
     let before = reader.faults.len();
-    let count = reader.phases();
+    let count = reader.count(&phase::SECTION);
     let mut found: Vec<Phase> = Vec::with_capacity(count);
     let mut earlier_s = 0.0;
     let mut before_kg = reader
@@ -44,7 +44,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                 "got \"{}\", which an earlier phase is called, too",
                 phase.name
             );
-            reader.fault(&phase::NAME.of_phase(number), message);
+            reader.fault(&phase::NAME.of_number(number), message);
         }
         if phase.begin.mark == Mark::Time {
             if phase.begin.value < earlier_s {
@@ -52,7 +52,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
                     "got {} s, must be at least {earlier_s} s of an earlier phase: phases begin in their order",
                     phase.begin.value
                 );
-                reader.fault(&phase::TIME_S.of_phase(number), message);
+                reader.fault(&phase::TIME_S.of_number(number), message);
             }
             earlier_s = phase.begin.value;
         }
@@ -77,7 +77,7 @@ pub(super) fn phases(reader: &mut Reader, flown: Flown) -> Option<Vec<Phase>> {
 }
 
 fn of_number(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> {
-    let key = phase::NAME.of_phase(number);
+    let key = phase::NAME.of_number(number);
     let name = reader.words(key).filter(|name| !name.trim().is_empty());
     if name.is_none() {
         reader.fault(&key, "missing; every phase has a name");
@@ -94,13 +94,13 @@ fn of_number(reader: &mut Reader, number: usize, flown: Flown) -> Option<Phase> 
 fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
     let given: Vec<_> = MARKS
         .into_iter()
-        .filter(|(input, _)| reader.given(input.of_phase(number)))
+        .filter(|(input, _)| reader.given(input.of_number(number)))
         .collect();
     let ways = || {
-        let names = MARKS.map(|(input, _)| phase::name(input));
+        let names = MARKS.map(|(input, _)| repeated::name(input));
         names.join(", ")
     };
-    let key = phase::DIRECTION.of_phase(number);
+    let key = phase::DIRECTION.of_number(number);
     let direction_given = reader.given(key);
     let direction = match direction_given {
         true => reader.choice(key)?,
@@ -109,25 +109,25 @@ fn begin(reader: &mut Reader, number: usize) -> Option<Begin> {
     match given.as_slice() {
         [(input, mark)] => {
             if *mark == Mark::Time && direction_given {
-                let time = phase::name(input);
+                let time = repeated::name(input);
                 let message =
                     format!("given together with {time}, which only rises; leave it away");
                 reader.fault(&key, message);
             }
             Some(Begin {
                 mark: *mark,
-                value: reader.number(input.of_phase(number))?,
+                value: reader.number(input.of_number(number))?,
                 direction,
             })
         }
         [] => {
             let message = format!("missing; give one of {}", ways());
-            reader.fault(&phase::ALTITUDE_M.of_phase(number), message);
+            reader.fault(&phase::ALTITUDE_M.of_number(number), message);
             None
         }
         [_, (second, _), ..] => {
             let message = format!("a phase begins in one way; give one of {}", ways());
-            reader.fault(&second.of_phase(number), message);
+            reader.fault(&second.of_number(number), message);
             None
         }
     }
@@ -148,15 +148,15 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
         &phase::DRAG_AREA_M2,
         &phase::INFLATION_S,
     ]
-    .map(|input| reader.number(input.of_phase(number)));
-    let drag_coefficient_key = phase::DRAG_COEFFICIENT.of_phase(number);
-    let attachment_key = phase::ATTACHMENT_M.of_phase(number);
+    .map(|input| reader.number(input.of_number(number)));
+    let drag_coefficient_key = phase::DRAG_COEFFICIENT.of_number(number);
+    let attachment_key = phase::ATTACHMENT_M.of_number(number);
     let attachment = one_row::<3>(reader, attachment_key).flatten();
-    let area = phase::name(&phase::REFERENCE_AREA_M2);
-    let drag_area = phase::name(&phase::DRAG_AREA_M2);
-    let out = reader.given(phase::DRAG_AREA_M2.of_phase(number));
+    let area = repeated::name(&phase::REFERENCE_AREA_M2);
+    let drag_area = repeated::name(&phase::DRAG_AREA_M2);
+    let out = reader.given(phase::DRAG_AREA_M2.of_number(number));
     if !out {
-        for key in [phase::INFLATION_S.of_phase(number), attachment_key] {
+        for key in [phase::INFLATION_S.of_number(number), attachment_key] {
             if reader.given(key) {
                 let message = format!("given without {drag_area}, to which it belongs");
                 reader.fault(&key, message);
@@ -205,14 +205,14 @@ fn change(reader: &mut Reader, number: usize, flown: Flown) -> Option<Change> {
 
 /// Adds a finding if the case has phases and the command does not use them.
 pub(super) fn not_flown(reader: &mut Reader, by: &str) {
-    if reader.phases() > 0 {
+    if reader.count(&phase::SECTION) > 0 {
         let message = format!("The phases of the case are not used by {by}.");
         note(reader, &phase::NAME, 1, message);
     }
 }
 
 fn note(reader: &mut Reader, input: &'static Input, number: usize, message: impl Into<String>) {
-    let note = Finding::note("phases", &input.of_phase(number), message);
+    let note = Finding::note("phases", &input.of_number(number), message);
     reader.findings.push(note);
 }
 

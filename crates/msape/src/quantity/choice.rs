@@ -75,6 +75,30 @@ choice! {
 }
 
 choice! {
+    /// Condition behind the last layer of a heat shield in depth.
+    BackFace {
+        /// No heat flows.
+        Adiabatic = "adiabatic", "Adiabatic";
+        /// Held at a temperature.
+        Held = "held", "Held at a temperature";
+        /// Radiates, with a film if wanted.
+        Radiating = "radiating", "Radiates, with a film";
+    }
+}
+
+choice! {
+    /// Shape of the surfaces of equal depth of a heat shield.
+    NormalGeometry {
+        /// Planes.
+        Planar = "planar", "Planar";
+        /// Cylinders.
+        Cylindrical = "cylindrical", "Cylindrical";
+        /// Spheres.
+        Spherical = "spherical", "Spherical";
+    }
+}
+
+choice! {
     /// Relation for radiative heating.
     RadiativeModel {
         /// Tauber and Sutton.

@@ -26,8 +26,10 @@ mod kind;
 pub mod outline;
 pub mod phase;
 pub mod planet;
+pub mod repeated;
 pub mod solver;
 pub mod stop;
+pub mod tps;
 pub mod vehicle;
 pub mod wind;
 
@@ -38,7 +40,7 @@ use std::fmt;
 pub use alternatives::Alternatives;
 pub use column::Column;
 pub use kind::{Choices, Group, Kind, Level, Need, OWN_ATMOSPHERE, OWN_OUTLINE, Preset, Range};
-pub use phase::Key;
+pub use repeated::Key;
 
 const CONVENTION: &str = "convention of this program";
 const RUN_PAGE: &str = "NASA/TM-2014-218507, Appendix D, run page";
@@ -282,6 +284,8 @@ pub fn inputs() -> impl Iterator<Item = &'static Input> {
         attitude::INPUTS,
         vehicle::aerodynamics::INPUTS,
         phase::INPUTS,
+        tps::INPUTS,
+        tps::layer::INPUTS,
     ];
     lists.into_iter().flatten().copied()
 }
@@ -295,18 +299,18 @@ pub static BEYOND_TABLES: [&Input; 5] = [
     &wind::EXTRAPOLATION,
 ];
 
-/// The input with this key or alias; of a key of one phase, such as `phase.2.mach`, the one that stands for all.
+/// The input with this key or alias; of a key of one of a repeated section, such as `phase.2.mach`, the one that stands for all.
 pub fn find(key: &str) -> Option<&'static Input> {
-    let numbered = phase::numbered(key);
+    let numbered = repeated::numbered(key);
     let key = numbered.as_ref().map_or(key, |(_, key)| key);
     inputs().find(|input| input.key == key || input.aliases.contains(&key))
 }
 
-/// The key under which a case keeps an input: aliases give way to it, a phase without number is the first.
+/// The key under which a case keeps an input: aliases give way to it, one of a repeated section without number is the first.
 pub fn canonical_key(key: &str) -> String {
-    match (find(key), phase::numbered(key)) {
+    match (find(key), repeated::numbered(key)) {
         (Some(_), Some(_)) | (None, _) => key.to_string(),
-        (Some(input), None) if phase::is_repeated(input.key) => input.of_phase(1).to_string(),
+        (Some(input), None) if repeated::is_repeated(input.key) => input.of_number(1).to_string(),
         (Some(input), None) => input.key.to_string(),
     }
 }

@@ -63,10 +63,12 @@ pub enum Task {
     Design,
     /// The flight of a designed vehicle as a rigid body.
     DesignedBody,
+    /// The heat shield in depth.
+    InDepth,
 }
 
 impl Task {
-    /// All.
+    /// All that fly or design.
     pub const ALL: &'static [Task] = &[
         Task::PointMass,
         Task::RigidBody,

@@ -13,6 +13,8 @@ pub enum Command {
     Fly,
     /// [`crate::design()`].
     Design,
+    /// The heat shield in depth, with the feature `ablation`.
+    Tps,
 }
 
 /// Tolerance of a value about its reference, and its reason.
@@ -87,6 +89,25 @@ pub struct Points {
     pub expected: Expectation,
 }
 
+/// A history beside a table, compared by the largest difference of any of its columns.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Histories {
+    /// CSV file of the folder `data/validation`, with a column `time_s`.
+    pub table: String,
+    /// Columns of the history, each with that of the table.
+    pub columns: BTreeMap<String, String>,
+    /// Time after which rows count, s.
+    pub from_s: f64,
+    /// Time up to which rows count, s.
+    pub to_s: f64,
+    /// Whether differences are relative, percent.
+    #[serde(default)]
+    pub relative: bool,
+    /// The largest difference.
+    pub expected: Expectation,
+}
+
 /// A file of `data/validation`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -114,6 +135,9 @@ pub struct File {
     /// Tables of measured points.
     #[serde(default)]
     pub points: Vec<Points>,
+    /// Histories beside tables.
+    #[serde(default)]
+    pub histories: Vec<Histories>,
 }
 
 impl File {
@@ -129,7 +153,8 @@ impl File {
     pub fn parse(text: &str) -> Result<File, String> {
         let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
         let of_points = file.points.iter().map(|points| &points.expected);
-        for row in file.rows.iter().chain(of_points) {
+        let of_histories = file.histories.iter().map(|histories| &histories.expected);
+        for row in file.rows.iter().chain(of_points).chain(of_histories) {
             let quantity = &row.quantity;
             if Unit::find(&row.unit).is_none() {
                 return Err(format!("{quantity}: unit \"{}\" is not known", row.unit));

@@ -69,6 +69,16 @@ columns! {
     Y_M = "y_m", -1e4, 1e4;
     Z_M = "z_m", -1e4, 1e4;
     R_M = "r_m", -1e4, 1e4;
+    DEPTH_M = "depth_m", 0.0, 100.0;
+    // Seconds, pascals ... as the interchange of heat-shield environments names them.
+    T_S = "t_s", -1e7, 1e7;
+    P_PA = "p_Pa", 0.0, 1e9;
+    CH_KG_M2S = "CH_kg_m2s", 0.0, 1e4;
+    H_R_J_KG = "h_r_J_kg", -1e8, 1e10;
+    Q_RAD_W_M2 = "q_rad_W_m2", 0.0, 1e12;
+    CHEMISTRY = "chemistry", 0.0, 1.0;
+    T_K = "T_K", 1.0, 1e5;
+    RECESSION_M_S = "recession_m_s", 0.0, 1.0;
     BULGE = "bulge", -1e9, 1e9;
     // Elements of inertia, kg-m², and of a quaternion.
     W = "w", -1e9, 1e9;

@@ -1,20 +1,21 @@
 //! Inputs of the phases of a flight: `[[phase]]` of a case.
-//!
-//! A key of the list, such as `phase.altitude_m`, stands for that of every phase: `phase.1.altitude_m`, `phase.2.altitude_m`.
 
+use super::repeated::Section;
 use super::{CONVENTION, Group, Input, Kind, Range, column};
 use crate::quantity::Task;
 use crate::quantity::choice::{Choice, Direction};
 use crate::units::Dimension;
-use std::borrow::Cow;
-use std::fmt;
 
 const KNACKE: &str = "Knacke 1991, chapter 5";
 
-/// Name of the section.
-pub const SECTION: &str = "phase";
-/// Most phases of a case.
-pub const MOST: usize = 20;
+/// The section.
+pub const SECTION: Section = Section {
+    name: "phase",
+    most: 20,
+    help: "What begins on the way, and what it changes.",
+    list_help: "Phases of a flight, in the order in which they begin.",
+    required: &["name"],
+};
 
 inputs! {
     Task::FLOWN;
@@ -53,68 +54,4 @@ inputs! {
     ATTACHMENT_M: "phase.attachment_m" = Input::new("Parachute Attachment", Group::Mission, Kind::Rows(&[column::X_M, column::Y_M, column::Z_M]))
         .one_row()
         .help("Point of a rigid body at which the parachutes pull, m: x aft of the virtual apex, y to the right, z down.", CONVENTION);
-}
-
-/// Key of an input in a case: that of the list, or that of one phase.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Key {
-    /// The input.
-    pub input: &'static Input,
-    phase: Option<usize>,
-}
-
-impl From<&'static Input> for Key {
-    fn from(input: &'static Input) -> Key {
-        Key { input, phase: None }
-    }
-}
-
-impl Key {
-    /// The key as a case has it.
-    pub fn text(self) -> Cow<'static, str> {
-        let key = self.input.key;
-        match (self.phase, key.strip_prefix(SECTION)) {
-            (Some(number), Some(name)) => Cow::Owned(format!("{SECTION}.{number}{name}")),
-            _ => Cow::Borrowed(key),
-        }
-    }
-}
-
-impl fmt::Display for Key {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text())
-    }
-}
-
-impl Input {
-    /// The key of one phase, counted from 1.
-    pub fn of_phase(&'static self, number: usize) -> Key {
-        Key {
-            input: self,
-            phase: Some(number),
-        }
-    }
-}
-
-/// The number of the phase in a key, and the key that stands for it in the list; `None` where the key is of no phase.
-pub(super) fn numbered(key: &str) -> Option<(usize, String)> {
-    let (number, name) = key
-        .strip_prefix(SECTION)?
-        .strip_prefix('.')?
-        .split_once('.')?;
-    let index: usize = number.parse().ok()?;
-    let plain = (1..=MOST).contains(&index) && number == index.to_string();
-    plain.then(|| (index, format!("{SECTION}.{name}")))
-}
-
-/// Key of an input within its section, such as `altitude_m`.
-pub fn name(input: &Input) -> &'static str {
-    input.key.rsplit('.').next().unwrap_or_default()
-}
-
-/// Whether a key of the list stands for that of every phase.
-pub fn is_repeated(key: &str) -> bool {
-    key.strip_prefix(SECTION)
-        .is_some_and(|rest| rest.starts_with('.'))
-        && numbered(key).is_none()
 }
