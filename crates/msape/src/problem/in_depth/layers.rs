@@ -69,9 +69,11 @@ fn material(
         Ok(card) => {
             let assumed = card.note.contains("ssumed") || card.note.contains("rovisional");
             if assumed {
-                reader
-                    .findings
-                    .push(Finding::note("in-depth", key, format!("{name}: {}", card.note)));
+                reader.findings.push(Finding::note(
+                    "in-depth",
+                    key,
+                    format!("{name}: {}", card.note),
+                ));
             }
             Some(card.material)
         }
