@@ -123,6 +123,10 @@ pub fn run_stages(project: &Project, names: &[&str]) -> Result<()> {
         .spawn()
         .context("cannot start this program again")?;
     let passed = run_in_turn(project, here);
+    if passed.is_err() {
+        // it may have ended by itself
+        other.kill().ok();
+    }
     let status = other.wait()?;
     println!("\n{}", fs::read_to_string(&log)?);
     passed?;
