@@ -49,6 +49,15 @@ impl Data<'_> {
         }
     }
 
+    /// The text of a file of the user.
+    pub fn own(&self) -> Option<&str> {
+        match self {
+            #[cfg(feature = "own-data")]
+            Self::Own(text) => Some(text),
+            Self::Shipped(_) => None,
+        }
+    }
+
     /// Whether the file has a key, or a table of this name.
     pub fn has(self, key: &str) -> bool {
         let keys = self.read::<BTreeMap<String, IgnoredAny>>();

@@ -92,11 +92,7 @@ impl<'f> Files<'f> {
             .files
             .iter()
             .filter(|(path, _)| path.starts_with(&prefix));
-        let text = |(path, data): &(&str, Data)| match data {
-            #[cfg(feature = "own-data")]
-            Data::Own(text) => Some((path.to_string(), text.to_string())),
-            Data::Shipped(_) => None,
-        };
+        let text = |(path, data): &(&str, Data)| Some((path.to_string(), data.own()?.to_string()));
         inside.filter_map(text).collect()
     }
 
