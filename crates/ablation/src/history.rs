@@ -109,7 +109,8 @@ fn lagrange(points: &[[f64; 2]], x: f64) -> f64 {
 /// Temperature at a depth, K; 0 where there is no solid.
 fn temperature_k(grid: &Grid, state: &State, behind_k: &[f64], x: f64) -> f64 {
     let n = grid.len();
-    if x < grid.wall_depth_m() || x > grid.face_m[n] * (1.0 + 1e-12) {
+    // a depth at the last face is within, whatever the sum of the cells
+    if x < grid.wall_depth_m() || x > grid.face_m[n] * (1.0 + 1e-9) {
         return 0.0;
     }
     let cell = grid

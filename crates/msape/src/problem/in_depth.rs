@@ -114,9 +114,9 @@ impl InDepthProblem {
         let layers = layers::layers(&mut reader, &cards, flown.as_ref());
         let geometry = geometry(&mut reader);
         let back = back(&mut reader);
-        let settings = environment
-            .as_ref()
-            .and_then(|environment| settings(&mut reader, environment));
+        let times_s = environment.as_ref().map(Environment::times_s);
+        let last_s = times_s.and_then(|times_s| times_s.last()).copied();
+        let settings = settings(&mut reader, last_s.unwrap_or_default());
         let limit = limit(&mut reader);
         let stack = layers
             .zip(geometry)
@@ -315,56 +315,86 @@ fn back(reader: &mut Reader) -> Option<Back> {
     Some(match back {
         BackFace::Adiabatic => Back::Adiabatic,
         BackFace::Held => Back::Held { temperature_k },
-        BackFace::Radiating => Back::Exposed {
-            temperature_k,
-            emissivity: reader.number(&tps::BACK_EMISSIVITY)?,
-            film_w_m2k: reader.number(&tps::BACK_FILM_W_M2K)?,
-        },
+        BackFace::Radiating => {
+            let [emissivity, film_w_m2k] =
+                [&tps::BACK_EMISSIVITY, &tps::BACK_FILM_W_M2K].map(|input| reader.number(input));
+            Back::Exposed {
+                temperature_k,
+                emissivity: emissivity?,
+                film_w_m2k: film_w_m2k?,
+            }
+        }
     })
 }
 
 fn limit(reader: &mut Reader) -> Option<Limit> {
-    let layer = reader.number(&tps::BOND_LAYER)?;
-    let limit = reader.number(&tps::BOND_LIMIT_K)?;
-    let margin = reader.number(&tps::TEMPERATURE_MARGIN_K)?;
+    let [layer, limit_k, margin_k, recession_margin] = [
+        &tps::BOND_LAYER,
+        &tps::BOND_LIMIT_K,
+        &tps::TEMPERATURE_MARGIN_K,
+        &tps::RECESSION_MARGIN,
+    ]
+    .map(|input| reader.number(input));
     Some(Limit {
-        layer: layer as usize - 1,
-        temperature_k: limit - margin,
-        recession_margin: reader.number(&tps::RECESSION_MARGIN)?,
+        layer: layer? as usize - 1,
+        temperature_k: limit_k? - margin_k?,
+        recession_margin: recession_margin?,
     })
 }
 
-fn settings(reader: &mut Reader, environment: &Environment) -> Option<Settings> {
-    let number = |reader: &mut Reader, input: &'static Input| reader.number(input);
-    let layer = number(reader, &tps::BOND_LAYER)? as usize - 1;
-    let last_s = environment.times_s().last().copied().unwrap_or_default();
-    let until = match reader.given(&tps::UNTIL_S) {
-        true => Until::Time(number(reader, &tps::UNTIL_S)?),
-        false => Until::Cooled {
-            layer,
-            at_most_s: last_s + LONGEST_S,
-        },
-    };
-    let depths_m = match reader.given(&tps::DEPTHS_M) {
-        true => reader.rows(&tps::DEPTHS_M)?.concat(),
-        false => Vec::new(),
-    };
-    let wall = WallSettings {
-        blowing: number(reader, &tps::BLOWING)?,
-        recession: reader.flag(&tps::RECESSION)?,
-        sink_temperature_k: number(reader, &tps::SINK_TEMPERATURE_K)?,
+/// Settings of a run whose environment ends at `last_s`. Every number is read before the first fault is looked at.
+fn settings(reader: &mut Reader, last_s: f64) -> Option<Settings> {
+    let numbers = [
+        &tps::BOND_LAYER,
+        &tps::BLOWING,
+        &tps::SINK_TEMPERATURE_K,
+        &tps::INITIAL_TEMPERATURE_K,
+        &tps::OUTPUT_STEP_S,
+        &tps::CELLS,
+        &tps::TOLERANCE_K,
+    ]
+    .map(|input| reader.number(input));
+    let recession = reader.flag(&tps::RECESSION);
+    let given = reader.given(&tps::UNTIL_S);
+    let until = given.then(|| reader.number(&tps::UNTIL_S));
+    let given = reader.given(&tps::DEPTHS_M);
+    let depths = given.then(|| reader.rows(&tps::DEPTHS_M));
+    let [
+        Some(bond_layer),
+        Some(blowing),
+        Some(sink_temperature_k),
+        Some(initial_temperature_k),
+        Some(output_step_s),
+        Some(cells),
+        Some(tolerance_k),
+    ] = numbers
+    else {
+        return None;
     };
     Some(Settings {
-        initial_temperature_k: number(reader, &tps::INITIAL_TEMPERATURE_K)?,
-        wall,
-        until,
-        output_step_s: Some(number(reader, &tps::OUTPUT_STEP_S)?),
-        depths_m,
+        initial_temperature_k,
+        wall: WallSettings {
+            blowing,
+            recession: recession?,
+            sink_temperature_k,
+        },
+        until: match until {
+            Some(time_s) => Until::Time(time_s?),
+            None => Until::Cooled {
+                layer: bond_layer as usize - 1,
+                at_most_s: last_s + LONGEST_S,
+            },
+        },
+        output_step_s: Some(output_step_s),
+        depths_m: match depths {
+            Some(rows) => rows?.concat(),
+            None => Vec::new(),
+        },
         resolution: Resolution {
-            cells: number(reader, &tps::CELLS)? as usize,
+            cells: cells as usize,
             ..Resolution::default()
         },
-        tolerance_k: number(reader, &tps::TOLERANCE_K)?,
+        tolerance_k,
         most_steps: MOST_STEPS,
     })
 }

@@ -120,6 +120,45 @@ fn faults_name_key_value_and_range() {
 }
 
 #[test]
+fn every_fault_is_told_at_once_also_without_an_environment() {
+    let text = "schema = 'msape/1'
+[tps]
+blowing = 5.0
+cells = 1
+tolerance_k = -1.0
+bond_limit_k = -1.0
+recession_margin = -1.0
+back = 'radiating'
+back_emissivity = 2.0
+back_film_w_m2k = -1.0
+[[tps.layer]]
+material = 'tacot'
+thickness_m = -1.0
+";
+    let said = faults(text);
+    for key in [
+        "blowing",
+        "cells",
+        "tolerance_k",
+        "bond_limit_k",
+        "recession_margin",
+        "back_emissivity",
+        "back_film_w_m2k",
+        "layer.1.thickness_m",
+        "environment",
+    ] {
+        assert!(said.contains(&format!("tps.{key}: ")), "{key} in {said}");
+    }
+}
+
+#[test]
+fn the_back_face_has_its_temperature_from_the_start() {
+    let text = SLAB.replace("[0.001, 0.05]", "[0.001, 0.05, 0.0516]");
+    let rows = answer(&text, Ask::Response).response.history.rows;
+    assert_eq!(rows[0].depths_k, [300.0; 3]);
+}
+
+#[test]
 fn case_of_layers_reads_back_as_written() {
     let case = Case::from_text(SLAB).unwrap();
     assert_eq!(Case::from_toml(&case.to_toml()).unwrap(), case);
