@@ -10,7 +10,7 @@ use crate::finding::{Finding, Severity};
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::quantity::choice::{BackFace, NormalGeometry};
-use crate::quantity::input::{Input, tps};
+use crate::quantity::input::tps;
 use ::ablation::environment::Environment;
 use ::ablation::geometry::Geometry;
 use ::ablation::grid::Resolution;
