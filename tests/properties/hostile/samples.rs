@@ -38,7 +38,21 @@ pub(crate) fn cases() -> Vec<String> {
 }
 
 /// Tables by the key that names their file.
-pub(crate) const TABLES: [(&str, &[&str]); 8] = [
+pub(crate) const TABLES: [(&str, &[&str]); 10] = [
+    (
+        "tps.environment",
+        &[
+            "t_s,p_Pa,CH_kg_m2s,h_r_J_kg\n0,101325,0,0\n0.1,101325,0.3,1.5e6\n60,101325,0.3,1.5e6\n",
+            "# after the flight the wall only radiates\nh_r_J_kg;t_s;p_Pa;CH_kg_m2s;chemistry;q_rad_W_m2\n2e7;0;500;0.05;1;1e5\n0;60;500;0;0;0\n",
+        ],
+    ),
+    (
+        "tps.surface_temperature",
+        &[
+            "t_s,T_K,p_Pa\n0,300,101325\n0.1,1644,101325\n60,1644,101325\n",
+            "t_s\tT_K\tp_Pa\trecession_m_s\n0\t300\t1e5\t0\n10\t2500\t1e5\t1e-5\n",
+        ],
+    ),
     (
         "atmosphere.file",
         &[
