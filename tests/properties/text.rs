@@ -3,7 +3,7 @@
 use crate::config;
 use msape::Case;
 use msape::case::Value;
-use msape::quantity::input::{Input, Kind, find};
+use msape::quantity::input::{Input, Kind, canonical_key, find};
 use msape::quantity::inputs;
 use msape::units::{UNITS, parse_number};
 use proptest::prelude::*;
@@ -34,11 +34,8 @@ fn value(input: &'static Input) -> BoxedStrategy<(String, Value)> {
                 .boxed()
         }
     };
-    // a key for every phase becomes one of the second phase
-    let key = match input.key.strip_prefix("phase.") {
-        Some(name) => format!("phase.2.{name}"),
-        None => input.key.to_string(),
-    };
+    // a key for every phase or layer becomes one of the second
+    let key = canonical_key(input.key).replace(".1.", ".2.");
     value.prop_map(move |value| (key.clone(), value)).boxed()
 }
 

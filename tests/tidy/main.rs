@@ -41,7 +41,7 @@ fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if ["target", "dist", "node_modules", ".git"].contains(&name.as_str()) {
+        if ["target", "dist", "dist-trunk", "node_modules", ".git"].contains(&name.as_str()) {
             continue;
         }
         if path.is_dir() {

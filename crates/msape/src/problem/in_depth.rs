@@ -1,6 +1,7 @@
 //! The heat shield in depth of a case: `[tps]`, with an environment of its own or that of the case's flight.
 
 mod layers;
+mod settings;
 mod wall;
 
 use crate::ablation::sizing::{Limit, Sized, size};
@@ -9,22 +10,14 @@ use crate::case::{Case, InputError, Reader};
 use crate::finding::{Finding, Severity};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::quantity::choice::{BackFace, NormalGeometry};
 use crate::quantity::input::tps;
 use ::ablation::environment::Environment;
-use ::ablation::geometry::Geometry;
-use ::ablation::grid::Resolution;
 use ::ablation::march::{Response, Run};
 use ::ablation::settings::{Settings, Until};
 use ::ablation::solid::REFERENCE_TEMPERATURE_K;
-use ::ablation::stack::{Back, Stack};
-use ::ablation::wall::WallSettings;
+use ::ablation::stack::Stack;
 use std::ops::ControlFlow;
 
-/// Longest time of a run without `tps.until_s` after the last row of its environment, s. Assumed: longer than any soak.
-const LONGEST_S: f64 = 20_000.0;
-/// Most steps of a run, those that are taken back included.
-const MOST_STEPS: usize = 200_000;
 /// Temperatures at which the enthalpy of air at the wall is tabulated, K.
 const AIR_K: [usize; 2] = [100, 4000];
 
@@ -112,12 +105,12 @@ impl InDepthProblem {
         let environment =
             margin.and_then(|margin| wall::environment(&mut reader, flown.as_ref(), margin));
         let layers = layers::layers(&mut reader, &cards, flown.as_ref());
-        let geometry = geometry(&mut reader);
-        let back = back(&mut reader);
+        let geometry = settings::geometry(&mut reader);
+        let back = settings::back(&mut reader);
         let times_s = environment.as_ref().map(Environment::times_s);
         let last_s = times_s.and_then(|times_s| times_s.last()).copied();
-        let settings = settings(&mut reader, last_s.unwrap_or_default());
-        let limit = limit(&mut reader);
+        let settings = settings::settings(&mut reader, last_s.unwrap_or_default());
+        let limit = settings::limit(&mut reader);
         let stack = layers
             .zip(geometry)
             .zip(back)
@@ -289,114 +282,6 @@ fn air(library: &Library) -> Vec<[f64; 2]> {
     let rows = (first..=last).step_by(first).map(|t| t as f64);
     rows.map(|t| [t, h(t) - h(REFERENCE_TEMPERATURE_K)])
         .collect()
-}
-
-fn geometry(reader: &mut Reader) -> Option<Geometry> {
-    let shape: NormalGeometry = reader.choice(&tps::GEOMETRY)?;
-    let radius = |reader: &mut Reader| reader.required_number(&tps::RADIUS_M);
-    Some(match shape {
-        NormalGeometry::Planar => Geometry::Planar,
-        NormalGeometry::Cylindrical => Geometry::Cylindrical {
-            radius_m: radius(reader)?,
-        },
-        NormalGeometry::Spherical => Geometry::Spherical {
-            radius_m: radius(reader)?,
-        },
-    })
-}
-
-fn back(reader: &mut Reader) -> Option<Back> {
-    let back: BackFace = reader.choice(&tps::BACK)?;
-    let initial = reader.number(&tps::INITIAL_TEMPERATURE_K)?;
-    let temperature_k = match reader.given(&tps::BACK_TEMPERATURE_K) {
-        true => reader.number(&tps::BACK_TEMPERATURE_K)?,
-        false => initial,
-    };
-    Some(match back {
-        BackFace::Adiabatic => Back::Adiabatic,
-        BackFace::Held => Back::Held { temperature_k },
-        BackFace::Radiating => {
-            let [emissivity, film_w_m2k] =
-                [&tps::BACK_EMISSIVITY, &tps::BACK_FILM_W_M2K].map(|input| reader.number(input));
-            Back::Exposed {
-                temperature_k,
-                emissivity: emissivity?,
-                film_w_m2k: film_w_m2k?,
-            }
-        }
-    })
-}
-
-fn limit(reader: &mut Reader) -> Option<Limit> {
-    let [layer, limit_k, margin_k, recession_margin] = [
-        &tps::BOND_LAYER,
-        &tps::BOND_LIMIT_K,
-        &tps::TEMPERATURE_MARGIN_K,
-        &tps::RECESSION_MARGIN,
-    ]
-    .map(|input| reader.number(input));
-    Some(Limit {
-        layer: layer? as usize - 1,
-        temperature_k: limit_k? - margin_k?,
-        recession_margin: recession_margin?,
-    })
-}
-
-/// Settings of a run whose environment ends at `last_s`. Every number is read before the first fault is looked at.
-fn settings(reader: &mut Reader, last_s: f64) -> Option<Settings> {
-    let numbers = [
-        &tps::BOND_LAYER,
-        &tps::BLOWING,
-        &tps::SINK_TEMPERATURE_K,
-        &tps::INITIAL_TEMPERATURE_K,
-        &tps::OUTPUT_STEP_S,
-        &tps::CELLS,
-        &tps::TOLERANCE_K,
-    ]
-    .map(|input| reader.number(input));
-    let recession = reader.flag(&tps::RECESSION);
-    let given = reader.given(&tps::UNTIL_S);
-    let until = given.then(|| reader.number(&tps::UNTIL_S));
-    let given = reader.given(&tps::DEPTHS_M);
-    let depths = given.then(|| reader.rows(&tps::DEPTHS_M));
-    let [
-        Some(bond_layer),
-        Some(blowing),
-        Some(sink_temperature_k),
-        Some(initial_temperature_k),
-        Some(output_step_s),
-        Some(cells),
-        Some(tolerance_k),
-    ] = numbers
-    else {
-        return None;
-    };
-    Some(Settings {
-        initial_temperature_k,
-        wall: WallSettings {
-            blowing,
-            recession: recession?,
-            sink_temperature_k,
-        },
-        until: match until {
-            Some(time_s) => Until::Time(time_s?),
-            None => Until::Cooled {
-                layer: bond_layer as usize - 1,
-                at_most_s: last_s + LONGEST_S,
-            },
-        },
-        output_step_s: Some(output_step_s),
-        depths_m: match depths {
-            Some(rows) => rows?.concat(),
-            None => Vec::new(),
-        },
-        resolution: Resolution {
-            cells: cells as usize,
-            ..Resolution::default()
-        },
-        tolerance_k,
-        most_steps: MOST_STEPS,
-    })
 }
 
 #[cfg(test)]
