@@ -66,6 +66,10 @@ pub fn for_trunk(project: &Project) -> Result<PathBuf> {
         fs::remove_dir_all(folder.join("build"))
             .context("cannot remove what Trunk was built from")?;
     }
+    // Trunk builds offline, so that it fetches no other wasm-bindgen
+    run(project
+        .command("cargo")
+        .args(["fetch", "--locked", "--target", WASM]))?;
     let reason = "Trunk calls it";
     web_tool(
         project,
