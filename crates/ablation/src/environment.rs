@@ -13,7 +13,7 @@
 //! # References
 //! - \[pato\]: the columns of its boundary conditions.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, check_row};
 
 /// Conditions at one time: those of the boundary layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,25 +129,6 @@ fn bends(times_s: &[f64], columns: &[Vec<f64>], switches: &[bool]) -> Vec<f64> {
         .collect()
 }
 
-/// Refuses numbers that are not finite or below their least.
-fn check_row(row: usize, numbers: &[(&'static str, f64, f64)]) -> Result<(), Fault> {
-    for &(key, value, least) in numbers {
-        if !value.is_finite() {
-            return Err(Fault::NotFinite { of: OF, key, row });
-        }
-        if value < least {
-            return Err(Fault::Range {
-                of: OF,
-                key,
-                value,
-                least,
-                most: f64::MAX,
-            });
-        }
-    }
-    Ok(())
-}
-
 impl Environment {
     /// Heating by a boundary layer: rows of time, s, and conditions.
     ///
@@ -158,6 +139,7 @@ impl Environment {
         check_times(&times_s)?;
         for ((_, heating), row) in rows.iter().zip(1..) {
             check_row(
+                OF,
                 row,
                 &[
                     ("p_Pa", heating.pressure_pa, 0.0),
@@ -190,6 +172,7 @@ impl Environment {
         check_times(&times_s)?;
         for ((_, held), row) in rows.iter().zip(1..) {
             check_row(
+                OF,
                 row,
                 &[
                     ("T_K", held.temperature_k, f64::MIN_POSITIVE),
@@ -244,23 +227,20 @@ impl Environment {
         let mix = |a: f64, b: f64| a + share * (b - a);
         match &self.rows {
             Rows::Heated(rows) => {
-                let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
-                    return Wall::Heated(Heating {
-                        pressure_pa: 0.0,
+                let radiating = |pressure_pa: f64| {
+                    Wall::Heated(Heating {
+                        pressure_pa,
                         transfer_kg_m2s: 0.0,
                         recovery_j_kg: 0.0,
                         radiative_w_m2: 0.0,
                         chemistry: false,
-                    });
+                    })
+                };
+                let (Some(a), Some(b)) = (rows.get(row), rows.get(next)) else {
+                    return radiating(0.0);
                 };
                 if self.times_s.last().is_some_and(|last| since_s >= *last) {
-                    return Wall::Heated(Heating {
-                        pressure_pa: b.pressure_pa,
-                        transfer_kg_m2s: 0.0,
-                        recovery_j_kg: 0.0,
-                        radiative_w_m2: 0.0,
-                        chemistry: false,
-                    });
+                    return radiating(b.pressure_pa);
                 }
                 Wall::Heated(Heating {
                     pressure_pa: mix(a.pressure_pa, b.pressure_pa),

@@ -59,6 +59,29 @@ pub enum Fault {
     },
 }
 
+/// Refuses numbers of a row, each with its key and least value, that are not finite or below it.
+pub(crate) fn check_row(
+    of: &'static str,
+    row: usize,
+    numbers: &[(&'static str, f64, f64)],
+) -> Result<(), Fault> {
+    for &(key, value, least) in numbers {
+        if !value.is_finite() {
+            return Err(Fault::NotFinite { of, key, row });
+        }
+        if value < least {
+            return Err(Fault::Range {
+                of,
+                key,
+                value,
+                least,
+                most: f64::MAX,
+            });
+        }
+    }
+    Ok(())
+}
+
 /// Refuses rows of an abscissa and a value: empty, not ascending, not finite, values below `least`.
 pub(crate) fn column(
     of: &'static str,
@@ -76,20 +99,9 @@ pub(crate) fn column(
     }
     let mut before = f64::NEG_INFINITY;
     for (&[x, y], row) in rows.iter().zip(1..) {
-        if !x.is_finite() || !y.is_finite() {
-            return Err(Fault::NotFinite { of, key, row });
-        }
+        check_row(of, row, &[(key, x, f64::MIN), (key, y, least)])?;
         if x <= before {
             return Err(Fault::Unsorted { of, key, row });
-        }
-        if y < least {
-            return Err(Fault::Range {
-                of,
-                key,
-                value: y,
-                least,
-                most: f64::MAX,
-            });
         }
         before = x;
     }

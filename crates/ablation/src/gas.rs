@@ -13,7 +13,7 @@
 //! # References
 //! - \[pato\].
 
-use crate::fault::Fault;
+use crate::fault::{Fault, check_row};
 use numerics::math;
 
 /// Molar gas constant, J/(mol K), of the SI since 2019.
@@ -84,36 +84,18 @@ impl Gas {
     pub fn try_new(mut rows: Vec<GasRow>) -> Result<Self, Fault> {
         const OF: &str = "gas";
         for (row, n) in rows.iter().zip(1..) {
-            for (key, value) in [
-                ("p_Pa", row.pressure_pa),
-                ("T_K", row.temperature_k),
-                ("M_kg_mol", row.molar_mass_kg_mol),
-                ("mu_Pa_s", row.viscosity_pa_s),
-            ] {
-                if !value.is_finite() {
-                    return Err(Fault::NotFinite {
-                        of: OF,
-                        key,
-                        row: n,
-                    });
-                }
-                if value <= 0.0 {
-                    return Err(Fault::Range {
-                        of: OF,
-                        key,
-                        value,
-                        least: f64::MIN_POSITIVE,
-                        most: f64::MAX,
-                    });
-                }
-            }
-            if !row.enthalpy_j_kg.is_finite() {
-                return Err(Fault::NotFinite {
-                    of: OF,
-                    key: "h_J_kg",
-                    row: n,
-                });
-            }
+            let least = f64::MIN_POSITIVE;
+            check_row(
+                OF,
+                n,
+                &[
+                    ("p_Pa", row.pressure_pa, least),
+                    ("T_K", row.temperature_k, least),
+                    ("M_kg_mol", row.molar_mass_kg_mol, least),
+                    ("mu_Pa_s", row.viscosity_pa_s, least),
+                    ("h_J_kg", row.enthalpy_j_kg, f64::MIN),
+                ],
+            )?;
         }
         rows.sort_by(|a, b| {
             let pressure = a.pressure_pa.total_cmp(&b.pressure_pa);

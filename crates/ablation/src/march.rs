@@ -39,6 +39,12 @@ const GONE_S: f64 = 1e-6;
 const SHORTEST_S: f64 = 1e-13;
 /// Share of the first layer that counts as gone.
 const GONE: f64 = 1e-3;
+/// Error of the wall's place, as a share of the first layer, that counts as an error of one kelvin. Assumed.
+const WALL_FOR_KELVIN: f64 = 1e-5;
+/// Share of the step by which its error would just be allowed that is taken. Assumed, as the following.
+const CAUTION: f64 = 0.9;
+/// Least and greatest change of a step by its error.
+const CHANGE: [f64; 2] = [0.2, 3.0];
 
 /// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -354,13 +360,12 @@ impl<'a> Run<'a> {
         let f1 = (first.wall_m - start.wall_m) / h;
         let f2 = (end.wall_m - known.wall_m) / h;
         next.wall_m = f2;
-        // A millionth of the first layer for each kelvin.
-        let length = 1e-5 * self.grid.first_volume_m;
+        let length = WALL_FOR_KELVIN * self.grid.first_volume_m;
         worst.max(bend(rates.wall_m, f1, f2).abs() / (length * self.settings.tolerance_k))
     }
 }
 
 /// Change of the step for an error over the tolerance.
 fn shrink(error: f64) -> f64 {
-    (0.9 / numerics::math::cbrt(error.max(1e-6))).clamp(0.2, 3.0)
+    (CAUTION / numerics::math::cbrt(error.max(1e-6))).clamp(CHANGE[0], CHANGE[1])
 }

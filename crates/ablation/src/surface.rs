@@ -15,7 +15,7 @@
 //! # References
 //! - \[pato\]; the blowing of \[covington-2008\].
 
-use crate::fault::Fault;
+use crate::fault::{Fault, check_row};
 use crate::gas::{distinct, place};
 use numerics::math;
 
@@ -55,30 +55,17 @@ impl WallTable {
     pub fn try_new(mut rows: Vec<WallRow>) -> Result<Self, Fault> {
         const OF: &str = "wall";
         for (row, n) in rows.iter().zip(1..) {
-            for (key, value, least) in [
-                ("p_Pa", row.pressure_pa, f64::MIN_POSITIVE),
-                ("Bg", row.gas_rate, 0.0),
-                ("Bc", row.char_rate, 0.0),
-                ("T_K", row.temperature_k, f64::MIN_POSITIVE),
-                ("hw_J_kg", row.enthalpy_j_kg, f64::MIN),
-            ] {
-                if !value.is_finite() {
-                    return Err(Fault::NotFinite {
-                        of: OF,
-                        key,
-                        row: n,
-                    });
-                }
-                if value < least {
-                    return Err(Fault::Range {
-                        of: OF,
-                        key,
-                        value,
-                        least,
-                        most: f64::MAX,
-                    });
-                }
-            }
+            check_row(
+                OF,
+                n,
+                &[
+                    ("p_Pa", row.pressure_pa, f64::MIN_POSITIVE),
+                    ("Bg", row.gas_rate, 0.0),
+                    ("Bc", row.char_rate, 0.0),
+                    ("T_K", row.temperature_k, f64::MIN_POSITIVE),
+                    ("hw_J_kg", row.enthalpy_j_kg, f64::MIN),
+                ],
+            )?;
         }
         rows.sort_by(|a, b| {
             let pressure = b.pressure_pa.total_cmp(&a.pressure_pa);

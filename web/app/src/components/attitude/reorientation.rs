@@ -130,12 +130,14 @@ pub fn Reorientation() -> impl IntoView {
     };
     let said = move || match (view.fault.get(), view.running.get(), count()) {
         (Some(fault), ..) => fault,
-        (None, true, flown) => {
-            let percent = 100.0 * view.done.get().iter().sum::<f64>() / ENTRIES as f64;
-            format!("{flown} of {ENTRIES} entries are flown, {percent:.0} %.")
-        }
+        // read aloud at each change: the share done is in the bar
+        (None, true, flown) => format!("{flown} of {ENTRIES} entries are flown."),
         (None, false, 0) => String::new(),
-        (None, false, _) => {
+        (None, false, flown) => {
+            let stopped = match flown == ENTRIES {
+                true => String::new(),
+                false => format!(" Stopped after {flown} of {ENTRIES}."),
+            };
             let of_old = if stale() {
                 " Flown with an earlier design."
             } else {
@@ -144,7 +146,7 @@ pub fn Reorientation() -> impl IntoView {
             let sentence = view
                 .flown
                 .with(|flown| flown.as_ref().map(|flown| sentence(&flown.turning)));
-            format!("{}{of_old}", sentence.unwrap_or_default())
+            format!("{}{stopped}{of_old}", sentence.unwrap_or_default())
         }
     };
     let press = move |_| match view.running.get_untracked() {
@@ -165,7 +167,7 @@ pub fn Reorientation() -> impl IntoView {
                     {move || if view.running.get() { "Stop" } else { "Fly the nine entries" }}
                 </button>
                 <Show when=move || view.running.get()>
-                    <progress max=ENTRIES.to_string() prop:value=move || count().to_string() aria-label="Entries flown"></progress>
+                    <progress max=ENTRIES.to_string() prop:value=move || view.done.get().iter().sum::<f64>().to_string() aria-label="Share of the entries that is flown"></progress>
                 </Show>
                 <p role="status">{said}</p>
             </div>
