@@ -1,9 +1,11 @@
 //! Errors of the command, and its exit codes.
 
-use crate::signal;
 use msape::library::DataError;
 use std::io::{self, Write};
 use std::process::ExitCode;
+
+/// Exit code after Ctrl-C, that of shells.
+pub const INTERRUPTED: u8 = 130;
 
 /// Reason why there is no answer.
 #[derive(Debug)]
@@ -60,7 +62,7 @@ impl Failure {
             Failure::ReaderGone => ExitCode::SUCCESS,
             Failure::Stopped => {
                 say("stopped: nothing was written");
-                signal::code(ExitCode::SUCCESS)
+                ExitCode::from(INTERRUPTED)
             }
         }
     }

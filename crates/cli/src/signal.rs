@@ -1,14 +1,12 @@
 //! Ctrl-C: during long work the first ends the work, which keeps what is done; otherwise, and the second time, it ends the program.
 
+use crate::failure::INTERRUPTED;
 use crate::output;
 use msape::progress::Progress;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Exit code after a signal, that of shells for Ctrl-C.
-const INTERRUPTED: u8 = 130;
 
 static LISTENS: OnceLock<bool> = OnceLock::new();
 static AT_WORK: AtomicBool = AtomicBool::new(false);

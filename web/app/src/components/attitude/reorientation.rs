@@ -149,6 +149,7 @@ pub fn Reorientation() -> impl IntoView {
             format!("{}{stopped}{of_old}", sentence.unwrap_or_default())
         }
     };
+    let share_done = move || view.done.get().iter().sum::<f64>().to_string();
     let press = move |_| match view.running.get_untracked() {
         true => view.stop(),
         false => view.start(state),
@@ -167,7 +168,7 @@ pub fn Reorientation() -> impl IntoView {
                     {move || if view.running.get() { "Stop" } else { "Fly the nine entries" }}
                 </button>
                 <Show when=move || view.running.get()>
-                    <progress max=ENTRIES.to_string() prop:value=move || view.done.get().iter().sum::<f64>().to_string() aria-label="Share of the entries that is flown"></progress>
+                    <progress max=ENTRIES.to_string() prop:value=share_done aria-label="Share of the entries that is flown"></progress>
                 </Show>
                 <p role="status">{said}</p>
             </div>
